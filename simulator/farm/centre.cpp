@@ -10,7 +10,7 @@ using namespace occam;
 void interaction(tracing::Orders<Limits>& orders, const Progress& progress,
                  Channel<Command>& into_coordination) {
   out(into_coordination, Command{Begin{}});
-  // The second is taken when the first task is at hand.
+  // A second Begin blocks until the coordination has deposited the initial rays.
   if (orders.has_any()) out(into_coordination, Command{Begin{}});
   for (bool has_left = false; !has_left;) {
     const auto what = orders[orders.next(progress.begun)].what;

@@ -22,8 +22,8 @@ void wait_for(Channel<Command>& from_interaction) {
   while (!std::holds_alternative<Content>(command.content));
 }
 
-// Sends the scene to all workers, and waits until they have it. No task is under way, and the
-// sender's signal has not been taken.
+// Sends the scene to all workers and waits for their acknowledgements. Expects no task in the farm
+// and the sender's signal still unread.
 void send_scene(CoordinationChannels to, SceneMessages load) {
   if (load.bytes == 0) return;
   for (std::uint64_t sent = 0; sent < load.bytes; sent += load.message) {
@@ -40,7 +40,7 @@ void send_scene(CoordinationChannels to, SceneMessages load) {
   for (std::size_t i = 0; i < load.workers; ++i) in(to.from_workers, acknowledgement);
 }
 
-// Stops every process of the farm, in the order of the wires, once nothing is in it.
+// Stops all processes of the farm in the order of the wires. Expects the farm to be empty.
 void stop_all(CoordinationChannels to, bool sender_is_ready) {
   if (!sender_is_ready) in(to.from_sender);
   out(to.into_sender, Task{});
@@ -52,7 +52,7 @@ void stop_all(CoordinationChannels to, bool sender_is_ready) {
 
 enum class Mode { null, interactive, non_interactive, aborted, ended };
 
-// The process's variables, named as in figure 4.15, and the handling of its guards.
+// State and guards of the coordination process, with the variable names of figure 4.15.
 class Coordinator {
  public:
   Coordinator(const CoordinationSetup& setup, CoordinationChannels channels, Progress& progress)
@@ -79,8 +79,8 @@ class Coordinator {
   }
 
  private:
-  // Figure 4.15, and what it leaves out: the null mode, which has no ray to look for and waits for
-  // an order; and the mode in which no more rays are looked for, since the user has had enough.
+  // Figure 4.15 plus two modes that it omits. In null mode no ray is left within the limits and the
+  // process waits for an order. In aborted mode it takes no new rays.
   void serve(Mode mode) {
     rays_db_is_empty_ = mode == Mode::aborted;
     Command user_message;
@@ -110,7 +110,7 @@ class Coordinator {
     }
   }
 
-  // An order that has an effect leaves a picture of what it found.
+  // Obeys one order. An order with an effect first keeps the picture as it was.
   void obey(const Command& command) {
     const auto heed = [&](const std::string& why_without_effect, auto action) {
       const bool is_over = mode_ == Mode::aborted;
@@ -153,7 +153,7 @@ class Coordinator {
         [&](Leave) { quitting_ = true; });
   }
 
-  // Rays know orders up to 255; what later ones change is not told apart.
+  // A ray stores its order in 8 bits; 0 (none) also stands for order 256 and later.
   std::uint8_t number_of_order() const {
     const bool fits = progress_.orders <= std::numeric_limits<std::uint8_t>::max();
     return fits ? static_cast<std::uint8_t>(progress_.orders) : std::uint8_t{0};
@@ -206,7 +206,7 @@ class Coordinator {
       for (const auto& child : shaded_.rays) deposit(child);
   }
 
-  // What the ray leaves where it hits; with adaptive sampling, what it contributes as well.
+  // Makes the child rays at the hit point and, with adaptive sampling, evaluates the contribution.
   void shade(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
     setup_.cost(shaded_, scratch_,
                 [&setup = setup_, is_adaptive = ledger_.has_value(), ray, hit](
@@ -218,7 +218,7 @@ class Coordinator {
                 });
   }
 
-  // The primary ray of another of the samples of the pixel of `ray`.
+  // Deposits the primary ray of another sample of the same pixel as `ray`.
   void deposit_sample(const renderer::Ray& ray, int pass) {
     auto primary = make_primary_of(ray.sample, pass);
     primary.is_urgent = ray.is_urgent;
@@ -232,15 +232,15 @@ class Coordinator {
                         static_cast<int>(pixel / width), pass);
   }
 
-  // Adaptive sampling: where the pixel's first sample has come its corners are asked for.
+  // Adaptive sampling: after a pixel's first sample, requests its corners.
   void note_sample(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
     const std::size_t held = ledger_->samples_held();
     ledger_->note(ray, hit, shaded_.contribution, shaded_.rays.size());
     if (ray.level == 1 && ray.pass == 0)
       for (const auto& [x, y] : ledger_->ask_corners(ray.sample)) {
         auto probe = make_probe(setup_.scene.view, setup_.params, x, y);
-        probe.pass = 1;             // after all first samples
-        probe.sample = ray.sample;  // with it within the limits
+        probe.pass = 1;             // behind all first samples
+        probe.sample = ray.sample;  // gives it the cell and the limits of that sample
         probe.order = ray.order;
         deposit(probe);
       }
@@ -262,7 +262,7 @@ class Coordinator {
     send_finished();
   }
 
-  // The display adds up all samples of a pixel; where their weights differ it is sent other sums.
+  // Corrects sums on the display, which weights samples equally; the final estimate may not.
   void send_finished() {
     for (const FinishedPixel& finished : ledger_->take_finished()) {
       this_process().charge(setup_.message.made);
@@ -270,7 +270,7 @@ class Coordinator {
     }
   }
 
-  // The memory of the samples that the ledger holds; there were `before`.
+  // Adjusts the memory for the ledger's samples, which numbered `before`.
   void account(std::size_t before) {
     auto& memory = this_process().processor().memory();
     const std::size_t now = ledger_->samples_held();
@@ -287,8 +287,8 @@ class Coordinator {
     rays_db_is_empty_ = false;
   }
 
-  // CellOrder::adaptive: what a sample shows is compared with the samples that are a cell away, as
-  // far as they have come, and the primary rays of the cells it is divided into are made.
+  // CellOrder::adaptive: compares a sample's object with those of known samples one cell away, and
+  // deposits primary rays for the cells into which its cell divides.
   void divide(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
     const auto object = hit ? hit->object : renderer::NO_OBJECT;
     seen_[ray.sample] = object;
@@ -315,7 +315,7 @@ class Coordinator {
     rays_db_is_empty_ = false;
   }
 
-  // No ray of the phase is left anywhere: the next limits are set, or the phase ends.
+  // Called when no ray of the phase is left: sets the next limits or ends the phase.
   void next_stage() {
     if (mode_ == Mode::interactive && stage_ + 1 < setup_.stages.size()) {
       ++stage_;
@@ -331,7 +331,7 @@ class Coordinator {
   Mode mode_ = Mode::null;
   bool rays_db_is_empty_ = false, sender_is_ready_ = false, quitting_ = false;
   std::size_t rays_in_farm_ = 0, stage_ = 0;
-  // What shading a ray gives.
+  // Results of shading a ray.
   struct Shaded {
     renderer::Children rays;
     renderer::Rgb contribution;
@@ -339,8 +339,8 @@ class Coordinator {
   Shaded shaded_, scratch_;
   std::optional<Ledger> ledger_;  // with adaptive sampling
   Progress& progress_;
-  Limits limits_;                                          // that are set
-  std::unordered_map<std::uint32_t, std::uint32_t> seen_;  // objects at samples, to divide by
+  Limits limits_;                                          // in force
+  std::unordered_map<std::uint32_t, std::uint32_t> seen_;  // object at each sample, for divide()
 };
 
 }  // namespace

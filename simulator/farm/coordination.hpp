@@ -1,6 +1,5 @@
 #pragma once
-// The coordination at the farm's centre, in two kinds: it hands out rays (thesis, 4.3.6.3), or
-// blocks of pixels.
+// Two kinds of coordination at the farm's centre: of rays (thesis, 4.3.6.3) or of blocks of pixels.
 #include "simulator/farm/messages.hpp"
 #include "simulator/farm/progress.hpp"
 #include "simulator/farm/rays/cells.hpp"
@@ -8,9 +7,9 @@
 
 namespace farm {
 
-/// How the scene goes to the workers before the first task.
+/// Messages that send the scene to the workers before the first task.
 struct SceneMessages {
-  std::uint64_t bytes = 0;          ///< size of the scene; 0 if the workers have it
+  std::uint64_t bytes = 0;          ///< size of the scene; 0: the workers have it
   std::uint32_t message = 0;        ///< bytes, at most
   std::uint64_t display_bytes = 0;  ///< surfaces and lights, which the display needs (4.3.6.6)
   std::size_t workers = 0;          ///< each acknowledges the last message
@@ -26,8 +25,8 @@ struct CoordinationChannels {
   Channel<Answer>& into_visualisation;
 };
 
-/// Feeds the workers with rays from the database, makes new rays from the intersections they
-/// return, and passes these on to be shown (figure 4.15).
+/// Setup of `coordination`: it feeds workers with rays from the database, makes new rays from the
+/// returned intersections and passes these on to the display (figure 4.15).
 struct CoordinationSetup {
   const renderer::Scene& scene;
   const renderer::Params& params;
@@ -37,16 +36,16 @@ struct CoordinationSetup {
   Cells cells;
   std::uint64_t seed;  ///< for the order of the initial rays
   SceneMessages load;
-  std::vector<Limits> stages;   ///< the interactive phase's parameters, one set after the other
-  machine::Cycles cell_judged;  ///< a sample compared with a neighbour
+  std::vector<Limits> stages;   ///< limits of the interactive phase, applied one after another
+  machine::Cycles cell_judged;  ///< cost of comparing a sample with a neighbour
 };
 void coordination(const CoordinationSetup& setup, CoordinationChannels channels,
                   Progress& progress);
 
-/// The image's blocks, from the top.
+/// The image's blocks, row by row from the top.
 std::vector<renderer::Area> make_blocks(const renderer::Params& params, Block size);
 
-/// Hands out blocks of pixels in their order, each with all of its rays: no ray is stored.
+/// Hands out blocks of pixels in order, each with all its rays; stores no rays.
 void block_coordination(const std::vector<renderer::Area>& blocks, SceneMessages load,
                         CoordinationChannels channels, Progress& progress);
 

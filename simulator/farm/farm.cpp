@@ -13,8 +13,8 @@ using tracing::PixelOrder;
 
 namespace {
 
-// Coordinator, ray database and display on processors of their own; the second and the third are
-// on links of the first.
+// Coordinator, ray database and display, each on its own processor. The coordinator has links to
+// the other two.
 struct CentralProcessors {
   machine::Processor &coordinator, &database, &display;
 };
@@ -30,7 +30,7 @@ CentralProcessors add_central_processors(machine::Machine& machine, const Params
   return on;
 }
 
-// From the first pixel that is rendered on.
+// Cells start at the first rendered pixel.
 Cells make_cells(const Params& params) {
   const renderer::Area area = get_area(params.image);
   Cells cells{params.image.width, params.max_cell, area.x, area.y, params.order};
@@ -54,8 +54,8 @@ machine::Cycles cost_of_judging(const machine::Model& model) {
   return machine::OperationCosts(model, "central", NAMES)(std::array<std::uint64_t, 1>{1});
 }
 
-// What the display keeps of the scene: surfaces with their textures, and lights (4.3.6.6), for a
-// preview all of it.
+// Bytes of the scene on the display: surfaces with textures, and lights (4.3.6.6); with a preview
+// the whole scene.
 std::uint64_t display_bytes(const machine::Model& model, const renderer::Scene& scene,
                             const Params& params) {
   return scene.surfaces.size() * get_bytes(model, "surface") +
@@ -71,8 +71,8 @@ machine::Cycles cost_of_preview(const machine::Model& model, const renderer::Pre
              std::array{counts.vertices, counts.pixels_tested, counts.pixels_drawn});
 }
 
-// The initial rays are all deposited before the first is taken: a memory that they do not fit is
-// refused at once.
+// Refuses a memory too small for the initial rays at once: the coordination deposits all of them
+// before it takes the first.
 void check_initial_rays(Processor& database, const Params& params, std::uint64_t ray) {
   const renderer::Area area = get_area(params.image);
   const bool is_adaptive =
@@ -100,17 +100,16 @@ std::string describe_phase(const Progress& progress) {
   return "";
 }
 
-// The processes of the three central processors, what they keep, and the channels between them
-// (figures 4.9 to 4.11).
+// The three central processors with their processes, data and channels (figures 4.9 to 4.11).
 class Centre {
  public:
-  /// `tasks`: what the workers compute.
+  /// `tasks`: cost of the workers' tasks.
   Centre(machine::Machine& machine, const renderer::Scene& scene, const Params& params,
          const kernels::KernelCost& tasks);
   Centre(const Centre&) = delete;
 
   machine::Processor& coordinator() { return on_.coordinator; }
-  // Starts the processes: the coordination of rays or of blocks.
+  // Starts the processes, with a coordination of rays or of blocks.
   void start(Wires& wires, const Workers& workers) {
     const Way first = start_sender(wires, on_.coordinator, *workers.from_left[workers.root]);
     const CoordinationChannels channels{
@@ -126,7 +125,7 @@ class Centre {
       else
         coordination(make_ray_setup(n), channels, progress_);
     });
-    // Alone on their processors: the priority does not matter.
+    // Each is alone on its processor, so the priority does not matter.
     kernels::start(on_.database, "ray.database", Priority::high,
                    [this] { rays_.run(into_database_, from_database_); });
     kernels::start(on_.display, "visualisation", Priority::high, [this] {
@@ -135,10 +134,10 @@ class Centre {
     });
   }
 
-  // What is shown of the run, and what the user may do.
+  // Shows the run and takes the user's orders.
   observe::View make_view();
 
-  // What is computed here beside the workers.
+  // Costs of the kernels that run here: shading and display.
   std::pair<const kernels::KernelCost*, const kernels::KernelCost*> kernels() const {
     return {&shading_, &visualisation_.cost};
   }
@@ -166,7 +165,7 @@ class Centre {
   }
 
  private:
-  // Before the first ray: a picture from the scene's objects, which the display needs for it.
+  // Draws the preview before the first ray; needs the scene's objects on the display.
   void draw_preview(renderer::PreviewStep step) {
     const auto preview = make_preview(scene_, params_.image, step);
     occam::this_process().charge(cost_of_preview(machine_.model(), preview));
@@ -297,7 +296,7 @@ observe::View make_view(Centre& centre, const Workers& workers) {
   return view;
 }
 
-// Takes the memory of the worker's copy of the scene; one that shades has textures too.
+// Allocates the worker's copy of the scene; workers that shade also hold textures.
 void load_scene(Processor& worker, const renderer::Scene& scene, bool shades) {
   const auto& model = worker.model();
   auto& memory = worker.memory();

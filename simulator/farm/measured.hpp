@@ -1,6 +1,6 @@
 #pragma once
-// What a run of the farm measures, the columns that show it, and what limits the farm: which of its
-// resources is busy when others wait for it.
+// Measurements of a farm run, their columns, and the resources that limit the farm: those that are
+// busy while others wait.
 #include "simulator/farm/shared_farm.hpp"
 #include "simulator/tracing/busy.hpp"
 
@@ -8,16 +8,15 @@ namespace farm {
 
 using programs::Load;
 
-/// The resources that can limit the farm, such as "worker1 (routing)", the busiest first:
-/// - "workers": their CPUs on average, with how much of it was routing;
-/// - "workerN (routing)": the routers of the one that routes most, at high priority;
-/// - "coordination": the process, whenever it was not waiting for its workers: it takes turns with
-///   the ray database and the display, so that it can be the limit while its CPU is idle;
-/// - "database", "display": their CPUs, where they have processors of their own;
+/// Resources that can limit the farm, such as "worker1 (routing)", busiest first:
+/// - "workers": mean load of their CPUs, with the share spent on routing;
+/// - "workerN (routing)": high-priority routers of the worker that routes most;
+/// - "coordination": share of time in which the process did not wait for workers. It waits for the
+///   ray database and the display, so it can be the limit while its CPU is idle;
+/// - "database", "display": their CPUs, if they have processors of their own;
 /// - "link A>B": the busiest direction of a link;
-/// - "tasks": the share of the time after the last task was handed out, when workers end one after
-///   the other.
-/// Empty for a run that was cut short before its first task.
+/// - "tasks": share of the time after the last task was handed out, when workers fall idle.
+/// Empty for a run cut short before its first task.
 std::vector<Load> find_loads(const Result& result);
 
 struct Measured {
@@ -27,7 +26,7 @@ struct Measured {
   tracing::DataFigures data;
   tracing::Busy busy;
   growth::Figures growth = {};
-  std::vector<Load> loads;  ///< the farm's resources, the busiest first
+  std::vector<Load> loads;  ///< resources of the farm, busiest first
 };
 
 base::Columns<Measured> make_columns();

@@ -1,5 +1,5 @@
 #pragma once
-// What the processes of the farm say to each other: the protocols of figure 4.9's channels.
+// Messages between the farm's processes: protocols of the channels in figure 4.9.
 #include <memory>
 #include <optional>
 #include <variant>
@@ -21,23 +21,23 @@ using tracing::Save;
 
 constexpr std::uint32_t TAG_BYTES = 4;      ///< a message without contents: one word
 constexpr std::uint32_t LIMITS_BYTES = 32;  ///< the parameters of increasing realism: 8 words
-constexpr std::uint32_t BLOCK_BYTES = TAG_BYTES + 4 * 4;  ///< a block's task: where it is
+constexpr std::uint32_t BLOCK_BYTES = TAG_BYTES + 4 * 4;  ///< task: a block's position and size
 
 constexpr std::uint32_t FINISHED_BYTES = TAG_BYTES + 4 + 3 * 8;  ///< a pixel and three sums
 
-constexpr std::uint32_t WEIGHTS_BYTES = 12;  ///< and the keys' weights, where they have any
+constexpr std::uint32_t WEIGHTS_BYTES = 12;  ///< added if the limits have weights
 inline std::uint32_t bytes_of(const Limits& limits) {
   return LIMITS_BYTES + (limits.weights ? WEIGHTS_BYTES : 0);
 }
 
-/// Ends the process that receives it, after it has passed it on.
+/// Ends the process that receives it, once it has passed the message on.
 struct Stop {
   bool operator==(const Stop&) const = default;
 };
 
-/// A part of the scene, for every worker; of its surfaces and lights, for visualisation.
+/// A part of the scene for every worker, or a part of surfaces and lights for the display.
 struct SceneData {
-  bool is_last = false;  ///< to be acknowledged
+  bool is_last = false;  ///< the receiver acknowledges it
 };
 
 /// The size of a task that is a block of pixels.
@@ -45,8 +45,7 @@ struct Block {
   int width = 0, height = 0;  ///< pixels
 };
 
-/// Coordination -> workers: a ray, or a block of pixels. What is for all workers goes down every
-/// way.
+/// Coordination -> workers: a ray or a block of pixels. Messages for all workers go every way.
 struct Task {
   std::variant<Stop, SceneData, renderer::Ray, renderer::Area> content;
   std::uint32_t size = TAG_BYTES;
@@ -55,15 +54,15 @@ struct Task {
   bool is_for_all() const { return stop() || std::holds_alternative<SceneData>(content); }
 };
 
-/// A ray, and what it hits first.
+/// A ray and its first hit.
 struct Intersection {
   renderer::Ray ray;
   std::optional<renderer::Hit> hit;
 };
 using RenderedBlock = std::shared_ptr<const renderer::Block>;
 struct SceneReceived {};
-struct KeepImage {   ///< to visualisation only: keep the picture as it is now
-  std::string name;  ///< for a file; a word where it is sent
+struct KeepImage {   ///< to visualisation only: records the current picture
+  std::string name;  ///< file name; counts as one word in the message
 };
 
 /// Workers -> coordination -> visualisation.
@@ -77,13 +76,13 @@ struct Answer {
 };
 
 // Messages to and from the ray database, and to the display, use occam's variant protocols (figures
-// 4.16 and 4.17: `add.ray; ray.mess`): sizes are those of the contents, after the tag. (A stop and
-// KeepImage have a word for contents.)
+// 4.16 and 4.17: `add.ray; ray.mess`): sizes exclude the tag. (Stop and KeepImage to the display
+// have one word of contents.)
 
-struct AskInteractive {};  ///< for an RMI ray (figure 4.16: ask.interact.mode.ray)
+struct AskInteractive {};  ///< a ray in interactive mode, RMI (figure 4.16: ask.interact.mode.ray)
 struct AskAny {};          ///< for any ray (ask.any.ray)
 
-/// Limits, and which of the user's orders has set them (0: none).
+/// Limits, with the number of the user's order that set them (0: none).
 struct SetLimits {
   Limits limits;
   std::uint8_t order = 0;
@@ -96,7 +95,7 @@ struct DatabaseRequest {
   std::uint64_t bytes() const { return size; }
 };
 
-/// Ray database -> coordination: a ray, or none if it has none of the kind (`error; DB.empty`).
+/// Ray database -> coordination: a ray; none if no such ray is stored (`error; DB.empty`).
 struct DatabaseReply {
   std::optional<renderer::Ray> ray;
   std::uint32_t size = TAG_BYTES;

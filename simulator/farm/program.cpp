@@ -12,7 +12,7 @@ using programs::Setup;
 
 namespace {
 
-// A task is a ray, or a block of pixels.
+// Parses `ray`, or a block of pixels as `block:WxH`.
 bool set_task(std::optional<Block>& task, const base::Scalar& value) {
   const auto& text = std::get<std::string>(value);
   if (text == "ray") {
@@ -49,7 +49,7 @@ base::Fields<Params> memory_fields() {
                    "memory of the ray database and of the display; else the model's")};
 }
 
-// `member` of P holds them.
+// Field of the weights in P's `member`.
 template <class P, class Member>
 base::Field<P> weights_field(Member member, const std::string& help) {
   const auto set = [member](P& p, const base::Scalar& value) {
@@ -123,7 +123,7 @@ base::Fields<ProgramParams> make_fields() {
        base::lift_all<P>(cell_fields(), &P::farm, "farm."),
        base::lift_all<P>(farm_fields(), &P::farm, "farm."),
        base::lift_all<P>(tracing::look_fields(), looks, "farm."),
-       // Behind the program's own order: "order" alone is that.
+       // Last, so that "order" alone names the program's own field.
        base::lift_all<P>(base::Fields<Params>{tracing::pixel_order_field(&Params::pixels)},
                          &P::farm, "image."),
        base::lift_all<P>(tracing::data_fields(), data)});

@@ -15,7 +15,7 @@ using shared_memory::DataManager;
 
 namespace {
 
-// The second level of the address of the coordinator and of the workers, and what they say.
+// Second level of the farm processes' addresses, and their messages.
 constexpr int FARM_PROCESS = shared_memory::FIRST_FREE_PROCESS;
 struct FarmMessage : network::Contents {
   explicit FarmMessage(std::variant<Stop, renderer::Area, renderer::Block> content)
@@ -23,7 +23,7 @@ struct FarmMessage : network::Contents {
   std::variant<Stop, renderer::Area, renderer::Block> content;
 };
 
-// Blocks that a worker has: one in hand, one ahead.
+// Blocks assigned to a worker at a time: one in work, one in advance.
 constexpr int BLOCKS_OF_WORKER = 2;
 
 void send(DataManager& manager, Address to, FarmMessage contents, std::uint64_t bytes) {
@@ -37,7 +37,7 @@ const FarmMessage& read(const Message& message) {
   return static_cast<const FarmMessage&>(*message.contents);
 }
 
-// Bytes of a block that comes back.
+// Bytes of a rendered block.
 std::uint64_t block_bytes(std::uint32_t pixel_bytes, const renderer::Area& area) {
   return BLOCK_BYTES + std::uint64_t{pixel_bytes} * static_cast<std::uint64_t>(area.width) *
                            static_cast<std::uint64_t>(area.height);
@@ -53,7 +53,7 @@ void check_farm(const Params& params) {
                  params.scene_message);
 }
 
-// The topology with the coordinator before the workers, whose numbers are one higher.
+// Adds the coordinator as processor 0; the workers' numbers increase by one.
 topologies::Topology join_coordinator(const topologies::Topology& workers) {
   topologies::Topology joined;
   joined.name = workers.name;
@@ -70,7 +70,7 @@ topologies::Topology join_coordinator(const topologies::Topology& workers) {
   return joined;
 }
 
-// There is room for all that can be on its way: a request or its reply and blocks of each worker.
+// Buffers hold all messages under way: for each worker a request or its reply, and its blocks.
 network::Params make_network_params(const machine::Model& model, const Params& farm,
                                     const SharedParams& data,
                                     const shared_memory::Catalogue& catalogue,
@@ -119,7 +119,7 @@ class SharedFarm {
     memory_.emplace(machine_, *network_, items_.catalogue(), data_params_);
   }
 
-  /// `asked`: the workers' topology before it gave up a link.
+  /// `asked`: the workers' topology before one link was given up.
   SharedResult run(const topologies::Topology& asked) {
     start();
     SharedResult result;
@@ -144,8 +144,8 @@ class SharedFarm {
     }
   }
 
-  // Hands out the blocks, adds what comes back to the image, and serves data at any time between.
-  // (A process without work waits for messages here; it does not look every idle_period.)
+  // Hands out blocks, adds results to the image and serves data in between. (An idle process blocks
+  // on messages here; it does not poll every idle_period.)
   void coordinate(DataManager& manager) {
     progress_.begin();
     const auto blocks = make_blocks(params_.image, *params_.block);
@@ -177,7 +177,7 @@ class SharedFarm {
     send(manager, network::make_global(FARM_PROCESS), FarmMessage(Stop{}), TAG_BYTES);
   }
 
-  // Renders the blocks that come, until it is told to stop.
+  // Renders blocks until Stop arrives.
   void work(DataManager& manager) {
     for (bool active = true; active;) {
       const Message message = manager.serve_at_once();
@@ -191,7 +191,7 @@ class SharedFarm {
     }
   }
 
-  // The block's sums have their place in the worker's memory as long as it needs them.
+  // The block's sums occupy the worker's memory while it renders.
   renderer::Block render(DataManager& manager, const renderer::Area& area) {
     return kernels::with_memory(block_bytes(pixel_bytes_, area), "a block of pixels", [&] {
       const double scale = block_cost_.eval_scale(

@@ -1,7 +1,7 @@
 #pragma once
-// The farm of blocks of pixels on processors that hold a part of the scene each: everything goes
-// over routers, and the scene is read through data managers (5.1.2). Processor 0 coordinates, shows
-// the image and serves data; it is joined to the root of the workers' topology, processors 1 to n.
+// Farm of blocks of pixels on processors that each hold a part of the scene. Routers carry all
+// messages; data managers read the scene (5.1.2). Processor 0 coordinates, displays and serves
+// data. It joins the root of the workers' topology, processors 1 to n.
 #include "simulator/farm/farm.hpp"
 #include "simulator/tracing/data.hpp"
 
@@ -14,16 +14,16 @@ struct SharedResult {
   tracing::SharedUse shared;
 };
 
-/// Throws base::BadInput naming the field, what was found and what was expected: also for
-/// parameters of the farm that mean nothing here.
+/// Throws base::BadInput naming the field, what was found and what was expected. Refuses farm
+/// parameters that have no meaning here.
 void check(const machine::Model& model, const tracing::SceneSize& scene, const Params& farm,
            const SharedParams& data);
-/// The part of it that checks that the farm's task is a block.
+/// Checks only that the farm's task is a block.
 void check_task(const Params& farm);
 
-/// Workers have farm.worker_memory; the coordinator, which is display and server too,
+/// Workers have farm.worker_memory; the coordinator, also display and server, has
 /// farm.database_memory. The result has no processors "database" and "display". Throws
-/// base::BadInput as `check`, as run_farm and if caches and buffers do not fit the memory; and
+/// base::BadInput as `check` and run_farm do, or if caches and buffers exceed the memory; and
 /// machine::Fault.
 SharedResult run_shared_farm(const machine::Model& model, const topologies::Topology& workers,
                              const renderer::Scene& scene, const Params& farm,

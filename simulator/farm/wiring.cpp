@@ -32,8 +32,7 @@ Channel<Message>* hard(std::deque<Channel<Message>>& pool, Machine& machine, Pro
 topologies::Topology free_root_port(topologies::Topology topology) {
   const auto all = topologies::neighbours(topology)[topology.root];
   if (topologies::free_port(topology, topology.root) >= 0) return topology;
-  // A link that has another beside it is given up first, since that one goes on: it comes last
-  // here.
+  // Doubled links come last and are given up first, since their twin still joins the processors.
   auto around = all;
   std::ranges::stable_partition(around, [&](const auto& n) {
     return std::ranges::count(all, n.processor, &topologies::Neighbour::processor) == 1;

@@ -1,5 +1,5 @@
 #pragma once
-// How the farm's processes are placed on processors and joined by channels (figures 4.10, 4.11).
+// Placement of the farm's processes and the channels between them (figures 4.10, 4.11).
 #include <deque>
 #include <vector>
 
@@ -11,14 +11,14 @@ namespace farm {
 struct Kernel;
 struct Params;
 
-/// The channels of a farm, by what they carry. Deques: references stay valid.
+/// The farm's channels by message type. Deques keep references valid.
 struct Wires {
   std::deque<Channel<Signal>> signals;
   std::deque<Channel<Task>> tasks;
   std::deque<Channel<Answer>> results;
 };
 
-/// One way out of a data router: a sender that says when it is free, and takes a message then.
+/// One way out of a data router: its sender signals that it is free, then takes a message.
 struct Way {
   Channel<Signal>& free;
   Channel<Task>& into;
@@ -27,24 +27,24 @@ struct Way {
 /// Starts a sender that feeds `destination`.
 Way start_sender(Wires& wires, machine::Processor& on, Channel<Task>& destination);
 
-/// The worker processors, joined as the topology says, and the channels along its spanning tree.
+/// Worker processors joined by the topology, and the channels along its spanning tree.
 struct Workers {
   topologies::Topology topology;  ///< as wired
   std::size_t root = 0;
   double mean_depth = 0;  ///< links from the coordinator to a worker, on average
   std::vector<machine::Processor*> processors;
   std::vector<std::vector<int>> children;
-  std::vector<Channel<Task>*> from_left;  ///< tasks, into each worker
+  std::vector<Channel<Task>*> from_left;  ///< tasks into each worker
   std::vector<Channel<Answer>*> results;  ///< out of each worker
 };
 
-/// The topology with a port free at its root, for the coordinator: a root with four links (a torus)
-/// gives up one of several links to one neighbour, else the link on its highest port that the
-/// machine stays connected without. Throws base::BadInput if there is none.
+/// Frees a port at the root for the coordinator. A root with four links (a torus) gives up one of
+/// several links to one neighbour, else the link on its highest port that is not a bridge. Throws
+/// base::BadInput if there is none.
 topologies::Topology free_root_port(topologies::Topology topology);
 
-/// Adds the workers' processors, each with its program, and joins them. The coordinator's link goes
-/// to the root's free port.
+/// Adds and joins the workers' processors, each with its program loaded. The coordinator's link
+/// uses the root's free port.
 Workers wire_workers(Wires& wires, machine::Machine& machine, const topologies::Topology& topology,
                      machine::Processor& coordinator, const Params& params);
 

@@ -61,7 +61,7 @@ Answer find_intersection(Kernel& kernel, const renderer::Ray& ray) {
   return {Intersection{ray, hit}, kernel.bytes.ray + (hit ? kernel.bytes.hit : 0)};
 }
 
-// The block's sums have their place in the worker's memory as long as it needs them.
+// The block's sums occupy the worker's memory while it renders.
 Answer find_block(Kernel& kernel, const renderer::Area& area) {
   const std::uint64_t bytes =
       kernel.bytes.pixel * static_cast<std::uint64_t>(area.width) * area.height;

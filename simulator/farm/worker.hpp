@@ -1,6 +1,6 @@
 #pragma once
-// The processes of a worker (thesis, 4.3.6.2): a data router with a sender for each way out, a
-// results router ("gatherer"), both at high priority, and the application at low priority.
+// Processes of a worker (thesis, 4.3.6.2). At high priority: a data router with a sender for each
+// way out, and a results router ("gatherer"). At low priority: the application.
 #include <span>
 #include <vector>
 
@@ -8,20 +8,20 @@
 
 namespace farm {
 
-/// Keeps its router from blocking on one way out: says that it is free, takes a message and waits
-/// for the way out (figure 4.13).
+/// Buffers one way out, so that the router does not block on it: signals that it is free, takes a
+/// message and passes it on (figure 4.13).
 void sender(Channel<Signal>& sender_to_main, Channel<Task>& from_main, Channel<Task>& destination);
 
-/// Pushes tasks ahead to any sender that is free, in fair turns (figure 4.14); what is for all
-/// workers, to every one.
+/// Passes each task to a free sender, in fair turns (figure 4.14), and messages for all workers to
+/// every sender.
 void data_router(Channel<Task>& from_left, std::span<Channel<Signal>* const> from_sender,
                  std::span<Channel<Task>* const> into_sender);
 
-/// Multiplexes the results of the application and of the workers behind onto one way back
-/// (figure 4.12).
+/// Merges results of the application and of the workers behind into one channel towards the
+/// coordinator (figure 4.12).
 void results_router(std::span<Channel<Answer>* const> inputs, Channel<Answer>& output);
 
-/// What a worker needs for its tasks: its copy of the scene, and what they cost.
+/// Scene, parameters and costs of a worker's tasks.
 struct Kernel {
   const renderer::Scene& scene;
   const renderer::Params& params;
@@ -32,8 +32,8 @@ struct Kernel {
   renderer::BlockBuffer scratch = {};
 };
 
-/// Finds the first intersection of each ray it is given, or all that a block of pixels shows. The
-/// kernel really runs; what it did is charged to the processor.
+/// Finds each ray's first intersection, or renders blocks of pixels. The kernel really runs; the
+/// processor is charged for its work.
 void application(Kernel& kernel, Channel<Task>& from_router, Channel<Answer>& results);
 
 }  // namespace farm

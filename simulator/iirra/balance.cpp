@@ -19,7 +19,7 @@ class NoBalance : public Balance {
   }
 };
 
-// Who asks has nothing until it is given something, or its limits change.
+// A worker asks once, then waits for tasks or new limits: those asked remember it.
 class Passive : public Balance {
  public:
   using Balance::Balance;
@@ -46,7 +46,7 @@ class Passive : public Balance {
   bool is_asking_ = false;
 
  private:
-  std::vector<int> wanting_;  // processors that were refused, the first first
+  std::vector<int> wanting_;  // refused processors, in order of arrival
 };
 
 class AskNeighbours : public Passive {
@@ -74,8 +74,8 @@ class AskNeighbours : public Passive {
   std::size_t refusals_ = 0, next_ = 0;
 };
 
-// All on the way are asked. At last the coordinator hands the request on to the workers in turns,
-// one of which remembers it.
+// Every worker on the way may serve the request. Otherwise the coordinator forwards it to the
+// workers in turns, and the chosen worker remembers it.
 class AskCoordinator : public Passive {
  public:
   using Passive::Passive;
@@ -93,7 +93,7 @@ class AskCoordinator : public Passive {
   }
 };
 
-// A request that comes back to its asker goes once more, to the next in the ring, which keeps it.
+// A request that returns to its asker is sent once more, to the next in the ring, which keeps it.
 class AskRing : public Passive {
  public:
   using Passive::Passive;
@@ -118,8 +118,7 @@ class AskRing : public Passive {
   void pass(const TaskRequest& request) { giver_.send_to({peers_.next, TASK_PROCESS}, request); }
 };
 
-// What is known of the neighbours' loads comes with their messages; since then only what was given
-// to them is known.
+// Estimates the neighbours' loads: the load in their last message, plus tasks given since then.
 class Distribution {
  public:
   Distribution(TaskGiver& giver, const Peers& peers) : giver_(giver) {
@@ -175,7 +174,7 @@ class Mixed : public AskNeighbours {
   Distribution distribution_;
 };
 
-// Each asks its parent, for itself or for those below, one task at a time.
+// Each worker asks its parent for one task at a time, for itself or for its children.
 class Green : public Balance {
  public:
   using Balance::Balance;
@@ -203,7 +202,7 @@ class Green : public Balance {
       }
   }
   bool is_asking_ = false;
-  std::map<int, int> demands_;  // of children: tasks that were asked for and not given
+  std::map<int, int> demands_;  // by child: tasks requested and not yet given
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
-// How task managers share tasks while they work (thesis, 5.1.3.1 and 6.2; H. Kuchen and A. Wagener,
-// 1991). A task that cannot be had is remembered by the one that was asked: it gives some as soon
-// as it has any to spare, so that nobody asks twice.
+// Load balancing between task managers (thesis, 5.1.3.1 and 6.2; H. Kuchen and A. Wagener, 1991). A
+// manager remembers each request that it cannot serve, and serves it once it has tasks to spare, so
+// nobody asks twice.
 #include <memory>
 
 #include "simulator/iirra/messages.hpp"
@@ -10,31 +10,31 @@ namespace iirra {
 
 enum class BalanceMethod : std::uint8_t {
   none,
-  neighbours,   ///< passive: who has no task asks its neighbours, one after the other
-  coordinator,  ///< passive: it asks the coordinator, and all on the way (InPathTo)
-  active,       ///< who has made tasks gives some to the neighbour that seems to have least
-  mixed,        ///< active and neighbours
+  neighbours,   ///< passive: a worker without tasks asks its neighbours, one after another
+  coordinator,  ///< passive: it asks the coordinator and all processors on the way (InPathTo)
+  active,       ///< a worker with new tasks gives some to the neighbour with the lowest known load
+  mixed,        ///< active and neighbours combined
   green,        ///< tasks come down a tree from the coordinator, by counted demands (Green, 1991)
-  ring          ///< requests go round a ring of all workers (Badouel, 1990)
+  ring          ///< requests circulate in a ring of all workers (Badouel, 1990)
 };
 
-/// The other task managers, by their processors, as one of them sees them.
+/// The other task managers as one of them sees them, by processor number.
 struct Peers {
   int self = 0, coordinator = 0;
-  std::vector<int> neighbours;  ///< the workers that are nearest
-  int next = 0;                 ///< in the ring of workers; itself if it is alone
+  std::vector<int> neighbours;  ///< workers at the shortest distance
+  int next = 0;                 ///< in the ring of workers; self if alone
   int parent = 0;               ///< in the spanning tree from the coordinator
 };
 
-/// A worker, as its balancing sees it.
+/// Interface of a worker to its load balancing.
 class TaskGiver {
  public:
-  /// Active tasks, without the one in hand.
+  /// Number of active tasks, excluding the one in work.
   virtual std::size_t load() const = 0;
-  /// Sends some of its tasks, and returns how many: 0 if it has none to spare.
+  /// Sends some tasks to `to`. Returns how many; 0 if there are none to spare.
   virtual std::size_t give(int to) = 0;
   virtual void send_to(network::Address to, IirraMessage::Content content) = 0;
-  /// To its router: an offered message that it does not take.
+  /// Hands an offered message that this worker does not serve back to the router.
   virtual void pass_on(const network::Message& message) = 0;
 
  protected:
@@ -47,13 +47,13 @@ class Balance {
   virtual ~Balance() = default;
   Balance(const Balance&) = delete;
 
-  /// Few tasks are left, or none.
+  /// Called when few tasks are left, or none.
   virtual void ask() {}
-  /// There are more tasks than before.
+  /// Called when the number of tasks has increased.
   virtual void created() {}
-  /// A microtask has ended: tasks that could not go then may go now.
+  /// Called after each microtask: tasks bound to it can now be given away.
   virtual void worked() {}
-  /// By another worker, which `message` is of.
+  /// Called with a request from another worker, in `message`.
   virtual void requested(const network::Message& message, const TaskRequest& request) = 0;
   virtual void refused(int /*by*/, std::size_t /*load*/) {}
   virtual void received(int /*from*/, std::size_t /*load*/) {}

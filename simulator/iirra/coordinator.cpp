@@ -74,7 +74,7 @@ void Coordinator::hand_out() {
   for (std::size_t i = 0; i < workers.size(); ++i) give_first(workers[i], std::move(first[i]));
 }
 
-// As many as fit into each message; one without any to a worker for which there are none.
+// Fills each message with cells. A worker without cells gets one empty message.
 void Coordinator::give_first(int worker, std::vector<SampledCell> cells) {
   const auto room = (shared_.longest - shared_.sizes.of(Tasks{})) / shared_.sizes.cell;
   for (std::size_t i = 0; i == 0 || i < cells.size();) {
@@ -87,8 +87,8 @@ void Coordinator::give_first(int worker, std::vector<SampledCell> cells) {
   }
 }
 
-// The workers measure, cells in turns; then the dearest cell that is left goes to the worker that
-// has least to do.
+// Workers measure the cells, dealt out in turns. Then the costliest cell left always goes to the
+// worker with the lowest load.
 std::vector<int> Coordinator::measure_cells(const std::vector<SampledCell>& cells) {
   const auto& workers = shared_.places.workers;
   const auto room = (shared_.longest - shared_.sizes.of(CellTimes{})) / (shared_.sizes.cell + 4);
@@ -130,7 +130,7 @@ std::vector<int> Coordinator::measure_cells(const std::vector<SampledCell>& cell
   return worker_of;
 }
 
-// Tasks come down a tree: the first of those that are left here.
+// Green balancing: gives a child the next task of the pool.
 void Coordinator::serve_demand(int child) {
   if (next_of_pool_ == pool_.size()) return;
   ++shared_.record.counts.moves;
@@ -147,7 +147,7 @@ void Coordinator::obey(const Message& message) {
       [&](const TaskRequest& request) {
         if (shared_.params.balance == BalanceMethod::green)
           return serve_demand(message.from.processor);
-        // A worker keeps it: each has its turn.
+        // Workers keep such requests in turns.
         const auto& workers = shared_.places.workers;
         int to = request.asker;
         for (std::size_t tries = 0; to == request.asker && tries < workers.size(); ++tries)
@@ -167,7 +167,7 @@ void Coordinator::count(const Report& report) {
   if (parked_ + finished_pixels_ == shared_.pixels()) end_phase();
 }
 
-// Every cell is finished, or beyond the limits.
+// Called when every cell is finished or beyond the limits.
 void Coordinator::end_phase() {
   if (finished_pixels_ == shared_.pixels()) {
     if (!is_last_ && stage_ + 1 < shared_.params.stages.size())

@@ -28,8 +28,8 @@ void Display::run() {
   manager_.serve_for_ever();
 }
 
-// Each worker is asked in its turn, as soon as the display is at leisure; but none more often than
-// the screen shows a new frame. In the end all is shown that there was to be shown when it began.
+// Polls the workers in turns, at most one round per screen frame. A round that begins after Finish
+// is the last: it shows everything.
 void Display::poll_all() {
   const auto next_frame =
       occam::read_timer() + occam::ticks(machine::Seconds{shared_.params.frame_s});
@@ -55,12 +55,12 @@ void Display::ask(int worker) {
   send(manager_, shared_.sizes, DISPLAY_PROCESS, {worker, TASK_PROCESS}, Poll{});
 }
 
-// Until so many workers at most have not told all.
+// Serves messages until at most `most` workers still have pictures to send.
 void Display::await_answers(std::size_t most) {
   while (asked_ > most) obey(manager_.serve_at_once());
 }
 
-// Tells the coordinator, and is stopped.
+// Reports to the coordinator that everything is shown, and waits for Stop.
 void Display::finish() {
   send(manager_, shared_.sizes, DISPLAY_PROCESS, {shared_.places.coordinator, TASK_PROCESS},
        Finished{});
@@ -89,14 +89,14 @@ void Display::obey(const Message& message) {
       },
       [&](const Finish&) {
         is_finishing_ = true;
-        // Every worker waits until its pictures are shown before it says that it has finished.
+        // Unpolled workers report finished pixels only after their pictures were shown.
         if (!is_polled) finish();
       },
       [&](const Stop&) { is_stopped_ = true; },
       [&](const auto&) { throw base::InvariantBroken("a message that is not for a display"); });
 }
 
-// The pixels of which no newer picture is shown. Returns whether one has another colour now.
+// Draws the pixels unless they show a newer picture. Returns whether any colour changed.
 bool Display::draw(const Painted& block, int width, Screen& screen, renderer::Work& work) {
   bool is_changed = false;
   auto from = block.rgb8.begin();
@@ -144,8 +144,8 @@ void Display::keep(const std::string& name) {
     shared_.record.key_images.push_back({now, "borders-" + name, draw_borders()});
 }
 
-// White along the upper and left borders of cells of four pixels a side and more: of smaller ones
-// nothing would be left.
+// Draws the upper and left borders of cells in white. Omits cells of fewer than four pixels a side,
+// since nothing of them would remain.
 std::vector<std::uint8_t> Display::draw_borders() const {
   auto rgb8 = screen_.rgb8;
   const int width = shared_.record.samples.width;

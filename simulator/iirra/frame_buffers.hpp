@@ -1,6 +1,5 @@
 #pragma once
-// A worker's virtual frame buffers (thesis, 5.3): what it has painted of its cells, until the
-// display has it.
+// A worker's virtual frame buffers (thesis, 5.3): painted cells not yet sent to the display.
 #include <deque>
 
 #include "simulator/iirra/shared.hpp"
@@ -11,10 +10,10 @@ class FrameBuffers {
  public:
   explicit FrameBuffers(Shared& shared) : shared_(shared) {}
 
-  /// Paints a cell between the colours of its samples, in place of what it was, in the memory of
-  /// this_process()'s processor and at its cost.
+  /// Paints a cell from the colours of its samples and replaces its last painting. Charges time and
+  /// memory to this_process()'s processor.
   void paint(TaskCell& cell, const SampleTable& samples, int order);
-  /// As much as a message holds, the oldest first.
+  /// Removes and returns the oldest blocks that fit into one message.
   Picture take();
   bool empty() const { return blocks_.empty(); }
 

@@ -14,13 +14,13 @@ namespace iirra {
 
 namespace {
 
-constexpr std::uint64_t LONGEST = 2048;  // bytes of a message, unless a record of data is longer
+constexpr std::uint64_t LONGEST = 2048;  // longest message, bytes, unless a data record is longer
 constexpr int DATA_BIT = 1 << shared_memory::DATA_PROCESS, TASK_BIT = 1 << TASK_PROCESS;
 constexpr int TASK_BITS = DATA_BIT | TASK_BIT;
 constexpr int DISPLAY_BITS = DATA_BIT | 1 << DISPLAY_PROCESS;
-constexpr int NO_PROCESS = 0;  // of the user's client, to which nothing is sent
+constexpr int NO_PROCESS = 0;  // of the user's client, which receives no messages
 
-// The workers that are nearest to each.
+// For each worker, the workers at the shortest distance.
 std::vector<int> find_nearest(const network::Routing& routing, const std::vector<int>& workers,
                               int self) {
   std::vector<int> nearest;
@@ -37,7 +37,7 @@ std::vector<int> find_nearest(const network::Routing& routing, const std::vector
   return nearest;
 }
 
-// Which processor asks which for tasks that come down a tree.
+// Parent of each processor in the tree of task requests.
 std::vector<int> find_parents(const topologies::Topology& topology, const Places& places) {
   const auto tree = topologies::make_spanning_tree(topology, places.coordinator);
   base::require(tree.children[static_cast<std::size_t>(places.display)].empty(), "iirra.balance",
@@ -103,7 +103,7 @@ class Run {
     auto& record = shared_.record;
     coordinator_->end(machine_.now().value);
     record.end = end;
-    // After an abort the workers go on until they hear of it.
+    // After an abort, workers continue until Stop reaches them.
     record.last_task_s = std::min(record.last_task_s, record.ended_s);
     record.setup_s = record.begun_s;
     record.time_s = record.ended_s - record.begun_s;
@@ -204,8 +204,8 @@ class Run {
                const std::optional<topologies::TreeLinks>& tree) {
     network::Params network;
     network.method = params_.method;
-    // Each worker has a request or two under way, and the display a few questions. Where more meets
-    // at one router, the run ends with a fault that names it.
+    // Enough for one or two requests per worker and the display's polls. If a router overflows, the
+    // run ends with a fault that names it.
     network.buffers = params_.buffers.value_or(static_cast<std::size_t>(topology_.processors) + 64);
     if (params_.data)
       shared_.longest =
@@ -226,7 +226,7 @@ class Run {
     }
   }
 
-  // Cells of a processor that stops are lost: the run ends there.
+  // A stopped processor loses its cells, so the run ends.
   void plan_faults() {
     programs::plan_faults(
         machine_, params_.faults, [this](int id) -> auto& {
@@ -277,11 +277,11 @@ class Run {
   const Params& params_;
   const topologies::Topology topology_;
   machine::Machine machine_;
-  std::vector<machine::Processor*> companions_;  // by processor; null where it is alone
+  std::vector<machine::Processor*> companions_;  // by processor; null if it has none
   std::optional<shared_memory::SceneItems> items_;
   Shared shared_;
   std::optional<network::Network> network_;
-  std::optional<shared_memory::VirtualMemory> memory_;  // or else
+  std::optional<shared_memory::VirtualMemory> memory_;  // else whole_
   std::vector<std::unique_ptr<shared_memory::DataManager>> whole_;
   std::optional<Coordinator> coordinator_;
   std::optional<Display> display_;
@@ -295,7 +295,7 @@ void check_weights(const char* key, const Weights& w) {
                 "found weights that are all 0, expected one above 0 at least");
 }
 
-// `key`: stage, or order.
+// `key`: "stage" or "order".
 void check_limits(const std::string& key, const renderer::Params& image, const Limits& limits) {
   renderer::Params with_area = image;
   with_area.area = limits.area;

@@ -1,19 +1,19 @@
 #pragma once
-// What a run of IIRRA measures, and the columns that show it.
+// Measurements of an IIRRA run, and their columns.
 #include "simulator/iirra/iirra.hpp"
 
 namespace iirra {
 
-/// Where the workers' time went, as shares of it; beside the rays of the image, these are all.
+/// Shares of the workers' time not spent on the image's rays. With these rays they sum to 1.
 struct Losses {
-  double idle = 0;      ///< without a task, or waiting for the display
-  double data = 0;      ///< waiting for the scene's data
-  double repeated = 0;  ///< rays of samples that another computed too, or beyond the image
-  double routing = 0;   ///< processes of high priority
-  double managing = 0;  ///< tasks, pictures, messages, looking data up
-  std::string largest;  ///< which of them
+  double idle = 0;      ///< without a task or waiting for the display
+  double data = 0;      ///< waiting for scene data
+  double repeated = 0;  ///< rays of samples beyond the image or computed by another worker too
+  double routing = 0;   ///< high-priority processes
+  double managing = 0;  ///< tasks, pictures, messages, data look-ups
+  std::string largest;  ///< name of the largest share
 };
-/// All 0 for a run that was cut short before its first task.
+/// All 0 for a run cut short before its first task.
 Losses find_losses(const Result& result);
 
 struct Measured {
@@ -24,10 +24,10 @@ struct Measured {
   tracing::Busy busy;
   Losses losses;
   growth::Figures growth = {};
-  tracing::Loads loads;  ///< the busiest first
+  tracing::Loads loads;  ///< busiest first
 };
 
-/// The resources of tracing::find_loads; the process "coordination", unless it waits for a message;
+/// Resources of tracing::find_loads; the process "coordination" while not waiting for a message;
 /// the display's CPU; and "tasks": the share of the time after the last task was taken.
 tracing::Loads find_loads(const Result& result);
 

@@ -1,5 +1,5 @@
 #pragma once
-// What the processes of IIRRA say to each other, over routers.
+// Messages between the processes of IIRRA, carried by routers.
 #include <variant>
 
 #include "simulator/iirra/tasks.hpp"
@@ -8,26 +8,26 @@
 
 namespace iirra {
 
-/// The second level of addresses.
-constexpr int TASK_PROCESS = shared_memory::FIRST_FREE_PROCESS;  ///< task managers, workers' and
-                                                                 ///< the coordinator's
+/// Second level of the addresses.
+constexpr int TASK_PROCESS = shared_memory::FIRST_FREE_PROCESS;  ///< task managers of the workers
+                                                                 ///< and of the coordinator
 constexpr int DISPLAY_PROCESS = TASK_PROCESS + 1;
 
 // --- tasks ------------------------------------------------------------------------------------
-/// Cells for the receiver.
+/// Cells assigned to the receiver.
 struct Tasks {
   std::vector<MovedCell> cells;
-  std::size_t load = 0;  ///< tasks that the sender has left
+  std::size_t load = 0;  ///< tasks left at the sender
 };
-/// For tasks. `asker` may not be the one that sent it on.
+/// Request for tasks. The sender may have forwarded it for another worker, `asker`.
 struct TaskRequest {
   int asker = 0;
-  bool is_last = false;  ///< of a ring's round: the receiver keeps it until it has tasks
+  bool is_last = false;  ///< last hop: the receiver keeps the request until it has tasks
 };
 struct NoTasks {
   std::size_t load = 0;
 };
-/// To be measured by a subsample, not to be kept.
+/// Cells to measure by one sample each; the receiver does not keep them.
 struct Measure {
   std::vector<SampledCell> cells;
 };
@@ -36,20 +36,20 @@ struct CellTimes {
 };
 
 // --- phases -----------------------------------------------------------------------------------
-/// Coordinator -> workers: limits from now on. All cells are to be classified again.
+/// Coordinator -> workers: new limits. The workers reclassify all their cells.
 struct NewPhase {
   std::uint32_t phase = 0;
   Limits limits;
-  int order = 0;  ///< of the user, that has set them; 0: none
+  int order = 0;  ///< number of the user's order that set them; 0: none
 };
-/// Worker -> coordinator: so many pixels more are in cells that were parked, or are finished, in
-/// this phase. See docs/manual/termination.md.
+/// Worker -> coordinator: number of pixels newly parked or finished in this phase. See
+/// docs/manual/termination.md.
 struct Report {
   std::uint32_t phase = 0;
   std::uint64_t parked = 0, finished = 0;
 };
 struct Stop {};
-/// The user's order of this number in Shared::orders has come.
+/// The user's order at this index of Shared::orders is due.
 struct UserOrder {
   std::size_t place = 0;
 };
@@ -58,18 +58,18 @@ struct UserOrder {
 /// A part of a cell's virtual frame buffer.
 struct Painted : renderer::progressive::Painting {
   TaskCell cell;
-  int order = 0;  ///< of the user, under which it was painted
+  int order = 0;  ///< the user's order in force when it was painted
 };
 struct Poll {};
 struct Picture {
   std::vector<Painted> blocks;
-  bool is_all = true;  ///< nothing is left to be sent
+  bool is_all = true;  ///< nothing is left to send
 };
-struct Shown {};      ///< a picture that was not asked for
-struct KeepPicture {  ///< as it is once every worker has been asked
-  std::string name;   ///< for a file; a word where it is sent
+struct Shown {};      ///< acknowledges an unrequested picture
+struct KeepPicture {  ///< keeps the picture; with polling after the next round
+  std::string name;   ///< file name; counts as one word in the message
 };
-struct Finish {};  ///< tell when everything is shown
+struct Finish {};  ///< the display shows everything, then replies Finished
 struct Finished {};
 
 struct IirraMessage : network::Contents {
@@ -80,7 +80,7 @@ struct IirraMessage : network::Contents {
   Content content;
 };
 
-/// Sizes of what is stored and sent, bytes: the model's.
+/// Sizes of stored and sent data, in bytes, from the model.
 struct Sizes {
   explicit Sizes(const machine::Model& model)
       : cell(get_bytes(model, "cell")),
@@ -89,7 +89,7 @@ struct Sizes {
         pixel(get_bytes(model, "pixel")),
         message(model, &kernels::message_costs) {}
   std::uint64_t cell, sample, ray;
-  std::uint64_t pixel;  ///< one of several samples of a pixel, until the last is there
+  std::uint64_t pixel;  ///< per sample of an adaptive pixel, until it is complete
   kernels::ByModel<kernels::MessageCosts> message;  ///< cycles, not bytes
 
   static constexpr std::uint64_t WORD = 4;
@@ -101,17 +101,17 @@ struct Sizes {
     for (const auto& s : moved.samples) sum += of(s);
     return sum;
   }
-  /// A block of a picture: where it is and how new, in three words, and three bytes a pixel.
+  /// A block of a picture: three words of position and age, and three bytes a pixel.
   static std::uint64_t of(const Painted& block) { return 3 * WORD + block.rgb8.size(); }
   std::uint64_t of(const Tasks& tasks) const;
   std::uint64_t of(const Picture& picture) const;
   std::uint64_t of(const IirraMessage::Content& content) const;
 };
 
-/// Sends over the client of `manager`, as the process `from`, to which a message would come back.
+/// Sends through `manager`'s client as process `from`, which gets undeliverable messages back.
 void send(shared_memory::DataManager& manager, const Sizes& sizes, int from, network::Address to,
           IirraMessage::Content content);
-/// What a message says. Throws machine::Fault, naming both ends, for one that has come back.
+/// Content of a message. Throws machine::Fault, naming both ends, if it was returned.
 const IirraMessage::Content& read(const Sizes& sizes, const network::Message& message);
 
 }  // namespace iirra

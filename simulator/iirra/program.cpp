@@ -15,7 +15,7 @@ namespace {
 constexpr double Weights::*WEIGHTS[] = {&Weights::position, &Weights::size,  &Weights::samples,
                                         &Weights::contrast, &Weights::depth, &Weights::influence};
 
-// `member` of P holds them.
+// Field of the weights in P's `member`.
 template <class P, class Member>
 base::Field<P> weights_field(Member member, const std::string& help) {
   const auto set = [member](P& p, const base::Scalar& value) {
@@ -117,7 +117,7 @@ base::Fields<ProgramParams> make_fields() {
        base::lift_all<P>(cell_fields(), &P::iirra, "iirra."),
        base::lift_all<P>(machine_fields(), &P::iirra, "iirra."),
        base::lift_all<P>(tracing::look_fields(), looks, "iirra."),
-       // Behind the program's own order: "order" alone is that.
+       // Last, so that "order" alone names the program's own field.
        base::lift_all<P>(base::Fields<Params>{tracing::pixel_order_field(&Params::pixels)},
                          &P::iirra, "image."),
        base::lift_all<P>(tracing::data_fields(), data)});

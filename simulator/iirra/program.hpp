@@ -1,12 +1,12 @@
 #pragma once
-// IIRRA as a program of experiments.
+// IIRRA as an experiment program.
 #include "simulator/iirra/iirra.hpp"
 
 namespace iirra {
 
 struct ProgramParams {
   Params iirra;                               ///< [image], [iirra], [[stage]], [[order]]
-  std::optional<tracing::SharedParams> data;  ///< where any key of [data] is given
+  std::optional<tracing::SharedParams> data;  ///< set if any key of [data] is given
   tracing::SceneChoice scene;                 ///< [scene]
 };
 

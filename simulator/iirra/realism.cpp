@@ -19,7 +19,7 @@ bool meets(const SampledCell& cell, const Area& area) {
                             cell.y < area.y + area.height && cell.y + cell.side > area.y);
 }
 
-// 1 where the cell has a pixel of the area, else less by its distance over the image's diagonal.
+// 1 if the cell meets the area; else 1 minus its distance from it over the image's diagonal.
 double eval_position(const SampledCell& cell, const Area& area, const Area& image) {
   if (meets(cell, area)) return 1;
   const auto gap = [](int a, int a_end, int b, int b_end) {
@@ -84,7 +84,7 @@ std::uint64_t eval_bayer(int x, int y, int bits) {
 CellQuadrants make_cell_quadrants(const Area& image, int max_cell) {
   CellQuadrants quadrants;
   for (int side = max_cell; side >= 2; side /= 2) {
-    // Those of the largest cells that reach beyond the image are counted.
+    // Counts the parts of the largest cells that extend beyond the image.
     const auto cells = [&](int pixels) {
       return (pixels + max_cell - 1) / max_cell * (max_cell / side);
     };
@@ -131,7 +131,7 @@ Importance Ordering::eval(const SampledCell& cell, const Quantities& quantities,
           interleave(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
       break;
     case CellOrder::adaptive:
-      // Contrast in the upper bits, the greatest first; chance in the lower.
+      // Upper bits: contrast, greatest first; lower bits: random.
       importance.place =
           static_cast<std::uint64_t>(1023 * (1 - quantities.contrast)) << 54 | drawn() >> 10;
       break;

@@ -1,6 +1,6 @@
 #pragma once
-// Increasing realism in IIRRA (thesis, 5.1.3 and 5.3): the six quantities of an image cell, the
-// user's limits to them, what is done next with a cell, and in which order cells come.
+// Increasing realism in IIRRA (thesis, 5.1.3 and 5.3): six quantities of an image cell, the user's
+// limits to them, the choice of a cell's next step, and the order of cells.
 #include <map>
 #include <memory>
 #include <optional>
@@ -12,89 +12,88 @@ namespace iirra {
 
 using renderer::progressive::SampledCell;
 
-/// What a cell's quantities weigh in its importance, at least 0; each is between 0 and 1.
+/// Weights of a cell's quantities in its importance, at least 0; each quantity lies in [0, 1].
 struct Weights {
-  double position = 1;   ///< 1 within the area of interest, less the farther away
-  double size = 4;       ///< log2 of the side, of that of the largest cell
-  double samples = 2;    ///< 1 without samples, 0 with 13
+  double position = 1;   ///< 1 within the area of interest, decreasing with distance
+  double size = 4;       ///< log2 of the side, relative to the largest cell
+  double samples = 2;    ///< 1 without samples, 0 with 13 samples
   double contrast = 1;   ///< Eq 4.7
-  double depth = 1;      ///< 1 over the least tree level that waits
-  double influence = 1;  ///< the largest influence factor of a ray that waits
+  double depth = 1;      ///< 1 / lowest tree level of a waiting ray
+  double influence = 1;  ///< largest influence factor of a waiting ray
   bool operator==(const Weights&) const = default;
 };
 
-/// The user's parameters. An advance of a cell that would take a quantity beyond its limit waits
-/// for the non-interactive phase.
+/// The user's parameters. A step of a cell that would exceed a limit waits for the non-interactive
+/// phase.
 struct Limits {
-  double min_influence = 0.0;      ///< influence factor of a ray, at least
-  int depth_reflected = 1000;      ///< level, at most, of rays with only reflections before them
-  int depth_transmitted = 1000;    ///< level, at most, of transmitted rays and their descendants
-  int min_cell = 2;                ///< pixels, side of a cell, at least
-  int max_samples = 13;            ///< of a cell, at most
-  double min_contrast = 0.0;       ///< of a cell that is divided, at least
-  renderer::Area area;             ///< pixels of interest, of which a cell has one; 0 x 0: all
+  double min_influence = 0.0;      ///< smallest influence factor of a ray
+  int depth_reflected = 1000;      ///< highest level of rays with only reflections before them
+  int depth_transmitted = 1000;    ///< highest level of transmitted rays and their descendants
+  int min_cell = 2;                ///< smallest side of a cell, pixels
+  int max_samples = 13;            ///< most samples of a cell
+  double min_contrast = 0.0;       ///< smallest contrast at which a cell is divided
+  renderer::Area area;             ///< pixels of interest; a cell must overlap them; 0 x 0: all
   std::optional<Weights> weights;  ///< none: the program's
   bool operator==(const Limits&) const = default;
 };
 
-/// The limits of the non-interactive phase: none, with the same order.
+/// Limits of the non-interactive phase: none, but the same weights.
 Limits without_limits(const Limits& limits);
 
-/// A ray that waits is within the limits.
+/// True if a waiting ray is within the limits.
 bool is_within(const renderer::Ray& ray, const Limits& limits);
 
-/// What decides about a cell, beside where it is and how large.
+/// State of a cell that decides its next step, beside its position and size.
 struct Quantities {
   double contrast = 0;
-  int depth = 0;         ///< least tree level of the rays of `pass` that wait; 0: none does
-  double influence = 0;  ///< largest influence factor of these
-  int pass = 0;          ///< the earliest of pixels' samples that a ray within the limits waits for
+  int depth = 0;         ///< lowest tree level of waiting rays of `pass`; 0: none waits
+  double influence = 0;  ///< largest influence factor of those rays
+  int pass = 0;          ///< earliest sample number of a pixel with a waiting ray within the limits
 };
 
 enum class Advance : std::uint8_t {
-  none,    ///< every one is beyond the limits: the cell waits for others
+  none,    ///< all steps are beyond the limits: the cell waits for new ones
   sample,  ///< the next level of sampling
   divide,  ///< into four
-  deepen   ///< the next level of the samples' shading trees
+  deepen   ///< trace the next level of the samples' shading trees
 };
 
-/// What is done next with a cell: resolution as long as its contrast is at least the influence of
-/// the rays that wait, since that much of its light is not where it belongs yet; else depth. What
-/// waits for a second sample of a pixel comes last.
+/// Chooses a cell's next step. Refines resolution while the contrast is at least the influence of
+/// waiting rays, since that much light is still misplaced; else deepens. Rays of second and later
+/// samples of a pixel come last.
 Advance choose(const SampledCell& cell, const Quantities& quantities, const Limits& limits);
 
-/// The order of cells of one importance.
+/// Order of cells of equal importance.
 enum class CellOrder : std::uint8_t {
-  bayer,       ///< by the matrix of Eq 5.7, of any order
-  random,      ///< drawn from a seed
-  sequential,  ///< rows from the top
+  bayer,       ///< Bayer's matrix of Eq 5.7, extended to any order
+  random,      ///< shuffled by a seed
+  sequential,  ///< row by row from the top
   recursive,   ///< quadrants of quadrants
-  adaptive     ///< the greatest contrast first; then as random
+  adaptive     ///< greatest contrast first, then random
 };
 
-/// The element of B. Bayer's matrix (1973) of order 2^bits, from 0; Eq 5.7, which counts from 1, is
-/// that of 2 bits. Column x, row y.
+/// Element of B. Bayer's matrix (1973) of order 2^bits at column x, row y, from 0. Eq 5.7 is the
+/// matrix of 2 bits, counted from 1.
 std::uint64_t eval_bayer(int x, int y, int bits);
 
-/// The sum of weighted quantities, and the place among equals.
+/// Weighted sum of quantities, and the rank among equal sums.
 struct Importance {
   double sum = 0;
   std::uint64_t place = 0;
 };
 
-/// The quadrant's rank of every cell of a size, by the cells' side; cells are counted from the
-/// image's upper left.
+/// Quadrant order of the cells of each size, by side. Cells count from the image's upper left.
 using CellQuadrants = std::map<int, renderer::progressive::QuadrantOrder>;
 CellQuadrants make_cell_quadrants(const renderer::Area& image, int max_cell);
 
-/// Where cells are judged: the image and its largest cells.
+/// Parameters of a cell's importance.
 struct Ordering {
-  renderer::Area image;  ///< pixels, of which the first cell is at the upper left
+  renderer::Area image;  ///< pixels; the first cell is at its upper left
   int max_cell = 16;
   CellOrder order = CellOrder::bayer;
   std::uint64_t seed = 1;
-  Weights weights;                                           ///< where limits have none
-  std::shared_ptr<const CellQuadrants> quadrants = nullptr;  ///< in place of `order`
+  Weights weights;                                           ///< if the limits have none
+  std::shared_ptr<const CellQuadrants> quadrants = nullptr;  ///< if set, replaces `order`
 
   Importance eval(const SampledCell& cell, const Quantities& quantities,
                   const Limits& limits) const;

@@ -1,24 +1,24 @@
 #pragma once
 // The two processors that do not compute: the coordinator (thesis, 5.1.3 and 5.3), which hands out
-// the first tasks and begins and ends the phases, and the display (figure 5.30).
+// the first tasks and controls the phases, and the display (figure 5.30).
 #include "simulator/iirra/shared.hpp"
 
 namespace iirra {
 
-/// The user. Sends each order when its time has come, to the coordinator, by a router's
-/// client of its own.
+/// The user's process: sends each order to the coordinator when it is due, through its own client
+/// of the router.
 void interact(Shared& shared, network::Client& client);
 
 class Coordinator {
  public:
-  /// `user`: the client of the one who gives orders.
+  /// `user`: the client of the user's process.
   Coordinator(Shared& shared, shared_memory::DataManager& manager, network::Client& user);
-  /// Until all is shown, or the user aborts; then all others are stopped.
+  /// Runs until everything is shown or the user aborts, then stops all other processes.
   void run();
-  /// The run has ended, or has been cut short.
+  /// Closes the record, after the run's end or after it was cut short.
   void end(double at_s);
   bool is_null() const { return is_null_; }
-  std::string phase() const;  ///< in a few words
+  std::string phase() const;  ///< short description
 
  private:
   void hand_out();
@@ -39,13 +39,13 @@ class Coordinator {
   Shared& shared_;
   shared_memory::DataManager& manager_;
   network::Client& user_;
-  std::vector<SampledCell> pool_;  // where tasks come down a tree: those that wait here
+  std::vector<SampledCell> pool_;  // balance = green: tasks not yet handed out
   std::size_t next_of_pool_ = 0, next_worker_ = 0;
   std::uint32_t phase_ = 0;
   std::size_t stage_ = 0;
-  Limits limits_;         // of the interactive phase
-  bool is_last_ = false;  // the phase has no limits
-  bool is_null_ = false;  // nothing is left within the limits, and the user has more to say
+  Limits limits_;         // limits of the interactive phase
+  bool is_last_ = false;  // in the non-interactive phase, without limits
+  bool is_null_ = false;  // nothing is left within the limits; the user may still give orders
   bool is_quitting_ = false;
   bool is_finishing_ = false, is_finished_ = false;
   std::uint64_t parked_ = 0, finished_pixels_ = 0;  // reported in this phase
@@ -55,10 +55,10 @@ class Coordinator {
 class Display {
  public:
   Display(Shared& shared, shared_memory::DataManager& manager);
-  void run();  ///< until it is stopped
-  /// The run has ended, or has been cut short: the last picture.
+  void run();  ///< runs until stopped
+  /// Records the last picture, after the run's end or after it was cut short.
   void end(double at_s);
-  const std::vector<std::uint8_t>& rgb8() const { return screen_.rgb8; }  ///< as it is shown
+  const std::vector<std::uint8_t>& rgb8() const { return screen_.rgb8; }  ///< currently shown
 
  private:
   void poll_all();
@@ -71,7 +71,7 @@ class Display {
   void keep(const std::string& name);
   std::vector<std::uint8_t> draw_borders() const;
 
-  // What is shown, and of each pixel the cell whose picture it is.
+  // Picture shown, and the cell shown at each pixel.
   struct Screen {
     std::vector<std::uint8_t> rgb8;
     std::vector<TaskCell> cells;
@@ -83,8 +83,8 @@ class Display {
   shared_memory::DataManager& manager_;
   Screen screen_, scratch_;
   growth::Recorder recorder_;
-  std::vector<std::string> to_keep_;  // pictures, after the next round
-  std::size_t asked_ = 0;             // workers that have not told all
+  std::vector<std::string> to_keep_;  // pictures to keep after the next round
+  std::size_t asked_ = 0;             // workers with pictures left to send
   bool is_finishing_ = false, is_stopped_ = false;
 };
 

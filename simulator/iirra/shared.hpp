@@ -1,12 +1,12 @@
 #pragma once
-// What all processes of a run share: what they know before it begins, and the record of it.
+// State shared by all processes of a run: fixed inputs and the record.
 #include "simulator/iirra/iirra.hpp"
 #include "simulator/shared_memory/scene_items.hpp"
 #include "simulator/tracing/orders.hpp"
 
 namespace iirra {
 
-/// A ray, traced.
+/// Result of tracing a ray.
 struct Traced {
   std::optional<renderer::Hit> hit;
   renderer::Rgb contribution;
@@ -18,20 +18,20 @@ struct Shared {
   const Params& params;
   const machine::Machine& machine;
   Places places;
-  renderer::Area area;  ///< of the image that is computed
+  renderer::Area area;  ///< computed part of the image
   Sizes sizes;
-  std::uint64_t longest;  ///< bytes of a message
+  std::uint64_t longest;  ///< longest message, bytes
   kernels::ByModel<machine::OperationCosts> task_cost;
   kernels::ByModel<machine::Cycles>
-      pixel_tested;  ///< of the display, which of two pictures of it is newer
+      pixel_tested;  ///< display's cost of finding the newer of two pictures of a pixel
   kernels::KernelCost ray_cost, paint_cost, display_cost;
-  std::shared_ptr<const CellQuadrants> quadrants = nullptr;  ///< where cells have that order
-  const shared_memory::SceneItems* items = nullptr;          ///< where the scene is shared
-  machine::Cycles charged_with_data{};                       ///< for rays that read it so
-  machine::Seconds charged_with_data_s{};                    ///< the same as time
-  tracing::Orders<Limits> orders;                            ///< of the user
+  std::shared_ptr<const CellQuadrants> quadrants = nullptr;  ///< set if cells have that order
+  const shared_memory::SceneItems* items = nullptr;          ///< set if the scene is shared
+  machine::Cycles charged_with_data{};                       ///< for rays that read shared data
+  machine::Seconds charged_with_data_s{};                    ///< time of these cycles
+  tracing::Orders<Limits> orders;                            ///< the user's
   Record record;
-  Traced scratch = {};  ///< for replays of rays, where costs are timed
+  Traced scratch = {};  ///< for replays of rays, if costs are timed
 
   double now_s() const { return occam_now() - record.begun_s; }
   static double occam_now() { return machine::this_process().now().value; }

@@ -1,6 +1,6 @@
 #pragma once
-// What a task manager keeps (thesis, 5.1.3): its tasks, which are image cells, in an ordered store
-// (BDI) and an unordered one (BDNI), and the samples that they are known by.
+// Data of a task manager (thesis, 5.1.3): its tasks, which are image cells, in an ordered store
+// (BDI) and an unordered one (BDNI), and their samples.
 #include <functional>
 #include <unordered_map>
 #include <vector>
@@ -13,45 +13,45 @@ namespace iirra {
 
 using renderer::progressive::Point;
 
-/// A cell of a task.
+/// The cell of a task.
 struct TaskCell : SampledCell {
-  /// How often it, or a cell that it is a part of, has been painted: of two pictures of a pixel the
-  /// display knows which is newer.
+  /// Paintings of this cell and of the cells that it came from. The display compares them to find
+  /// the newer of two pictures of a pixel.
   std::uint32_t paintings = 0;
-  int sampled = 0;  ///< points of its next level, of which new limits have interrupted the sampling
+  int sampled = 0;  ///< sampled points of the next level, if new limits interrupted it
 };
 
-/// A cell, and what was found when it was put into a store.
+/// A cell, with its assessment when it was stored.
 struct Task {
   TaskCell cell;
   Quantities quantities = {};
   Advance next = Advance::sample;
   Importance importance = {};
-  bool has_just_come = false;  ///< from another processor: nothing has been done with it here
+  bool has_just_come = false;  ///< from another processor, and not yet worked on here
 };
 
-/// What is known of a place on the lattice. A pixel that has several samples has them one after the
-/// other: the next one's primary ray waits when the one before has been traced.
+/// State of a lattice point. Several samples of a pixel are taken one after another: the next
+/// primary ray waits until the last one is traced.
 struct Sample {
   renderer::Samples::Sums sums;
-  std::vector<renderer::Ray> waiting;  ///< the rays of shading trees that were not traced yet
-  renderer::RayCounts rays;            ///< those that were
-  int begun = 0;                       ///< samples whose primary ray has been traced
-  renderer::OpenPixel open;            ///< with adaptive sampling, until the last sample is there
+  std::vector<renderer::Ray> waiting;  ///< untraced rays of shading trees
+  renderer::RayCounts rays;            ///< traced rays
+  int begun = 0;                       ///< samples with a traced primary ray
+  renderer::OpenPixel open;            ///< adaptive sampling: until the last sample is complete
 };
 
-/// A cell that goes to another processor, and its samples in the order of points_of().
+/// A cell on its way to another processor, with its samples in the order of points_of().
 struct MovedCell {
   TaskCell cell;
   std::vector<Sample> samples;
 };
 
-/// The operations of a task manager, with the names that model files use.
+/// Operations of a task manager, named as in model files.
 struct TaskWork {
   std::uint64_t heap_step = 0;       ///< an exchange of two tasks in the ordered store
   std::uint64_t record_stored = 0;   ///< a task moved into or out of a store
-  std::uint64_t ray_classified = 0;  ///< a cell, or a ray that waits, compared with the limits
-  std::uint64_t cell_judged = 0;     ///< a sample compared with its cell's least and greatest
+  std::uint64_t ray_classified = 0;  ///< a cell or a waiting ray compared with the limits
+  std::uint64_t cell_judged = 0;     ///< a sample compared with its cell's minimum and maximum
   static constexpr std::array<std::string_view, 4> NAMES = {"heap_step", "record_stored",
                                                             "ray_classified", "cell_judged"};
   std::array<std::uint64_t, 4> counts() const {
@@ -61,14 +61,14 @@ struct TaskWork {
 
 class TaskStores {
  public:
-  /// Into the ordered store, unless nothing can be done with it within the limits.
+  /// Adds to the ordered store; to the other if no step is within the limits.
   void add(const Task& task, TaskWork& work);
   /// The most important task; none if the ordered store is empty.
   std::optional<Task> take(TaskWork& work);
-  /// A task of the ordered store that `may_go`, of the last few places of the heap: none of the
-  /// most important.
+  /// Takes a task that `may_go` accepts from the last places of the heap, so none of the most
+  /// important.
   std::optional<Task> take_last(const std::function<bool(const Task&)>& may_go, TaskWork& work);
-  /// All tasks, which are to be classified again: the stores are empty then.
+  /// Removes and returns all tasks, for reclassification.
   std::vector<Task> take_all();
 
   std::size_t active() const { return heap_.size(); }
@@ -79,19 +79,19 @@ class TaskStores {
   std::vector<Task> heap_, later_;
 };
 
-/// The samples of a processor, by their places. Each is computed once here, whatever cells share
-/// it; most stay to the end, since a cell that comes to be by division may need them.
+/// Samples of a processor, by position. Cells share them: each is computed once per processor. Most
+/// stay until the end, since later subdivisions may need them.
 class SampleTable {
  public:
   SampleTable() = default;
   explicit SampleTable(const renderer::Sampling& sampling) : sampling_(sampling) {}
 
-  /// What is shown of it.
+  /// Colour shown for a sample.
   renderer::Rgb colour_of(const Point& point) const {
     const Sample& sample = at(point);
     return eval_shown(sampling_, sample.sums, sample.begun);
   }
-  /// A new sample, or the one that is there.
+  /// Returns the sample, and creates it if missing.
   Sample& operator[](const Point& point) { return table_[key(point)]; }
   bool has(const Point& point) const { return table_.contains(key(point)); }
   Sample& at(const Point& point) { return table_.at(key(point)); }
@@ -103,17 +103,15 @@ class SampleTable {
     return static_cast<std::uint64_t>(p.y) << 32 | static_cast<std::uint32_t>(p.x);
   }
   renderer::Sampling sampling_;
-  std::unordered_map<std::uint64_t, Sample> table_;  // never walked: its order means nothing
+  std::unordered_map<std::uint64_t, Sample> table_;  // never iterated, so its order does not matter
 };
 
-/// Finds the quantities of a cell from its samples. Rays that wait count at the samples of
-/// points_to_deepen() alone.
+/// Quantities of a cell, from its samples. Only waiting rays of points_to_deepen() count.
 Quantities find_quantities(const SampledCell& cell, const SampleTable& samples,
                            const Limits& limits, TaskWork& work);
-/// The samples whose shading trees matter to a cell: all, or only its own pixels where every pixel
-/// is sampled.
+/// Samples whose shading trees a cell needs: all, or only its own pixels if every pixel is sampled.
 renderer::progressive::Points points_to_deepen(const SampledCell& cell);
-/// Whether each of its pixels has the colour that it will keep.
+/// True if all pixels of the cell have their final colour.
 bool is_finished(const SampledCell& cell, const SampleTable& samples);
 
 }  // namespace iirra

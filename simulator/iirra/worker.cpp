@@ -19,7 +19,7 @@ bool is_in(const renderer::Area& area, const Point& p) {
   return p.x >= area.x && p.y >= area.y && p.x < area.x + area.width && p.y < area.y + area.height;
 }
 
-// No other cell has a sample there.
+// True if no other cell has a sample at p.
 bool is_inner(const SampledCell& cell, const Point& p) {
   return p.x > cell.x && p.y > cell.y && p.x < cell.x + cell.side && p.y < cell.y + cell.side;
 }
@@ -53,7 +53,7 @@ Worker::Worker(Shared& shared, shared_memory::DataManager& manager, Peers peers)
 
 void Worker::run() {
   work();
-  manager_.serve_for_ever();  // what others have sent before they were stopped
+  manager_.serve_for_ever();  // serves requests that others sent before they were stopped
 }
 
 void Worker::work() {
@@ -127,7 +127,7 @@ void Worker::divide_cell(const TaskCell& cell) {
   balance_->created();
 }
 
-// One level of the shading trees of all samples held, of those that are their pixels' `pass`th.
+// Traces tree level `level` of the cell's samples, for sample number `pass` of each pixel.
 void Worker::deepen(const SampledCell& cell, int pass, int level) {
   const std::uint32_t phase = phase_;
   for (const Point& p : points_to_deepen(cell)) {
@@ -151,7 +151,7 @@ void Worker::deepen(const SampledCell& cell, int pass, int level) {
   }
 }
 
-// A ray and the feelers from where it hits; what it leaves else waits.
+// Traces a ray and the shadow feelers from its hit; queues its other children.
 void Worker::trace(Sample& sample, const Ray& ray, bool is_outside) {
   const auto& sampling = params_.image.sampling;
   const bool is_judged = is_adaptive(sampling) && !is_outside;
@@ -172,7 +172,7 @@ void Worker::trace(Sample& sample, const Ray& ray, bool is_outside) {
     }
 }
 
-// The pixel's next sample, if it has one and the one before has begun, waits for its turn.
+// Queues the pixel's next sample if it is wanted and the last one has begun.
 void Worker::extend(Sample& sample, const Point& p) {
   const auto& sampling = params_.image.sampling;
   if (sampling.pixel_samples == 1) return;
@@ -185,8 +185,8 @@ void Worker::extend(Sample& sample, const Point& p) {
   sample.waiting.push_back(make_primary(shared_.scene.view, params_.image, p.x, p.y, sample.begun));
 }
 
-// Adaptive sampling: when all of a round is there, the objects at the pixel's corners are looked
-// for and it is judged.
+// Adaptive sampling: once a round is complete, finds the objects at the pixel's corners and decides
+// how many samples are wanted.
 int Worker::find_wanted(Sample& sample, const Point& p) {
   auto& open = sample.open;
   if (sample.begun < open.wanted || !sample.waiting.empty() || open.samples.empty())
@@ -292,10 +292,10 @@ void Worker::finish(TaskCell cell) {
   new_finished_ += pixels_of(cell);
 }
 
-// Without a task: tells the coordinator, asks the others, and waits.
+// Without a task: reports to the coordinator, requests tasks and waits.
 void Worker::rest() {
   if (!params_.is_polled) send_pictures();
-  if (stores_.active() > 0 || is_stopped_) return;  // they have come meanwhile
+  if (stores_.active() > 0 || is_stopped_) return;  // tasks arrived meanwhile
   report();
   if (has_begun_) balance_->ask();
   obey(manager_.serve_at_once());
@@ -328,7 +328,7 @@ std::size_t Worker::give(int to) {
   const std::size_t most = (stores_.active() - reserve + 1) / 2;
   Tasks tasks;
   std::uint64_t bytes = sizes_.of(tasks);
-  // What comes to many is worked on before it goes on, or it might go on for ever; not down a tree.
+  // A received task is worked on before it moves again, or it might circulate; not in trees.
   const bool goes_on = params_.balance == BalanceMethod::green;
   const auto may_go = [&](const Task& task) {
     if (task.has_just_come && !goes_on) return false;
@@ -357,7 +357,7 @@ std::size_t Worker::give(int to) {
   return given;
 }
 
-// The samples that no other cell here can need go with it; its borders stay as well.
+// Moves samples that no other cell here can need; copies those on the cell's border.
 MovedCell Worker::pack(const TaskCell& cell) {
   MovedCell moved{cell, {}};
   const auto forget_inner = [&](const Point& p) {
@@ -369,7 +369,7 @@ MovedCell Worker::pack(const TaskCell& cell) {
     moved.samples.push_back(samples_.at(p));
     forget_inner(p);
   }
-  // Of a level that is not complete the other one begins anew.
+  // The receiver starts an incomplete level again.
   if (cell.sampled > 0)
     for (int i = 0; i < cell.sampled; ++i)
       forget_inner(points_of_level(cell, cell.level + 1)[static_cast<std::size_t>(i)]);
@@ -377,7 +377,7 @@ MovedCell Worker::pack(const TaskCell& cell) {
   return moved;
 }
 
-// Of two states of a sample the one that is further is kept.
+// Keeps the more advanced of two states of a sample.
 void Worker::unpack(const MovedCell& moved, bool is_first) {
   std::size_t i = 0;
   for (const Point& p : points_of(moved.cell)) {
@@ -398,7 +398,7 @@ void Worker::charge_work() {
 
 // --- network ------------------------------------------------------------------------------------
 
-// Between samples everything can be done.
+// Between samples, handles all messages.
 void Worker::serve_waiting() {
   look();
   while (!deferred_.empty()) {
@@ -408,7 +408,7 @@ void Worker::serve_waiting() {
   }
 }
 
-// Between rays, while a sample is not complete, only what does not touch the cell in hand.
+// Between the rays of a sample, handles only messages that leave the current cell alone.
 void Worker::look() {
   while (auto message = manager_.take_other()) {
     const auto& content = static_cast<const IirraMessage&>(*message->contents).content;
@@ -441,7 +441,7 @@ void Worker::obey(const Message& message) {
       [&](const auto&) { throw base::InvariantBroken("a message that is not for a worker"); });
 }
 
-// The whole shading tree of the sample in the middle of each cell, for the time it takes.
+// Measures the time for the whole shading tree of each cell's middle sample.
 void Worker::measure(int asker, const Measure& asked) {
   CellTimes measured;
   for (const auto& cell : asked.cells) {
@@ -462,7 +462,7 @@ void Worker::measure(int asker, const Measure& asked) {
   send_to({asker, TASK_PROCESS}, std::move(measured));
 }
 
-// Where the display does not ask: it has to have taken each before the next one goes.
+// Without polling: sends the next picture once the display has acknowledged the last.
 void Worker::send_pictures() {
   while (!unshown_.empty() && !is_stopped_) {
     if (!std::exchange(is_under_way_, true))

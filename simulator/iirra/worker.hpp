@@ -1,6 +1,6 @@
 #pragma once
-// The sequential process of a processor that computes (thesis, figure 5.4 and 5.1.3): application,
-// data manager and task manager in turns.
+// The sequential process of a computing processor: application, data manager and task manager in
+// turns (thesis, figure 5.4 and 5.1.3).
 #include <deque>
 
 #include "simulator/iirra/frame_buffers.hpp"
@@ -10,7 +10,7 @@ namespace iirra {
 class Worker : private TaskGiver {
  public:
   Worker(Shared& shared, shared_memory::DataManager& manager, Peers peers);
-  /// Until it is stopped; from then on the process is a server.
+  /// Works until stopped, then only serves data.
   void run();
 
  private:
@@ -62,14 +62,14 @@ class Worker : private TaskGiver {
   TaskWork work_;
   Limits limits_;
   std::uint32_t phase_ = 0;
-  int order_ = 0;                                    // of the user, that has set the limits
+  int order_ = 0;                                    // the user's order that set the limits
   std::uint64_t finished_ = 0;                       // pixels
   std::uint64_t new_parked_ = 0, new_finished_ = 0;  // not yet reported in this phase
   FrameBuffers unshown_;
-  bool is_under_way_ = false;              // a picture that was not asked for
-  std::deque<network::Message> deferred_;  // until the sample in hand is complete
-  std::optional<Point> open_;              // that sample
-  bool has_begun_;  // the first tasks have come, or the message that there are none
+  bool is_under_way_ = false;              // an unrequested picture awaits its acknowledgement
+  std::deque<network::Message> deferred_;  // until the current sample is complete
+  std::optional<Point> open_;              // the current sample
+  bool has_begun_;                         // the first tasks, or an empty message, have arrived
   bool is_stopped_ = false;
 };
 

@@ -6,7 +6,7 @@
 
 namespace programs {
 
-// Each in the file of its name.
+// Each is defined in the file of its name.
 Program make_message();
 Program make_soft();
 Program make_both_ways();

@@ -4,7 +4,7 @@
 
 namespace programs {
 
-/// In the order of a help text.
+/// In the order of the help text.
 const std::vector<Program>& all_programs();
 /// Null for an unknown name.
 const Program* find_program(std::string_view name);

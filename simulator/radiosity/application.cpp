@@ -33,8 +33,7 @@ Kernels::Kernels(const machine::Model& model, const radiosity::Mesh& mesh, const
   if (params.cycles_per_host_s) scratch = make_state(mesh, params.solve.sends);
 }
 
-// A colour is copied by a block move of its words, from an address in a table to the next place, or
-// the other way.
+// A block move copies the words of a colour between a table and the message.
 MessageWork::MessageWork(const machine::Model& model)
     : identification(kernels::message_costs(model)),
       colour_copied{get_instruction(model, "move_setup").value +
@@ -63,7 +62,7 @@ void Application::run() {
   }
 }
 
-// Keeps what comes early, from processors that are ahead.
+// Keeps early messages, from processors that are ahead.
 void Application::keep(const Message& message) {
   case_of(
       read(message), [&](const Candidate& candidate) { candidates_.push_back(candidate); },
@@ -105,7 +104,7 @@ void Application::shoot(const Shot& shot) {
   charged_s_.emplace_back();
 }
 
-// Sends others what they need of its vertices.
+// Sends other processors the light of their shared vertices.
 void Application::give() {
   for (const Border& border : node_.share.out)
     for (std::size_t first = 0; first < border.vertices.size(); first += MessageBytes::MOST) {
@@ -139,7 +138,7 @@ void Application::light(const radiosity::Eye& eye, const Shot& shot, State& stat
     receive_in_centres(eye, sender, node_.share.patches, state, work);
 }
 
-// The same with geometry that may be on other processors: work is charged between accesses.
+// As `light`, with geometry that may be on other processors; charges work between accesses.
 void Application::shoot_at_shared(const Shot& shot) {
   auto& kernels = common_.kernels;
   const double scale =
@@ -155,7 +154,7 @@ void Application::shoot_at_shared(const Shot& shot) {
   work_ += work;
 }
 
-// As many vertices as a message takes.
+// Returns as many vertices as fit into a message.
 Shown Application::show(const Show& asked) const {
   const auto& vertices = node_.share.vertices;
   Shown shown{asked.first, {}};
@@ -178,7 +177,7 @@ void Application::note_charged(Cycles cycles) {
   charged_s_.back() += static_cast<double>(cycles.value) / cpu.clock.value;
 }
 
-// Charges a message's identification, and the colours that go into it or out of it.
+// Charges a message's identification and the colours copied into it or out of it.
 void Application::charge_message(Cycles kernels::MessageCosts::*identification,
                                  const AmpMessage::Content& content) {
   const auto colours = static_cast<std::int64_t>(count_colours(content));
@@ -216,7 +215,7 @@ void Root::run() {
   send(network::make_global(AMP_PROCESS), Stop{});
 }
 
-// The shots end as in radiosity::solve.
+// Ends under the same conditions as radiosity::solve.
 bool Root::is_over(const Candidate& best) const {
   const auto& solve = common_.params.solve;
   return shots_ >= solve.shots || eval_share(best.unshot) <= solve.tolerance || !best.shot;
@@ -227,8 +226,8 @@ bool Root::is_time_to_show() const {
   return every > 0 && shots_ > 0 && shots_ % every == 0;
 }
 
-// Polls the processors one after the other, a message at a time (thesis, 5.3): no more can be on
-// its way than routers have room for.
+// Polls the processors one after another, with one message under way (thesis, 5.3), so that the
+// routers' buffers suffice.
 void Root::take_frame(const Candidate& best) {
   Frame frame;
   frame.shots = shots_;

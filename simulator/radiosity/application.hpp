@@ -1,7 +1,6 @@
 #pragma once
-// The application process of every processor. AMP has a process each for computing, tasks, data and
-// control beside the router (figure 5.3); here they are one, as 5.1 proposes for IIRRA. A round is
-//
+// The application process of a processor. AMP has separate processes for computing, tasks, data and
+// control beside the router (figure 5.3). Here they are one, as 5.1 proposes for IIRRA. A round:
 //   SEQ
 //     SEQ i = 0 FOR children         -- in whatever order they come
 //       from.router ? candidate
@@ -20,7 +19,7 @@ namespace amp {
 
 using machine::Cycles;
 
-/// The kernels of all processes, and where costs are timed a state to run them again on.
+/// Kernels of all processes, with scratch states to run them again if costs are timed.
 struct Kernels {
   Kernels(const machine::Model& model, const radiosity::Mesh& mesh, const Params& params);
   kernels::KernelCost choose, receive, settle, draw;
@@ -28,49 +27,49 @@ struct Kernels {
   radiosity::State scratch;
 };
 
-/// What a process does around a message, beside its router.
+/// A process's work on a message, beside the router's.
 struct MessageWork {
   explicit MessageWork(const machine::Model& model);
   kernels::MessageCosts identification;
   Cycles colour_copied;  ///< into a message, or out of it
 };
 
-/// What all processes know.
+/// State shared by all processes.
 struct Common {
   const radiosity::Mesh& mesh;
   const Params& params;
   MessageBytes bytes;
   Kernels& kernels;
-  std::optional<shared_memory::SceneItems> items;  ///< where geometry is shared
+  std::optional<shared_memory::SceneItems> items;  ///< if geometry is shared
   int root = 0;
   kernels::ByModel<MessageWork> messages;
 };
 
-/// A processor's place in the tree, and its way to the network.
+/// A processor's place in the tree, and its access to the network.
 struct Node {
   int id = 0, parent = 0;  ///< the root's parent is itself
   std::size_t children = 0;
   Share share;
   network::Client* client = nullptr;
-  shared_memory::DataManager* manager = nullptr;  ///< where geometry is shared
+  shared_memory::DataManager* manager = nullptr;  ///< if geometry is shared
 };
 
 class Application {
  public:
   Application(const Common& common, const Node& node);
   virtual ~Application() = default;
-  /// The process; returns when it is told to stop.
+  /// Runs the process; returns on Stop.
   virtual void run();
 
   const Node& node() const { return node_; }
   const radiosity::State& state() const { return state_; }
   const renderer::Work& work() const { return work_; }
   Cycles kernel_cycles() const { return kernel_cycles_; }
-  /// Seconds that its kernels take, by shot.
+  /// Seconds charged for its kernels, by shot.
   const std::vector<double>& charged_s() const { return charged_s_; }
 
  protected:
-  /// The best of its own patches and of all below.
+  /// Returns the best of its own patches and those of its subtree.
   Candidate reduce();
   void shoot(const radiosity::Shot& shot);
   network::Message wait_message();
@@ -80,7 +79,7 @@ class Application {
 
   const Common& common_;
   const Node node_;
-  radiosity::State state_;  ///< its own vertices and patches
+  radiosity::State state_;  ///< covers its own vertices and patches
 
  private:
   Candidate find_best();
@@ -98,16 +97,15 @@ class Application {
   renderer::Work work_;
   Cycles kernel_cycles_{};
   std::vector<double> charged_s_ = {0};
-  // Messages that came before they were waited for, of children and of those that share vertices.
+  // Messages received early, from children and from processors that share vertices.
   std::vector<Candidate> candidates_;
   std::vector<network::Message> borders_;
 };
 
-/// The root of AMP's tree: it computes as all do, decides what is shot next, and is the display.
+/// The root of AMP's tree: computes like all others, chooses the next shot, and is the display.
 class Root : public Application {
  public:
-  /// `nodes`: all processors, whose vertices are shown. `on_solved` is called when the last shot is
-  /// done everywhere.
+  /// `nodes`: all processors. `on_solved` is called when the last shot is done everywhere.
   Root(const Common& common, const Node& node, const std::vector<Node>& nodes,
        std::function<void()> on_solved)
       : Application(common, node), nodes_(nodes), on_solved_(std::move(on_solved)) {}

@@ -1,5 +1,5 @@
 #pragma once
-// What the processes of AMP say to each other.
+// Messages between the processes of AMP.
 #include <variant>
 
 #include "renderer/radiosity/light/solve.hpp"
@@ -7,32 +7,32 @@
 
 namespace amp {
 
-/// The second level of the address of all of them.
+/// Second level of the addresses of all AMP processes.
 constexpr int AMP_PROCESS = shared_memory::FIRST_FREE_PROCESS;
 
-/// Goes up the tree: the brightest patch of those below, and what is unsent there.
+/// Up the tree: the brightest patch of a subtree, and its unsent light.
 struct Candidate {
-  std::optional<radiosity::Shot> shot;  ///< none if all are dark
+  std::optional<radiosity::Shot> shot;  ///< none if all patches are dark
   radiosity::Unshot unshot;
 
-  /// Keeps the brighter of two shots, of equal ones that of the lower patch: the order of the
+  /// Keeps the brighter shot, or the lower patch of equally bright ones, so that the order of
   /// candidates does not matter.
   Candidate& operator+=(const Candidate& other);
 };
-/// Goes to all, as radiosity::Shot does: the solution is complete.
+/// Broadcast, like radiosity::Shot: the solution is complete.
 struct Stop {};
-/// Goes to a processor that shares vertices: the light that they got from the shot, from number
-/// `first` of Share::out on.
+/// To a processor that shares vertices: light they received from the shot, starting at index
+/// `first` of Share::out.
 struct Given {
   std::size_t first = 0;
   std::vector<radiosity::Rgb> values;
 };
-/// Goes from the display to a processor: asks for its vertices' radiosity from number `first` of
-/// its share on.
+/// From the display to a processor: requests its vertices' radiosity, starting at index `first` of
+/// its share.
 struct Show {
   std::size_t first = 0;
 };
-/// Comes back: as many values as fit a message, from there on.
+/// Reply: as many values as fit into a message, starting at `first`.
 struct Shown {
   std::size_t first = 0;
   std::vector<radiosity::Rgb> values;
@@ -46,13 +46,13 @@ struct AmpMessage : network::Contents {
 /// Number of colours in a message.
 std::size_t count_colours(const AmpMessage::Content& content);
 
-/// Lengths of messages in bytes (the model's [bytes] radiosity_*). A shot has one colour, or one
-/// for each corner.
+/// Message lengths in bytes (the model's [bytes] radiosity_*). A shot has one colour, or one per
+/// corner.
 struct MessageBytes {
   MessageBytes(const machine::Model& model, radiosity::Sends sends);
   std::uint64_t candidate, shot, colour;
   static constexpr std::uint64_t WORD = 4;
-  static constexpr std::size_t MOST = 64;  ///< values of a message
+  static constexpr std::size_t MOST = 64;  ///< most values in a message
 
   std::uint64_t of(const AmpMessage::Content& content) const;
   std::uint64_t longest() const;

@@ -61,7 +61,7 @@ base::Fields<ProgramParams> make_fields() {
 struct Measured {
   std::size_t patches = 0, vertices = 0, left_out = 0;
   Result result;
-  bool has_data = false;  // the geometry is kept by data managers
+  bool has_data = false;  // data managers hold the geometry
   PictureSummary shown;
 };
 
@@ -162,8 +162,8 @@ Columns<Measured> picture_columns() {
        base::only_if(has_reference, base::lift_columns<Measured>(errors, error))});
 }
 
-// Sizes, times, losses, loads, and what the pictures tell. Those of data managers and of the
-// reference are missing where there are none.
+// Sizes, times, losses, loads and picture measurements. Columns of data managers and of the
+// reference only where these exist.
 Columns<Measured> make_columns() {
   const auto data = [](const Measured& m) -> auto& { return m.result.data; };
   const auto loss = [](const Measured& m) -> auto& { return m.result.loss; };

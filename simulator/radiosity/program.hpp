@@ -1,5 +1,5 @@
 #pragma once
-// Radiosity as programs of experiments.
+// Radiosity as experiment programs.
 #include "simulator/declare/program.hpp"
 #include "simulator/radiosity/radiosity.hpp"
 #include "simulator/radiosity/rooms.hpp"
@@ -8,10 +8,10 @@ namespace amp {
 
 struct ProgramParams {
   RoomParams room;
-  Params machine;                     ///< how the work is shared; `solve` is that of the room
+  Params machine;                     ///< distribution of the work; `solve` is the room's
   double amplify = 1;                 ///< factor of the difference image, 0 to 1e6
-  double peak_from = 0, peak_to = 1;  ///< part of the picture's width where the largest value of
-                                      ///< its central line is looked for, 0 to 1
+  double peak_from = 0, peak_to = 1;  ///< part of the picture's width, 0 to 1, to search for the
+                                      ///< largest value of its central line
 };
 
 /// "radiosity": progressive radiosity on a machine.

@@ -25,8 +25,8 @@ shared_memory::DataParams data_params(const machine::Model& model, const Mesh& m
   return data;
 }
 
-// There is room for all that can be on its way: from each processor a candidate, a request or a
-// reply, and its borders.
+// Buffers hold all messages under way: from each processor a candidate, a request or a reply, and
+// its borders.
 network::Params network_params(const Common& common, const shared_memory::DataParams& data,
                                const machine::Model& model, const std::vector<Share>& shares) {
   std::size_t borders = 0;  // messages
@@ -43,7 +43,7 @@ network::Params network_params(const Common& common, const shared_memory::DataPa
   return params;
 }
 
-// Seconds charged in all rounds: to the processor with most to do in each, and on average.
+// Seconds charged over all rounds: by the busiest processor of each, and on average.
 struct Rounds {
   double most = 0, mean = 0;
 };
@@ -66,11 +66,11 @@ Rounds sum_rounds(const std::vector<std::unique_ptr<Application>>& applications)
   return sum;
 }
 
-// The loss of all processors over `time_s`.
+// Shares of all processors' time over `time_s`.
 Loss eval_loss(const radiosity::Mesh& mesh, const Params& params,
                const std::vector<std::unique_ptr<Application>>& applications, double time_s) {
   const Rounds rounds = sum_rounds(applications);
-  // Points that are lit in a shot: vertices, and with Simpson's rule centres.
+  // Points lit by a shot: vertices, and patch centres with Simpson's rule.
   const std::size_t centres =
       params.solve.mean == radiosity::Mean::simpson ? mesh.patches.size() : 0;
   std::size_t done = centres;
@@ -138,7 +138,7 @@ class Amp {
     return view;
   }
 
-  // The picture of the last frame, drawn when it is looked at for the first time.
+  // Picture of the last frame; drawn only when first requested.
   const std::vector<std::uint8_t>& look() {
     if (root_->frames().size() > frames_looked_at_) {
       frames_looked_at_ = root_->frames().size();
@@ -234,7 +234,7 @@ class Amp {
   std::vector<Node> nodes_;
   std::vector<std::unique_ptr<Application>> applications_;
   Root* root_ = nullptr;
-  renderer::Bitmap bitmap_;  // of the last frame, for who watches
+  renderer::Bitmap bitmap_;  // of the last frame, for the live page
   std::size_t frames_looked_at_ = 0;
   observe::Use before_;
   std::optional<observe::Use> after_;

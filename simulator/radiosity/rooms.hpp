@@ -1,6 +1,6 @@
 #pragma once
-// What the programs over rooms share (radiosity, scan_line): a room, its illumination and its
-// picture, and a reference that these are compared with.
+// Common parts of the programs over rooms (radiosity, scan_line): a room, its illumination and
+// picture, and an optional reference.
 #include "base/fields.hpp"
 #include "renderer/radiosity/creases/creases.hpp"
 #include "renderer/radiosity/show/display.hpp"
@@ -21,26 +21,26 @@ struct RoomParams {
   radiosity::ReconstructionParams shown_reference;  ///< its twist is that of `reconstruction`
 };
 
-/// scene, then what says how it is meshed and solved.
+/// scene, then parameters of its mesh and solution.
 base::Fields<RoomParams> solution_fields();
-/// twist, then what says how the picture is made and shown.
+/// twist, then parameters of making and displaying the picture.
 base::Fields<RoomParams> view_fields();
-/// reference and how it is solved and interpolated.
+/// reference, then parameters of its solution and interpolation.
 base::Fields<RoomParams> reference_fields();
 
-/// Throws base::BadInput, and std::invalid_argument naming the field, for a room that cannot be
-/// read, scene or reference.
+/// Throws base::BadInput, and std::invalid_argument naming the field, if the scene's or the
+/// reference's room cannot be read.
 void check(const RoomParams& params);
 
-/// The scene, with the creases that its mesh keeps.
+/// The scene, with the creases chosen for its mesh.
 radiosity::Room load_scene(const RoomParams& params);
-/// The reference, solved with the scene's parameters but its own `refine`, with the creases of its
-/// file; none where the parameters name none.
+/// The reference, solved with the scene's parameters but its own `refine` and its file's creases;
+/// none if the parameters name none.
 std::optional<radiosity::LitRoom> solve_reference(const RoomParams& params);
 /// The reference's picture.
 radiosity::Picture trace_reference(const RoomParams& params, const radiosity::LitRoom& reference,
                                    const renderer::View& view);
-/// For each pixel whether the picture of either mesh shows something there that emits.
+/// For each pixel, true if the picture of either mesh shows an emitter there.
 std::vector<bool> find_emitters(const RoomParams& params, const renderer::View& view,
                                 const radiosity::Mesh& mesh, const radiosity::Mesh& other);
 

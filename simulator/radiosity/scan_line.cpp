@@ -1,4 +1,4 @@
-// A line of a room's picture, interpolated in two ways, beside a reference: figure 3.9.
+// One line of a room's picture, interpolated in two ways, beside a reference: figure 3.9.
 
 #include "simulator/radiosity/program.hpp"
 
@@ -20,7 +20,7 @@ struct LineParams {
 
 constexpr std::array<const char*, 3> PICTURES = {"bilinear", "bicubic", "fine"};
 
-// A pixel of the line, in each of the pictures.
+// A pixel of the line in each picture.
 struct Pixel {
   int x = 0;
   std::array<int, 3> displayed{};  // 0 to 255
@@ -37,7 +37,7 @@ int find_line(const LineParams& params, const Picture& picture) {
   return params.line < 0 ? picture.height / 2 : params.line;
 }
 
-// Adds what the picture of that number has in the line that begins at pixel `first`.
+// Adds the values of picture `number` on the line that starts at pixel `first`.
 void add_picture(std::vector<Pixel>& line, std::size_t number, const Picture& picture,
                  const radiosity::Display& display, std::size_t first, Channel channel) {
   const auto shown = make_rgb8(picture, display);

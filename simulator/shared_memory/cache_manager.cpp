@@ -8,8 +8,8 @@ using occam::this_process;
 
 namespace {
 
-constexpr std::size_t MOST_NOTED = 64;  // accesses; the application waits for room
-constexpr std::uint64_t WORD = 4;       // bytes of each
+constexpr std::size_t MOST_NOTED = 64;  // accesses; the application waits while the queue is full
+constexpr std::uint64_t WORD = 4;       // bytes per access
 
 }  // namespace
 
@@ -36,7 +36,7 @@ void CompanionManager::access(Item item) {
   auto& self = this_process();
   const std::size_t record = manager_.record_of(item);
   self.charge(costs_.look_up);
-  self.sync();  // the cache is as the manager has left it by now
+  self.sync();  // so that the cache is as the manager left it
   if (!manager_.holds(record)) {
     out(orders_, Order{record});
     in(fetched_);
@@ -46,7 +46,7 @@ void CompanionManager::access(Item item) {
   if (manager_.is_resident(record)) return;
   self.charge(queue_step_);
   self.sync();
-  while (noted_.size() == MOST_NOTED) out(orders_, Order{});  // until it has made room
+  while (noted_.size() == MOST_NOTED) out(orders_, Order{});  // until there is room
   noted_.push_back(record);
   if (is_asleep_) out(orders_, Order{});
 }
@@ -71,7 +71,7 @@ void CompanionManager::run_manager() {
   }
 }
 
-// The list is in order before a record comes: the cache drops what that of one processor would.
+// Updates the list before a record arrives, so that the cache evicts what a single processor would.
 void CompanionManager::obey(Order order) {
   if (noted_.size() == MOST_NOTED) note_first();
   if (!order.record) return;

@@ -1,7 +1,7 @@
 #pragma once
-// A data manager with a cache; and the same in a node of two processors on one memory
-// (thesis, 6.2): it is a process of its own on the one that has the links, and serves others at
-// once, while the application computes on the companion.
+// A data manager with a cache, and its variant for a node of two processors on one memory (thesis,
+// 6.2). There it is a process on the processor with the links and serves others at once, while the
+// application computes on the companion.
 #include <deque>
 
 #include "simulator/shared_memory/data_manager.hpp"
@@ -16,22 +16,22 @@ class CacheManager : public DataManager {
   void access(Item item) override;
 
   virtual std::size_t record_of(Item item) const = 0;
-  /// Whether a record is here beside the cache.
+  /// True if a record is in local memory outside the cache.
   virtual bool is_resident(std::size_t /*record*/) const { return false; }
   bool holds(std::size_t record) const { return is_resident(record) || cache_.holds(record); }
-  /// Asks for a record that is not here, and returns when it is.
+  /// Requests a record that is not here; returns once it has arrived.
   virtual void ask(std::size_t record) = 0;
-  /// Puts a record that has been accessed on top of the cache's list.
+  /// Moves an accessed record to the top of the cache's list.
   void note_access(std::size_t record) { touch(record); }
   void serve_one(network::Message message) { take(std::move(message)); }
 };
 
-/// What the application on the companion calls. It looks items up in the cache by itself, and notes
-/// its accesses in a queue, by which the manager brings the list up to date; it asks the manager
-/// for what is not there.
+/// The application's interface on the companion. It looks items up in the cache itself and queues
+/// its accesses, so that the manager can update the list. It orders missing records from the
+/// manager.
 class CompanionManager : public DataManager {
  public:
-  /// `means`: the application's own client of the router, and no cache. Starts the process of
+  /// `means`: the application's own client of the router, without a cache. Starts the process of
   /// `manager` on `router`, the companion of `own`, and allocates the queue.
   CompanionManager(DataManagerMeans means, CacheManager& manager, machine::Processor& router,
                    machine::Processor& own);
@@ -39,7 +39,7 @@ class CompanionManager : public DataManager {
 
  private:
   struct Order {
-    std::optional<std::size_t> record;  ///< to be fetched; none: accesses have been noted
+    std::optional<std::size_t> record;  ///< record to fetch; none: accesses are queued
     static constexpr std::uint64_t bytes() { return 4; }
   };
   [[noreturn]] void run_manager();
@@ -52,7 +52,7 @@ class CompanionManager : public DataManager {
   Cycles queue_step_;
   occam::Channel<Order> orders_;
   occam::Channel<occam::Signal> fetched_;
-  std::deque<std::size_t> noted_;  // in the shared memory, as is
+  std::deque<std::size_t> noted_;  // queue of accesses in the shared memory
   bool is_asleep_ = false;         // the manager waits for a message or an order
 };
 

@@ -1,17 +1,17 @@
 #pragma once
-// Items of data that any processor may need: objects, surfaces, light sources (5.1.2.3).
+// Data items that any processor may need: objects, surfaces, light sources (5.1.2.3).
 #include <cstdint>
 #include <vector>
 
 namespace shared_memory {
 
-/// An address of two levels: a class, and a number in the class.
+/// Two-level address: a class, and a number within the class.
 struct Item {
   int of_class = 0;
   int number = 0;
 };
 
-/// The items that there are, and their sizes. Places count through all items: class after class.
+/// All items with their sizes. Places number all items, class after class.
 class Catalogue {
  public:
   /// `bytes`: the size of each item, by class and number. Throws base::BadInput if there are none.

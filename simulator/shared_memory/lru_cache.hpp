@@ -1,6 +1,6 @@
 #pragma once
-// A cache of a set size that drops what has not been used for longest (5.1.2.2): an ordered list of
-// what it holds, the most recent first. Records are known by numbers from 0 on.
+// Cache of fixed size that evicts the least recently used record (5.1.2.2). Its list starts with
+// the most recent. Records are numbered from 0.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -9,15 +9,15 @@ namespace shared_memory {
 
 class LruCache {
  public:
-  /// `bytes[r]` is the size of record r. Throws base::BadInput, naming `key`, if some record does
-  /// not fit.
+  /// `bytes[r]` is the size of record r. Throws base::BadInput, naming `key`, if any record is
+  /// larger than the cache.
   LruCache(std::vector<std::uint64_t> bytes, std::uint64_t capacity, const std::string& key);
 
   bool holds(std::size_t record) const { return next_.at(record) != NOT_HELD; }
-  /// Moves a record that is held to the top of the list.
+  /// Moves a held record to the top of the list.
   void touch(std::size_t record);
-  /// Puts a record at the top; the last ones make room. Returns how many were dropped. A record
-  /// that is held already is touched.
+  /// Inserts a record at the top and evicts the last ones to make room; returns their number. If
+  /// the record is held already, touches it.
   int insert(std::size_t record);
 
   std::uint64_t capacity() const { return capacity_; }  // bytes
@@ -31,7 +31,7 @@ class LruCache {
 
   std::vector<std::uint64_t> bytes_;
   std::uint64_t capacity_, used_ = 0;
-  // The list, by record; the entry behind the last record is both its ends.
+  // Linked list by record; the additional last entry is both ends.
   std::vector<std::size_t> next_, previous_;
 };
 

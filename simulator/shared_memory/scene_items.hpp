@@ -1,19 +1,18 @@
 #pragma once
-// A scene as items of virtual shared memory: the boxes of its hierarchy ("clusters") are accessed
-// as its objects are (5.1.2.1). Surfaces, lights and the view are embedded: every processor has
-// them.
+// A scene as items of virtual shared memory: boxes of its hierarchy ("clusters") and objects are
+// items (5.1.2.1). Surfaces, lights and the view are embedded in every processor.
 #include "renderer/trace/intersect.hpp"
 #include "simulator/shared_memory/data_manager.hpp"
 
 namespace shared_memory {
 
-/// Classes of items.
+/// Item classes.
 constexpr int BOX_ITEMS = 0, OBJECT_ITEMS = 1;
 
 class SceneItems {
  public:
-  /// Sizes of records are the model's. Objects are numbered kind by kind in the order of the
-  /// hierarchy's leaves, boxes depth first: neighbours are near to each other.
+  /// The model gives the records' sizes. Objects are numbered kind by kind in the order of the
+  /// hierarchy's leaves, boxes depth first, so neighbours have close numbers.
   SceneItems(const machine::Model& model, const renderer::Scene& scene);
 
   const Catalogue& catalogue() const { return catalogue_; }
@@ -25,15 +24,15 @@ class SceneItems {
 
  private:
   Catalogue catalogue_;
-  std::vector<int> number_of_box_;  // by index in the hierarchy, where leaves have places too
+  std::vector<int> number_of_box_;  // by index in the hierarchy, including leaves
   std::array<int, 4> first_of_kind_{};
 };
 
-/// A kernel's reads of the scene, by way of a data manager. What the kernel has counted is charged
-/// before each: time passes as in a program that computes between its accesses.
+/// A kernel's reads of the scene through a data manager. Charges the work counted so far before
+/// each read, so that time passes as in a program that computes between accesses.
 class SceneReader : public renderer::Access {
  public:
-  /// `scale` multiplies the costs of what is counted: a timed kernel takes as long as it takes.
+  /// `scale`: factor on the cost of counted work, to match a timed kernel's duration.
   SceneReader(const SceneItems& items, DataManager& manager, const machine::OperationCosts& costs,
               double scale)
       : items_(items), manager_(manager), costs_(costs), scale_(scale) {}
@@ -46,7 +45,7 @@ class SceneReader : public renderer::Access {
     charge(done);
     manager_.access(items_.object(place));
   }
-  /// Charges this_process() what has not been charged yet of all that is done.
+  /// Charges this_process() the part of `done` that was not charged yet.
   void charge(const renderer::Work& done);
   Cycles charged() const { return charged_; }
 

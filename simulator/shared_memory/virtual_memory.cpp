@@ -10,7 +10,7 @@ using occam::this_process;
 
 namespace {
 
-// DM: its cache serves the local application; others may read it, and that changes nothing in it.
+// DM: a cache for the local application. Reads by others do not change it.
 class ItemManager : public CacheManager {
  public:
   ItemManager(DataManagerMeans means, const Catalogue& catalogue, const DataParams& params)
@@ -62,14 +62,14 @@ class ItemManager : public CacheManager {
   const Catalogue& catalogue_;
   const DataParams params_;
   std::optional<std::size_t> asked_;
-  std::vector<Waiting> waiting_;  // WRQu of the record that is asked for
+  std::vector<Waiting> waiting_;  // WRQu of the requested record
 };
 
 struct DiskWait : machine::Wait {
   std::string describe() const override { return "the disk"; }
 };
 
-// The coordinator asks the host's disk for a record over the host link, and waits for it.
+// Reads a record from the host's disk over the host link; blocks the process meanwhile.
 void read_disk(std::uint64_t bytes) {
   auto& self = this_process();
   const auto& disk = self.processor().model().disk;
@@ -79,14 +79,14 @@ void read_disk(std::uint64_t bytes) {
   self.block(wait);
 }
 
-// DMS, on the coordinator: its cache serves the others; the local application may read it. What is
-// not there it reads from the disk, and serves nobody else meanwhile.
+// DMS on the coordinator: a cache for the requests of others, readable by the local application.
+// Reads misses from the disk and serves nobody meanwhile.
 class ItemServer : public DataManager {
  public:
   ItemServer(DataManagerMeans means, const Catalogue& catalogue)
       : DataManager(std::move(means)), catalogue_(catalogue) {}
 
-  // Items that others do not ask for do not push out those that they do.
+  // Local misses bypass the cache, so that they do not evict items that others request.
   void access(Item item) override {
     look();
     this_process().charge(costs_.look_up);
@@ -117,7 +117,7 @@ class ItemServer : public DataManager {
   const Catalogue& catalogue_;
 };
 
-// Where the pages are.
+// Placement of pages on processors.
 struct Pages {
   Pages(const Catalogue& catalogue, int items_of_page, int processors)
       : catalogue(catalogue),
@@ -137,11 +137,11 @@ struct Pages {
 
   const Catalogue& catalogue;
   std::size_t items_of_page, count;  // items in a page; pages
-  std::uint64_t bytes;               // size of a page: as many of the largest items
+  std::uint64_t bytes;               // size of a page: items_of_page times the largest item
   std::size_t processors;
 };
 
-// Its cache holds pages of others.
+// A resident block of pages, and a cache for pages of others.
 class PageManager : public CacheManager {
  public:
   PageManager(DataManagerMeans means, const Pages& pages)

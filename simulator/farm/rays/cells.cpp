@@ -56,7 +56,7 @@ std::uint64_t Cells::place_of(std::uint32_t sample) const {
   if (order == CellOrder::sequential) return sample;
   if (order != CellOrder::recursive) return 0;
   const auto p = pixel_of(sample, width);
-  std::uint64_t place = 0;  // the bits of x and y in turns
+  std::uint64_t place = 0;  // bits of x and y interleaved
   for (int bit = 0; bit < 17; ++bit) {
     place |= static_cast<std::uint64_t>((p.x - x) >> bit & 1) << (2 * bit);
     place |= static_cast<std::uint64_t>((p.y - y) >> bit & 1) << (2 * bit + 1);
@@ -161,12 +161,12 @@ void FrameBuffer::add(const renderer::Block& block, renderer::Work& work) {
     }
 }
 
-// Its own pixel shows it, and no larger cell.
+// True if the sample's own pixel shows its cell or a smaller one.
 bool FrameBuffer::is_sampled(std::uint32_t sample) const {
   return owner_[sample] <= cells_.fineness_of(sample);
 }
 
-// The size of the sample's cell, less what it has been divided into.
+// Size of the sample's cell after its subdivision so far.
 int FrameBuffer::size_now(std::uint32_t sample) const {
   const auto p = pixel_of(sample, width_);
   const auto is_done = [&](int x, int y) {
@@ -180,7 +180,7 @@ int FrameBuffer::size_now(std::uint32_t sample) const {
   return size;
 }
 
-// Takes from larger cells what the sample's cell has of them.
+// Claims the pixels of the sample's cell from larger cells.
 void FrameBuffer::own(std::uint32_t sample) {
   if (is_sampled(sample)) return;
   const auto fineness = cells_.fineness_of(sample);
@@ -192,8 +192,8 @@ void FrameBuffer::own(std::uint32_t sample) {
     }
 }
 
-// Paints what the sample shows of its cell. (Cells of one size do not overlap: what has its size
-// within its cell is its own.)
+// Paints the sample's cell. (Cells of one size do not overlap, so equal fineness marks its own
+// pixels.)
 bool FrameBuffer::paint(std::uint32_t sample, renderer::Work& work) {
   bool changed = false;
   const auto colour = renderer::make_rgb8(colour_of(sample));
@@ -219,7 +219,7 @@ bool FrameBuffer::paint(std::uint32_t sample, renderer::Work& work) {
   return changed;
 }
 
-// Paints the cells that have the sample at their other corners.
+// Repaints cells with this sample at one of their other corners.
 bool FrameBuffer::paint_neighbours(std::uint32_t sample, renderer::Work& work) {
   bool changed = false;
   const auto p = pixel_of(sample, width_);
@@ -232,8 +232,8 @@ bool FrameBuffer::paint_neighbours(std::uint32_t sample, renderer::Work& work) {
   return changed;
 }
 
-// Between the samples at the corners of the cell of `sample`, at the pixel (x, y); where a corner
-// has no sample of its own yet, this one's colour.
+// Bilinear colour at pixel (x, y) between the samples at the corners of the cell of `sample`. A
+// corner without a sample takes the colour of `sample`.
 Rgb FrameBuffer::eval_smooth(std::uint32_t sample, int x, int y) const {
   const auto p = pixel_of(sample, width_);
   const int size = size_now(sample);

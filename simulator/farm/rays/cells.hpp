@@ -1,6 +1,6 @@
 #pragma once
-// Image cells (thesis, 4.3.2 and 4.3.7): squares of which one sample, at the upper left corner, is
-// computed first; what a sample shows of its cell, and the order in which cells come.
+// Image cells (thesis, 4.3.2 and 4.3.7): squares whose upper left pixel is sampled first; how
+// samples paint their cells, and the order of cells.
 #include <memory>
 #include <optional>
 #include <vector>
@@ -13,83 +13,79 @@ namespace farm {
 
 /// The order of cells of one size (thesis, 4.3.7).
 enum class CellOrder : std::uint8_t {
-  random,      ///< drawn from a seed
-  sequential,  ///< from the top to the bottom, from the left to the right
+  random,      ///< shuffled by a seed
+  sequential,  ///< from top to bottom, from left to right
   recursive,   ///< as quadrants of quadrants: upper left, upper right, lower left, lower right
-  adaptive     ///< random; but a cell is made when the one it divides has been sampled, and goes
-               ///< before cells up to four times as large if that shows another object than its
-               ///< neighbours
+  adaptive     ///< random; a cell exists once the cell it divides is sampled, and precedes cells up
+               ///< to four times as large if that sample's object differs from a neighbour's
 };
 
-/// Squares of `max_cell` pixels (a power of two) tile the image from the pixel (x, y), and each is
-/// divided into four smaller ones, down to single pixels. A sample lies at the upper left corners
-/// of one or several cells, and belongs to the largest of them.
+/// Squares of `max_cell` pixels (a power of two) tile the image from pixel (x, y). Each divides
+/// into four smaller ones, down to single pixels. A sample lies at the upper left corner of one or
+/// several cells and belongs to the largest.
 struct Cells {
   int width = 100;  ///< width of the image, pixels
   int max_cell = 16;
-  int x = 0, y = 0;  ///< pixels: where the first cell is
+  int x = 0, y = 0;  ///< upper left pixel of the first cell
   CellOrder order = CellOrder::random;
-  /// In place of squares: every sample's cell is a quadrant, with its rank as its place, and counts
-  /// as one pixel large.
+  /// If set, replaces squares: each sample's cell is a quadrant, placed by its rank, of size 1.
   std::shared_ptr<const renderer::progressive::QuadrantOrder> quadrants = nullptr;
 
   int size_of(std::uint32_t sample) const;
-  /// The place of a sample among cells of one size; 0 where the order has none.
+  /// Place of a sample among cells of one size; 0 if the order is random.
   std::uint64_t place_of(std::uint32_t sample) const;
-  /// Of two samples' cells that overlap the one of lower number is the smaller one.
+  /// Fineness number of the sample's cell: lower than that of any larger cell that it overlaps.
   std::uint32_t fineness_of(std::uint32_t sample) const;
   /// The part of the sample's cell that lies within `limit`.
   renderer::Area area_of(std::uint32_t sample, const renderer::Area& limit) const;
-  /// The samples of the cells into which the cell of `sample` is divided, down to single pixels,
-  /// as far as those lie within `limit`: each sample that is not of max_cell belongs to one.
+  /// Samples of the cells into which the cell of `sample` divides, down to single pixels, within
+  /// `limit`. Each sample not of size max_cell belongs to exactly one such cell.
   std::vector<std::uint32_t> divide(std::uint32_t sample, const renderer::Area& limit) const;
   /// The place of a sample in the queue of quadrants.
   std::uint32_t rank_of(std::uint32_t sample) const;
 };
 
-/// The primary rays in the order of their deposit: cells from the largest to the smallest, those of
-/// one size in their order; with CellOrder::adaptive only the largest.
+/// Primary rays in order of deposit: from the largest cells to the smallest, each size in its own
+/// order. CellOrder::adaptive: only the largest cells.
 std::vector<renderer::Ray> make_initial_rays(const renderer::Scene& scene,
                                              const renderer::Params& params, const Cells& cells,
                                              std::uint64_t seed);
 
-/// What a sample shows of its cell (thesis, 4.3.7).
+/// How a sample paints its cell (thesis, 4.3.7).
 enum class CellLight : std::uint8_t {
-  constant,  ///< all of it has its colour
+  constant,  ///< the whole cell has the sample's colour
   point,     ///< only the sample's pixel is lit
-  smooth     ///< bilinear between the samples at its corners, where there are any
+  smooth     ///< bilinear between the samples at the cell's corners, if known
 };
 
-/// An adaptive pixel that has all of its samples, whose weights in its colour differ.
+/// Final sums of a complete adaptive pixel with samples of unequal weight.
 struct FinishedPixel {
   std::uint32_t sample = 0;      ///< y * width + x
   renderer::Samples::Sums sums;  ///< eval_estimate() times the number of the pixel's samples
 };
 
-/// The display's picture, painted while samples grow. A pixel shows the smallest cell around it
-/// that has a sample; one that has none shows the background, which is black. When all samples are
-/// there it is the image.
+/// The display's growing picture. A pixel shows the smallest sampled cell around it, or else the
+/// background (black by default). With all samples it equals the image.
 class FrameBuffer {
  public:
   FrameBuffer() = default;
-  /// Cells are painted within `area` alone; 0 x 0: everywhere.
+  /// Paints cells only within `area`; 0 x 0: everywhere.
   FrameBuffer(int width, int height, Cells cells, CellLight light, renderer::Area area = {},
               const renderer::Sampling& sampling = {});
 
-  /// Adds a ray's contribution to its sample, and paints what that changes: a pixel shows the mean
-  /// of those of its samples whose primary ray has come. Returns whether a pixel of the picture has
-  /// another colour now.
+  /// Adds a ray's contribution to its sample and paints the change. A pixel shows the mean of its
+  /// samples whose primary ray has arrived. Returns whether any pixel of the picture changed.
   bool add(const renderer::Ray& ray, const renderer::Rgb& contribution, renderer::Work& work);
-  /// Replaces the sums of an adaptive pixel that has all of its samples, and paints the change.
+  /// Replaces the sums of a complete adaptive pixel and paints the change.
   void finish(const FinishedPixel& finished, renderer::Work& work);
-  /// What pixels show that have no cell with a sample: a picture of as many pixels.
+  /// Sets the picture under pixels without a sampled cell; same size as this one.
   void set_background(std::vector<std::uint8_t> rgb8) { rgb8_ = std::move(rgb8); }
   /// Adds a block of complete samples.
   void add(const renderer::Block& block, renderer::Work& work);
 
-  /// As render() has them, when all have come.
+  /// The samples, equal to those of render() once all have arrived.
   renderer::Samples samples() const;
-  /// Rows from the top, 3 bytes a pixel, as renderer::make_rgb8 has them.
+  /// Rows from the top, 3 bytes a pixel, in the format of renderer::make_rgb8.
   const std::vector<std::uint8_t>& rgb8() const { return rgb8_; }
 
  private:
@@ -110,8 +106,8 @@ class FrameBuffer {
   renderer::Area area_;
   renderer::Sampling sampling_;
   renderer::Samples samples_;
-  std::vector<std::uint16_t> counts_;  // of a pixel's samples, if there are more than one
-  std::vector<std::uint32_t> owner_;   // fineness of the cell that each pixel shows
+  std::vector<std::uint16_t> counts_;  // samples of each pixel, if more than one
+  std::vector<std::uint32_t> owner_;   // fineness of the cell shown at each pixel
   std::vector<std::uint8_t> rgb8_;
 };
 

@@ -6,8 +6,8 @@
 //            ^                 |
 //            '- succ <--- c ---'            (a: succ to prefix)
 //
-// What compiled occam does around its channels is charged by instruction: the jump back of a WHILE,
-// the turn of a replicated SEQ, an addition.
+// Charges what compiled occam executes around channels, by instruction: the jump back of a WHILE, a
+// turn of a replicated SEQ, an addition.
 #include "simulator/declare/support.hpp"
 
 namespace programs {

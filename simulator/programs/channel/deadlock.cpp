@@ -1,5 +1,5 @@
-// A ring of processes that deadlocks: in the first round every second one inputs before it outputs,
-// in the second all output first, and each waits for its neighbour.
+// A ring of processes that deadlocks. In the first round every second process inputs before it
+// outputs. In the second all output first, and each waits for its neighbour.
 #include "simulator/declare/support.hpp"
 
 namespace programs {

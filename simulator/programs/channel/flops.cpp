@@ -1,4 +1,4 @@
-// Floating-point additions, one after the other: the peak rate of data sheets.
+// Floating-point additions, one after another: the peak rate of data sheets.
 #include "simulator/declare/support.hpp"
 
 namespace programs {

@@ -23,7 +23,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   Seconds sum, sent;
   machine[0].start("sender", Priority::high, [&] {
     for (std::int64_t i = 0; i < messages; ++i) {
-      // Far enough apart for the machine to be idle; odd, to meet the computation anywhere.
+      // Far enough apart for an idle machine; odd, to interrupt the computation at any point.
       occam::wait_until(occam::ticks(START + static_cast<double>(i) * Seconds{1.237e-3}));
       sent = now();
       out(machine.channels[0], Message{params.bytes});

@@ -1,4 +1,4 @@
-// One message over one link: what channel communication between two processors takes.
+// One message over one link: the time of a communication between two processors.
 #include "simulator/declare/support.hpp"
 
 namespace programs {

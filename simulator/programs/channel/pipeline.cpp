@@ -32,7 +32,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
     });
   }
   run_machine(setup, machine);
-  // Only the second half counts, when the pipeline is full.
+  // Measures only the second half, when the pipeline is full.
   const std::size_t half = arrivals.size() / 2;
   const Seconds took = arrivals.back() - arrivals[half];
   const double period = took.value / static_cast<double>(arrivals.size() - 1 - half);

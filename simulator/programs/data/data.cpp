@@ -12,7 +12,7 @@ using shared_memory::DataUse;
 
 constexpr int FINISHED = shared_memory::FIRST_FREE_PROCESS, GO_ON = FINISHED + 1;
 
-// What a processor's manager had counted, and when, at the end of a pass.
+// Times of a pass on one processor, and its manager's counts at the end.
 struct Mark {
   Seconds start{}, end{};
   DataUse use;
@@ -30,7 +30,7 @@ class Test {
     for (int k = 0; k < load.items; ++k) wanted_.push_back(sum += std::pow(k + 1, -load.zipf));
   }
 
-  // The process of one processor.
+  // Runs the process of one processor.
   void live(int id) {
     DataManager& data = memory_.manager(id);
     const bool is_coordinator = id == load_.data.coordinator;
@@ -99,7 +99,7 @@ class Test {
   const network::Routing& routing_;
   shared_memory::VirtualMemory& memory_;
   std::vector<std::vector<Mark>> marks_;  // by pass and processor
-  std::vector<double> wanted_;            // how often an item up to this one is
+  std::vector<double> wanted_;            // cumulative weights of items 0 to k
 };
 
 }  // namespace
@@ -136,7 +136,7 @@ const base::Names<bool> COORDINATOR_IS = {{"idle", false}, {"working", true}};
 
 struct Params {
   RouterParams routers;
-  DataLoad load;  // but for what follows
+  DataLoad load;  // except for the fields below
   double cache_percent = 9, server_cache_percent = 0;
   int coordinator = -1;
   Scheme scheme = Scheme::in_path;
@@ -225,7 +225,7 @@ base::Fields<Params> make_fields() {
             [](Params & p) -> auto& { return p.load.seed; }, "seed of the accesses")}});
 }
 
-// requests_at_coordinator stands behind the requests.
+// Inserts requests_at_coordinator after requests.
 base::Columns<DataPass> make_columns() {
   auto data = base::lift_columns<DataPass>(shared_memory::data_columns(), &DataPass::use);
   data.insert(std::ranges::find(data, "requests", &base::Column<DataPass>::name) + 1,

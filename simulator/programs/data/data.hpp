@@ -1,6 +1,6 @@
 #pragma once
-// Random accesses to common data from all over a network (5.1.2.4): how long each pass takes, and
-// where the items were.
+// Random accesses to common data from all processors (5.1.2.4): the time of each pass, and the
+// places of the items.
 #include <optional>
 
 #include "simulator/declare/program.hpp"
@@ -13,23 +13,23 @@ struct DataLoad {
   shared_memory::DataParams data;
   int items = 1000;
   std::uint64_t item_bytes = 64;
-  double zipf = 0;  ///< item k is wanted in proportion to 1 / (k + 1)^zipf; 0: all alike
-  int accesses = 1000, passes = 1;  ///< accesses of each processor in each pass
-  /// All wait for the last one before the next pass; else each goes on when it is ready.
+  double zipf = 0;                  ///< item k has weight 1 / (k + 1)^zipf; 0: uniform
+  int accesses = 1000, passes = 1;  ///< accesses: per processor and pass
+  /// True: all processors wait for the last one after each pass. False: each continues at once.
   bool together = true;
-  bool coordinator_too = false;  ///< it makes accesses as the others do
+  bool coordinator_too = false;  ///< the coordinator makes accesses like the others
   std::uint64_t seed = 1;
 };
 
 struct DataPass {
-  int number = 0;     ///< the pass, from 1
-  double time_s = 0;  ///< until the last processor has finished it, from the end of the one before
-  double mean_s = 0;  ///< time that a processor took for it, on average
-  shared_memory::DataUse use;                ///< sum over the processors that made accesses
-  std::optional<std::uint64_t> server_seen;  ///< requests that came to the coordinator, if all wait
+  int number = 0;              ///< the pass, from 1
+  double time_s = 0;           ///< from the first processor's start to the last one's end
+  double mean_s = 0;           ///< mean time of a processor
+  shared_memory::DataUse use;  ///< sum over the processors with accesses
+  std::optional<std::uint64_t> server_seen;  ///< requests received by the coordinator, if all wait
 };
 
-/// Throws Unfinished, and what the simulation throws.
+/// Throws Unfinished and the simulation's exceptions.
 std::vector<DataPass> run_data(const Setup& setup, const network::Routing& routing,
                                const DataLoad& load);
 

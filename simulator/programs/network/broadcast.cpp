@@ -1,5 +1,5 @@
-// A message from the root to all, along the spanning tree: each processor passes it on to its
-// children, all at once (PAR) or one after the other (SEQ).
+// Broadcast from the root along the spanning tree: each processor forwards the message to its
+// children, in parallel (PAR) or one after another (SEQ).
 #include "simulator/declare/support.hpp"
 
 namespace programs {

@@ -1,4 +1,4 @@
-// No program at all: what each processor of a network has to do for others.
+// Transit load of each processor of a network, from its routes; simulates nothing.
 
 #include "simulator/declare/support.hpp"
 
@@ -13,7 +13,7 @@ struct Params {
   Pairs pairs = Pairs::all;
 };
 
-// What a processor has to do for others.
+// A processor's load on behalf of others.
 struct Measured {
   base::Cell processor;
   int routes_through = 0, lower_neighbours = 0;
@@ -28,7 +28,7 @@ int next_of(const Setup& setup, const Around& around, int from, int to) {
   throw base::InvariantBroken("a route leaves by a port without a link");
 }
 
-// Ordered pairs of processors, and those of them whose route passes through each other one.
+// Number of ordered pairs, and of those whose route passes through each other processor.
 struct Passed {
   std::vector<int> through;
   int pairs = 0;
@@ -48,7 +48,7 @@ Passed count_passed(const Setup& setup, const Params& params, const Around& arou
   return passed;
 }
 
-// None where everybody is everybody's neighbour.
+// None if all processors are neighbours.
 std::vector<std::string> describe_busiest(const topologies::Topology& topology,
                                           const Passed& passed) {
   const auto most = std::ranges::max_element(passed.through);

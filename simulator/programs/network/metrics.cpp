@@ -1,4 +1,4 @@
-// No program at all: the distances of a network, to be compared with what books say of it.
+// Distances in a network, for comparison with textbooks; simulates nothing.
 #include "topologies/graph/metrics.hpp"
 
 #include "simulator/declare/program.hpp"
@@ -10,7 +10,7 @@ namespace metrics {
 
 struct Params {};
 
-// Rows and columns of a mesh or torus; any other network is one row.
+// Rows and columns of a mesh or torus; one row for any other network.
 struct Grid {
   int rows = 1, columns = 1;
 };

@@ -1,5 +1,5 @@
-// A farm of equal tasks: the first processor hands them out, the others work. Its throughput is
-// bound by the workers, or by the centre.
+// A farm of equal tasks: the first processor distributes them, the others work. The workers or the
+// centre limit its throughput.
 #include "simulator/declare/support.hpp"
 #include "simulator/network/store_and_forward.hpp"
 
@@ -18,7 +18,7 @@ struct Measured {
   double throughput_per_s = 0, cpu_busy_centre = 0;
 };
 
-constexpr int AHEAD = 2;  // tasks a worker has, or that are on their way to it
+constexpr int AHEAD = 2;  // tasks at a worker or on their way to it
 
 struct Farm {
   network::StoreAndForward& network;
@@ -29,7 +29,7 @@ struct Farm {
     out(network.into(from), network::Pointer{{from, to, length}});
   }
 
-  // Each result is answered with the next task; an empty one tells a worker to stop.
+  // Answers each result with the next task. An empty task stops a worker.
   void coordinate(int workers, std::vector<Seconds>& results) const {
     std::int64_t sent = 0;
     for (int turn = 0; turn < AHEAD; ++turn)
@@ -69,7 +69,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   for (int id = 1; id <= workers; ++id)
     machine[id].start("worker", Priority::low, [&, id] { farm.work(id); });
   run_machine(setup, machine);
-  // In the middle, when every worker has tasks; in whole rounds, as results may come in bursts.
+  // Measures the middle, when all workers have tasks; whole rounds, as results come in bursts.
   const auto round = static_cast<std::size_t>(workers);
   const std::size_t rounds = results.size() / round, a = rounds / 4 * round,
                     b = a + rounds / 2 * round;

@@ -1,4 +1,4 @@
-// One packet through an idle network of routers, to a processor `hops` links away.
+// One packet through an idle network of routers to a processor `hops` links away.
 #include "simulator/declare/support.hpp"
 #include "simulator/network/store_and_forward.hpp"
 

@@ -1,4 +1,4 @@
-// How the noise of distributed rays falls with the number of samples, without a machine.
+// Noise of distributed rays as a function of the number of samples, without a machine.
 #include "renderer/files/load_scene.hpp"
 #include "renderer/quality/quality.hpp"
 #include "renderer/trace/render.hpp"
@@ -21,7 +21,7 @@ struct Measured {
   std::optional<double> exponent, rays_share, rmse_share;
 };
 
-// The image of so many samples a pixel, of random numbers of their own.
+// Renders with `samples` samples a pixel and independent random numbers.
 renderer::Rendering render_with(const renderer::Scene& scene, renderer::Params image, int samples,
                                 double adaptive = 0) {
   image.sampling.pixel_samples = samples;
@@ -70,7 +70,7 @@ Outcome<Measured> run(const Setup&, const Params& params) {
   };
   const auto name = [](int samples) { return fmt::format("samples-{}", samples); };
   renderer::Params other = params.image;
-  other.sampling.seed += renderer::MAX_PIXEL_SAMPLES;  // that no other image has
+  other.sampling.seed += renderer::MAX_PIXEL_SAMPLES;  // used by no other image
   Rows rows(render_with(scene, other, params.reference).samples);
   if (adaptive > 0) {
     using renderer::ADAPTIVE_SAMPLES;
@@ -85,7 +85,7 @@ Outcome<Measured> run(const Setup&, const Params& params) {
     Measured& row = rows.add(samples, render(samples), name(samples));
     const double before = samples > 1 ? (&row - 1)->rmse : 0;
     if (before > 0 && row.rmse > 0)
-      // Rounded, so that it is the same whichever library computes the logarithm.
+      // Rounded, so that the result does not depend on the library's logarithm.
       row.exponent = static_cast<float>(std::log(row.rmse / before) / std::log(4.0));
   }
   return std::move(rows.outcome);

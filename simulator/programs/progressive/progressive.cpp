@@ -17,7 +17,7 @@ using renderer::progressive::StepCounts;
 struct Params {
   base::Source scene{"room:27", ""};
   renderer::Params image;
-  Step step;  // the last one, but for its depth and area
+  Step step;  // the last step, except for its depth and area
   int max_cell = 16;
   renderer::progressive::Growth growth = renderer::progressive::Growth::cells;
 };
@@ -60,7 +60,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
     Progressive progressive(scene, params.image, params.max_cell);
     for (const Step& step : make_steps(params.growth, params.max_cell, last_step(params))) {
       const auto counts = progressive.advance(step);
-      // Trees that have no deeper level have none below it either.
+      // If a level adds no rays, deeper levels add none either.
       if (params.growth == renderer::progressive::Growth::depth && counts.rays.fresh.total() == 0)
         break;
       const auto cost = costs(counts.rays.work.counts);

@@ -1,5 +1,5 @@
-// The growth of a picture in two passes of samples, in an order of pixels, and the queue of
-// quadrants alone. Nothing is simulated: no program spends time.
+// Growth of a picture in two passes of samples, in a given order of pixels, and growth of the queue
+// of quadrants. Simulates no machine, so no program spends time.
 #include "renderer/progressive/refinement.hpp"
 
 #include <cmath>

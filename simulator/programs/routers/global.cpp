@@ -1,5 +1,5 @@
-// A sequence of GLOBAL messages from the root, until every other processor has answered
-// (table 5.3): once, when it has the last of them, or each of them.
+// A sequence of GLOBAL messages from the root, answered by every other processor (table 5.3): once
+// after the last message, or after each.
 #include "simulator/declare/routers.hpp"
 
 namespace programs {
@@ -22,7 +22,7 @@ struct Global {
   const Params& params;
   int others;
 
-  // Sends while not too many are unanswered, and takes answers.
+  // Sends while few enough messages are unanswered; otherwise takes answers.
   void ask(Client& client) const {
     std::int64_t sent = 0;
     const std::int64_t rounds = params.answers == Answers::each ? params.messages : 1;

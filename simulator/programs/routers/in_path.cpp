@@ -1,4 +1,4 @@
-// InPathTo requests along a line, which those on the way answer now and then (5.1.1.3).
+// InPathTo requests along a line, sometimes answered by processors on the way (5.1.1.3).
 
 #include "base/random.hpp"
 #include "simulator/declare/routers.hpp"
@@ -12,7 +12,7 @@ using network::Client;
 
 constexpr int ASKED = 0, ASKING = 1;  // kinds of process
 
-// On the way: answers with a probability, else gives the request back. At the end: always answers.
+// On the way: answers with `probability`, else returns the request. At the end: always answers.
 void answer(Client& client, double probability, std::uint64_t seed) {
   this_process().set_server();
   base::Random random(seed, client.processor());

@@ -1,5 +1,5 @@
-// Every processor sends messages to all others at random: what the routers and the application
-// that does so take of the CPU (table 5.2).
+// Every processor sends messages to random others: CPU shares of the routers and of the sending
+// application (table 5.2).
 #include "base/random.hpp"
 #include "simulator/declare/routers.hpp"
 
@@ -19,7 +19,7 @@ struct Talk {
   const Params& params;
   int processors;
 
-  // One sequential process (LSGP): it takes what comes until its next message is due.
+  // One sequential process (LSGP): receives until its next message is due.
   void run(Client& client) const {
     base::Random random(params.seed, client.processor());
     network::Handed handed;

@@ -1,6 +1,5 @@
-// The usual load-latency curve of routers: all processors offer messages to others at a rate, and
-// sinks take them at once; up to the load at which queues grow without bound, or out of their
-// buffers.
+// Load-latency curve of routers: all processors offer messages at a given rate, and sinks take them
+// at once. The curve ends where queues grow without bound or overflow their buffers.
 #include "base/random.hpp"
 #include "simulator/declare/routers.hpp"
 
@@ -13,7 +12,7 @@ using network::Message;
 
 struct Seen {
   double sum_s = 0;
-  std::uint64_t offered = 0, count = 0;  // messages offered in the window; of those, received
+  std::uint64_t offered = 0, count = 0;  // in the window; of those, received
   std::uint64_t in_window = 0;           // received in the window
 };
 
@@ -30,7 +29,7 @@ struct Offers {
 
   double end_s() const { return params.warm_up_s + params.window_s; }
 
-  // A Poisson stream; a message that must wait for the router has been offered all the same.
+  // A Poisson stream; a message counts as offered even while it waits for the router.
   void offer(Client& client, Seen& seen) const {
     base::Random random(params.seed, client.processor());
     for (double at_s = 0; (at_s += random.exponential() / rate_per_s) < end_s();) {
@@ -67,7 +66,7 @@ void check_messages(const Offers& offers) {
                 "found {:.3g} messages, expected at most {:.3g}", messages, MOST_MESSAGES);
 }
 
-// The source has a channel of its own into the router, the sink one from it.
+// Source and sink each have a channel of their own, into and out of the router.
 void start_clients(const Offers& offers, RouterMachine& on, std::vector<Seen>& seen) {
   for (int id = 0; id < offers.processors; ++id) {
     on[id].start(on[id].name() + ".source", Priority::high,
@@ -103,7 +102,7 @@ Measured measure(const Offers& offers, const RouterMachine& on, const Seen& all,
                  bool has_overflowed) {
   const auto& params = offers.params;
   const double now_s = on.now().value;
-  // The part of the window before the end or the overflow.
+  // The part of the window before its end or the overflow.
   const double window_s = has_overflowed ? now_s - params.warm_up_s : params.window_s;
   const double time_s = std::max(now_s, params.warm_up_s + window_s);
   Measured m{.offered_per_s = offers.rate_per_s,

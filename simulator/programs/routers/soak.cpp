@@ -1,5 +1,5 @@
-// A soak of routers: processes all over a network send each other messages of every kind at random,
-// and an account is kept of each.
+// Soak test of routers: processes on all processors send each other random messages of every kind,
+// and each message is accounted for.
 #include <fmt/ranges.h>
 
 #include <set>
@@ -34,10 +34,10 @@ struct Planned {
   int from = 0, to = 0;
   Mode mode{};
   std::uint64_t length = 0;
-  double pause_s = 0;  // before it
+  double pause_s = 0;  // before the message
 };
 
-// What is sent, the same for the same seed on any machine.
+// Messages to send; a seed gives the same plan on any machine.
 std::vector<Planned> make_plan(int processors, const Params& params) {
   base::Random random(params.seed);
   std::vector<Planned> plan(params.messages);
@@ -55,7 +55,7 @@ std::vector<Planned> make_plan(int processors, const Params& params) {
   return plan;
 }
 
-// Every fourth is answered where it is offered: by a processor that the message's number chooses.
+// One in four is answered where it is offered; its number selects the processor.
 bool answers(const Message& message, int here) {
   return (message.number * 0x9e3779b97f4a7c15ULL >> 32) % 4 == static_cast<unsigned>(here) % 4;
 }
@@ -70,7 +70,7 @@ class Account {
           const std::vector<Planned>& plan)
       : routing_(routing), on_(on), plan_(plan), deliveries_(plan.size()), returns_(plan.size()) {}
 
-  // Something has broken: routes change, and an InPathTo message may be answered anywhere.
+  // After a fault, routes change and any processor may answer an InPathTo message.
   void expect_any_route() { all_on_the_way_ = true; }
 
   void send(std::size_t number) {
@@ -113,7 +113,7 @@ class Account {
   }
 
   Measured result;
-  std::vector<std::string> notes;  // what was lost, by sender and receiver
+  std::vector<std::string> notes;  // lost messages, by sender and receiver
 
  private:
   bool on_the_way(const Planned& sent, int here) const {
@@ -125,7 +125,7 @@ class Account {
     return false;
   }
 
-  // Pairs of sender and receiver, and the numbers of their messages.
+  // Lists lost messages by sender and receiver.
   void name_lost() {
     std::map<std::pair<int, int>, std::vector<std::size_t>> lost;
     for (const std::size_t number : was_sent_) {
@@ -153,12 +153,12 @@ class Account {
   const std::vector<Planned>& plan_;
   std::set<std::size_t> was_sent_;
   std::uint64_t links_ = 0;
-  std::vector<std::vector<int>> deliveries_;  // by message: processors that got it
-  std::vector<std::vector<int>> returns_;     // by message: processors that it came back from
-  std::map<std::tuple<int, int, int>, std::uint64_t> last_;  // number + 1
+  std::vector<std::vector<int>> deliveries_;  // by message: receivers
+  std::vector<std::vector<int>> returns_;     // by message: processors that returned it
+  std::map<std::tuple<int, int, int>, std::uint64_t> last_;  // number + 1 of the last message
 };
 
-// Sends what is planned, and takes what comes meanwhile; then only takes.
+// Sends the planned messages and receives in between; then only receives.
 void live(Client& client, const std::vector<Planned>& plan, Account& account) {
   const int here = client.processor();
   network::Handed handed;
@@ -190,7 +190,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   check_two_processors(setup);
   RouterMachine on(setup, network_params(params.routers, params.longest));
   const auto plan = make_plan(setup.topology.processors, params);
-  // Links that are cut change the network's own routing.
+  // The routing before faults; cut links change the network's own.
   const network::Routing before = routing_of(setup, params.routers.method);
   Account account(before, on, plan);
   on.on_failure([&account](const machine::Failure&) { account.expect_any_route(); });
