@@ -249,10 +249,16 @@ void Cpu::compute(Process& low, Seconds time) {
   if (interrupted_ != &low) arm_low_timer();  // else a high process came during its operation
 }
 
+// The first in the queue may be ready ahead of the clock. Another may come before it, and DMA may
+// move it.
+void Cpu::find_end_of_slice() {
+  if (low_queue_.empty()) return;
+  low_.gives_way_at = std::max(
+      low_.slice_end, tick_of_slices(std::ceil(slices(low_queue_.front().ready_at_) - HAIR)));
+}
+
 void Cpu::arm_low_timer() {
-  if (!low_queue_.empty() && low_.gives_way_at == NEVER)
-    low_.gives_way_at = std::max(
-        low_.slice_end, tick_of_slices(std::ceil(slices(low_queue_.front().ready_at_) - HAIR)));
+  find_end_of_slice();
   const Seconds gives_way = std::max({now(), low_.gives_way_at, low_.since});
   const Seconds at = std::min(low_.end, gives_way);
   // A pre-empted computation only ends later: a timer that fires early is armed again then.
@@ -271,6 +277,7 @@ void Cpu::low_timer() {
   if (interrupted_ || !low_.computing) return;  // armed again when the CPU comes back
   Process& low = *running_;
   const Seconds left = low_.end - now();
+  find_end_of_slice();
   const bool gives_way = now() >= low_.gives_way_at && now() >= low_.since;
   if (left.value > 0 && !gives_way) return arm_low_timer();
   account_low();
@@ -410,6 +417,7 @@ void Cpu::stop() {
   high_.computing = low_.computing = false;
   ++high_.id;  // makes pending events stale
   ++low_timer_.id;
+  ++dispatch_id_;
 }
 
 void Cpu::name_for_observer(Process& process) {

@@ -171,6 +171,7 @@ class Cpu {
   void compute(Process& low, Seconds time);  // a low process spends time, pre-emptably
   void stretch(const Stretch& stretch);
   void at(Seconds date, const Process& process, auto then);
+  void find_end_of_slice();
   void arm_low_timer();
   void low_timer();
   void account_low();  // what the low process has computed since low_.since

@@ -239,5 +239,62 @@ TEST(TimeSlices, TickThatPassesDuringAPreemptionCounts) {
                              s.return_to_low.value);
 }
 
+// A low process computes. A high one makes another low process ready, ahead of the clock unless it
+// `pays` first, and waits. Meanwhile a third low process, or a message whose DMA delays the work
+// ahead, comes shortly before the tick. Returns the cycles at which the other two end.
+Numbers end_around_tick(std::int64_t wakes, bool has_message, bool pays) {
+  return isolated_numbers([&] {
+    Model model = make_exact_model();
+    if (has_message) model.memory.steal_word = 32;
+    Lab lab(model);
+    Processor& cpu = lab.cpu();
+    Processor& other = lab.neighbour(cpu);
+    auto &wakes_second = lab.soft(), &never = lab.soft(), &link = lab.hard(other, cpu);
+    double second = 0, third = 0;
+    if (has_message) {
+      cpu.start("reader", Priority::high, [&] { link.in(); });
+      other.start("writer", Priority::high, [&] {
+        wait_until_cycle(12064);
+        out(link, {200});
+      });
+    } else {
+      cpu.start("third", Priority::low, [&] {
+        occam::wait_until(12);
+        compute(100), this_process().sync();
+        third = own_cycles();
+      });
+    }
+    cpu.start("high", Priority::high, [&] {
+      wait_until_cycle(wakes);
+      compute(200);
+      if (pays) this_process().sync();
+      out(wakes_second, {4});
+      compute(50);
+      if (pays) this_process().sync();
+      never.in();
+    });
+    cpu.start("second", Priority::low, [&] {
+      wakes_second.in();
+      compute(100), this_process().sync();
+      second = own_cycles();
+      out(never, {4});
+    });
+    cpu.start("first", Priority::low, [&] { compute(30000), this_process().sync(); });
+    lab.machine.run();
+    return Numbers{second, third};
+  });
+}
+
+TEST(TimeSlices, DoNotDependOnWhenAHighProcessPays) {
+  for (const bool has_message : {false, true})
+    for (std::int64_t wakes = 11904; wakes < 12288; wakes += 16) {
+      const auto ahead = end_around_tick(wakes, has_message, false);
+      const auto paid = end_around_tick(wakes, has_message, true);
+      for (std::size_t i = 0; i < 2; ++i)
+        EXPECT_NEAR(ahead.at(i), paid.at(i), 1e-3)
+            << "wakes at " << wakes << (has_message ? ", a message" : ", a third process");
+    }
+}
+
 }  // namespace
 }  // namespace occam

@@ -193,6 +193,34 @@ TEST(ProcessorStop, MayBeAfterTheEnd) {
   EXPECT_EQ(found, (Numbers{4000, 0, 0, 4000}));
 }
 
+// DMA has delayed the dispatch of a process that the stop then ends: the run does not last longer.
+TEST(ProcessorStop, EndsWhatDmaHasDelayed) {
+  const auto ends = [](std::int64_t steal_word) {
+    return isolated_numbers([&] {
+      Model model = make_exact_model();
+      model.memory.steal_word = steal_word;
+      Lab lab(model);
+      Processor& stopped = lab.cpu();
+      Processor& other = lab.neighbour(stopped);
+      auto &link = lab.hard(other, stopped), &never = lab.soft();
+      stopped.start("reader", Priority::high, [&] { link.in(); });
+      stopped.start("blocks", Priority::high, [&] {
+        compute(500);
+        never.in();
+      });
+      stopped.start("next", Priority::high, [&] { compute(10); });
+      other.start("writer", Priority::high, [&] {
+        compute(100);
+        static_cast<void>(link.out_or_fail({4000}));
+      });
+      lab.machine.stop_processor(stopped, Cycles{530} / model.cpu.clock);
+      lab.machine.run();
+      return Numbers{lab.cycles()};
+    });
+  };
+  EXPECT_EQ(ends(32), ends(0));
+}
+
 TEST(ProcessorStop, BadDatesAndLinksAreRefused) {
   expect_failure("base::InvariantBroken", {"a failure at -1 s was asked for at 0 s"},
                  [](Lab& lab) { lab.machine.stop_processor(lab.cpu(), {-1}); });
