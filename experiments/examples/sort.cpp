@@ -24,7 +24,7 @@ namespace {
 
 struct Item {
   float number = 0;
-  bool end = false;  // no number: the last has passed
+  bool end = false;  // true after the last number
   static constexpr std::uint64_t bytes() { return 8; }
 };
 using Items = Channel<Item>;

@@ -157,7 +157,7 @@ void Cpu::at(Seconds date, const Process& process, auto then) {
     engine_.at(date, then);
 }
 
-// The end of what the running high-priority process computes.
+// Sets the date at which the running high-priority process ends its computation.
 void Cpu::end_high_at(Seconds date) {
   at(date, *running_, [this, id = ++high_.id] {
     if (id != high_.id) return engine_.ignore_event();

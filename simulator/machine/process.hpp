@@ -113,7 +113,7 @@ class Process {
   static constexpr std::uint64_t NO_RANK = ~std::uint64_t{0};
   void set_rank(std::uint64_t rank) { rank_ = rank; }
   bool has_rank() const { return rank_ != NO_RANK; }
-  /// True if it executes on its stack, and may wait anywhere.
+  /// True if the process runs on a stack of its own, so that it may wait at any point.
   bool has_stack() const { return coroutine_ && !operation_; }
   /// Marks the process as blocked from its own time on, see block().
   void start_wait(Wait& wait);

@@ -149,8 +149,8 @@ bool Select::some_ready(const Process& self) const {
   });
 }
 
-// Cost of alt and of enabling each guard, ready or not at its own turn. (If no output waits at the
-// end, none waited before.)
+// Cost of alt and of enabling the guards, each of which may be ready when it is enabled. (An output
+// does not stop waiting: if none waits at the end, none waited before.)
 Cycles Select::cost_to_enable_all(const Process& self) const {
   const auto waits = [&](const Guard& guard) {
     return guard.condition && guard.channel && guard.channel->has_output() &&

@@ -216,7 +216,7 @@ bool ChannelBase::Exchange::stop_at(Stage next) {
   return false;
 }
 
-// Cost of the copy. An input copies the length of the waiting output.
+// Cost of the copy. An input copies as many bytes as the waiting output has.
 Cycles ChannelBase::Exchange::cost_to_copy(const machine::Model::Channel& costs) const {
   const std::uint64_t bytes = side_ == writer ? bytes_ : channel_->bytes_;
   return static_cast<std::int64_t>((bytes + 3) / 4) * costs.copy_word;

@@ -61,8 +61,8 @@ class Gathering {
     longest_ = std::max<int>(longest_, distance[order[found - 1]]);
   }
 
-  // Adds one message from every processor to the start of the last search, counted per orbit. The
-  // farthest processors come first, so that each forwarded count is complete when it is used.
+  // Sends one message from every processor to the start of the last search, and counts them per
+  // orbit. The farthest processors come first, so that the count a processor forwards is complete.
   void add_messages(const Orbits& orbits) {
     sent_.resize(static_cast<std::size_t>(orbits.count()) * PORTS);
     std::ranges::fill(forwarded_, 1);

@@ -50,8 +50,8 @@ Handlers begin_to_count() {
   return old;
 }
 
-// True if a stream accepts output soon: a thread may hold its lock while waiting for a reader, or a
-// pipe may be full.
+// True if a stream accepts output without a long wait. False if a thread holds its lock while
+// waiting for a reader, or if its pipe is full.
 bool is_free(FILE* stream) {
   constexpr int MOST_MS = 1000;
   if (ftrylockfile(stream) != 0) return false;

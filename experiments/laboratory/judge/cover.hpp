@@ -18,10 +18,10 @@ struct OwnError {
 /// point. None for fewer than three errors.
 std::optional<OwnError> find_own_error(const std::vector<double>& errors);
 
-/// For each check, counts the predicted points with expected values inside the interval of 90 % of
-/// the machines. A check fails if their share is below its `covers`. For relative errors it counts
-/// again with wider intervals, shifted and widened by the model's own error as estimated from the
-/// other points of the check.
+/// Counts, for each check, the predicted points whose expected value lies in the interval that 90 %
+/// of the machines span. A check fails if the share of these points is below its `covers`. For
+/// relative errors there is a second count. Its intervals are shifted and widened by the model's
+/// error, estimated from the other points of the check.
 void check_cover(std::vector<CheckResult>& results, const Table& table,
                  const SurenessTables& sureness);
 

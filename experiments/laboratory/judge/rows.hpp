@@ -71,7 +71,8 @@ class Rows {
 
 std::vector<std::string> axis_names(const Table& table);
 
-/// The column of an axis. Throws base::BadInput, beginning with `place`, with the nearest axis.
+/// The column of an axis. For an unknown axis throws base::BadInput, whose message begins with
+/// `place` and suggests the most similar name.
 std::size_t find_axis(const Table& table, const std::string& axis, const std::string& place);
 
 /// The rows of completed points with a non-zero value of the expression, or all of them without
@@ -87,8 +88,8 @@ struct Reference {
 };
 
 /// Pairs of a row and its reference value, matched by equal keys: texts compared as texts, numbers
-/// as numbers. For values without a row it adds a note "3 row(s) of FILE were not run: objects =
-/// 400, workers = 1; ...".
+/// as numbers. Adds a note about reference values without a row, "3 row(s) of FILE were not run:
+/// objects = 400, workers = 1; ...".
 std::vector<std::pair<std::size_t, double>> match_reference(const Reference& reference,
                                                             const Table& table,
                                                             std::vector<std::string>& notes);

@@ -36,8 +36,8 @@ namespace radiosity {
 /// moved there, so that computations are as exact as its coordinates.
 Room load_room(const std::string& path);
 
-/// Reads a text in the same way, but leaves the room where it is; `name` stands for the path.
-/// Counts in `left_out`, if given, the parts of a scene that rooms do not have, such as lights.
+/// Reads a room from a text, without moving it. `name` replaces the path in errors. Counts in
+/// `left_out`, if given, the parts of a scene that rooms do not have, such as lights.
 Room read_room(std::string_view text, const std::string& name,
                renderer::LeftOut* left_out = nullptr);
 

@@ -303,7 +303,7 @@ class PieceSum {
   std::array<Vec, 4> corners_;  // of the delta area
 };
 
-// The light that arrives over one chain, without its reflectance.
+// The light that arrives over one chain, before the mirrors' reflectance is applied.
 template <class Source>
 auto eval_chain(const MirroredSight& sight, const Source& source) {
   const FactorParams& params = sight.eye.params;

@@ -21,7 +21,7 @@ constexpr double LEAST_GAP = 0.01, GAP = 1, TOUCHING_GAP = 0.5;
 constexpr double FIRST_STRIP = 0.5, GROWTH = 2, WIDEST_STRIP = 0.6;
 // Minimum cosine between the normals of a face and of a face that hangs over it.
 constexpr double PARALLEL = 0.8;
-// Limits of the pairs of faces that may touch: a constant plus a number for each face.
+// The largest number of touching pairs of faces: a constant plus a fixed number for each face.
 constexpr std::size_t MOST_PAIRS = 1'000'000, MOST_PAIRS_PER_FACE = 100;
 
 struct Flat {

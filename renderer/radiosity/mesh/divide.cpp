@@ -91,7 +91,7 @@ struct Cutting {
   double width;                // of a patch
   std::vector<Line> contacts;  // in the plane, within or on the border
   std::vector<Line> creases;   // likewise: folds and creases
-  std::vector<Line> crossing;  // those that cross the inside: contacts, folds, strips, creases
+  std::vector<Line> crossing;  // lines across the face: contacts, folds, strips, creases
 };
 
 // The length of the part of a crease that is inside all planes by a margin.

@@ -23,7 +23,8 @@ bool comes_true(const Holds& holds) {
 }
 
 // Programs in a folder that is first on PATH. Each writes its process id into the file named by
-// STARTED, then sleeps. Every tlab has its own file: an earlier tlab's program may be late.
+// STARTED, then sleeps. Each run of tlab has a file of its own, because a program of an earlier run
+// may write its id late.
 struct Interrupt : Sweep {
   Interrupt() {
     fs::create_directory(bin);

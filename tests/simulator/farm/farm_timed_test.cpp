@@ -22,7 +22,7 @@ std::map<std::string, std::uint64_t> calls_of(const Result& result) {
   for (const auto& kernel : result.kernels) {
     calls[kernel.name] = kernel.calls;
     EXPECT_GT(kernel.counted.value, 0) << kernel.name;
-    // One cycle a nanosecond; each call is rounded.
+    // A cycle takes one nanosecond. The time of each call is rounded to whole cycles.
     EXPECT_NEAR(double(kernel.charged.value), kernel.host_s * 1e9, double(kernel.calls))
         << kernel.name;
   }

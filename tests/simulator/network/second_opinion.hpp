@@ -50,7 +50,8 @@ class Network {
     bool busy = false;
     std::deque<std::size_t> waiting;
   };
-  // A packet reaches processor `at`, from its source or over a link, which becomes free.
+  // Handles a packet that its source sends at processor `at`, or that arrives there and frees its
+  // link.
   struct Event {
     double at_s;
     std::uint64_t order;  // of events of one date

@@ -114,7 +114,7 @@ TEST(Each, OfNoInputsLeavesTheOtherGuards) {
   EXPECT_EQ(taken, Numbers{1});
 }
 
-// Another kind of input: it adds its number to the content.
+// A second kind of input, which adds its own number to the content.
 struct Numbered {
   Channel<Words>* channel;
   double number;

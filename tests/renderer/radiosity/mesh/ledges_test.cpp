@@ -10,7 +10,7 @@ namespace {
 
 constexpr double LONG = 60, HEIGHT = 1;
 
-// A face one patch high, standing on a bright one that extends `width` in front of it.
+// A face one patch high. It stands on a bright face that extends `width` in front of it.
 Room make_room(double width) {
   Room room;
   room.materials = {{"face", grey(0.5), {}}, {"ledge", grey(0), grey(1)}};

@@ -1,4 +1,5 @@
-// The reference: agrees with closed forms within its own standard error, which is tested too.
+// The reference path tracer agrees with closed forms within its standard error. That error is
+// tested too.
 
 #include "tests/reference/path_tracer.hpp"
 
