@@ -328,8 +328,8 @@ void Cpu::stretch(const Stretch& stretch) {
       for (Process& process : *queue) process.stretch(stretch);
     if (high_.computing) {
       running_->paid_for_ += more;
-      if (stretch.ratio < 1)
-        end_high_at(until);  // a later end: the old event finds that it is early
+      // If the end is later, the old event finds that it is early.
+      if (stretch.ratio < 1) end_high_at(until);
       return;
     }
   }

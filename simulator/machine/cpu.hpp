@@ -139,7 +139,7 @@ class Cpu {
     Seconds since{};         // it has had the CPU since then; ahead of the clock on a way back
     Seconds end{};           // its computation ends then if nobody interferes any more
     Seconds left{};          // computation left while it is interrupted, at full speed
-    Seconds way_back_from = NEVER;  // the switch back to it, which is not counted yet, begins
+    Seconds way_back_from = NEVER;  // start of a switch back that use_ does not count yet
     Seconds slice_end{};            // from then on it gives way to another low process,
     Seconds gives_way_at = NEVER;   // at this tick, once there is one
   };

@@ -32,7 +32,7 @@ struct Calibration {
 /// Fits the entries by least squares of log(model / measured): equal relative errors of
 /// measurement. Runs every setting on the engine "direct". Throws base::BadInput, with the file or
 /// the entry, for
-///   - no more measurements than entries, or a measurement that is not above 0;
+///   - at most as many measurements as entries, or a measurement of 0 or less;
 ///   - an entry that the model lacks, or whose value is not above 0;
 ///   - entries that the measurements do not determine;
 ///   - an experiment that changes the machine, or has axes without a column.
