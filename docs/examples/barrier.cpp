@@ -1,6 +1,6 @@
 // A program of one's own: a barrier over a tree. Everybody tells its parent when all below it have
 // come; the root then lets everybody go.
-#include "simulator/declare/support.hpp"
+#include "simulator/programs/declare/support.hpp"
 #include "topologies/route/routes.hpp"
 
 namespace programs {

@@ -1,7 +1,7 @@
 // Runs the barrier of barrier.cpp on a topology, as `tlab run` does.
 #include <fmt/format.h>
 
-#include "simulator/declare/program.hpp"
+#include "simulator/programs/declare/program.hpp"
 #include "topologies/make/generators.hpp"
 
 namespace programs {

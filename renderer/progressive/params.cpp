@@ -12,10 +12,10 @@ bool is_side(int side) {
   return side >= 1 && side <= MAX_SIDE && std::has_single_bit(static_cast<unsigned>(side));
 }
 
-std::vector<Step> make_steps(Growth growth, int max_cell, const Step& last) {
+std::vector<Step> make_steps(StepKind kind, int max_cell, const Step& last) {
   std::vector<Step> steps;
   Step step = last;
-  if (growth == Growth::cells)
+  if (kind == StepKind::cells)
     for (step.min_cell = max_cell; step.min_cell >= last.min_cell; step.min_cell /= 2)
       steps.push_back(step);
   else

@@ -17,18 +17,19 @@ struct Step {
 };
 
 /// The quantity that grows from step to step.
-enum class Growth : std::uint8_t {
+enum class StepKind : std::uint8_t {
   cells,  ///< cells are halved from the first size to the last; trees are deep (4.6)
   depth   ///< trees grow by a level, from 1 to the last step's; cells are small (figure 4.5)
 };
 
 /// The steps up to and including `last`.
-std::vector<Step> make_steps(Growth growth, int max_cell, const Step& last);
+std::vector<Step> make_steps(StepKind kind, int max_cell, const Step& last);
 /// The field "steps" of P.
 template <class P, class Access>
-base::Field<P> growth_field(Access access) {
+base::Field<P> step_kind_field(Access access) {
   return base::Declare<P>::choice(
-      "steps", access, base::Names<Growth>{{"cells", Growth::cells}, {"depth", Growth::depth}},
+      "steps", access,
+      base::Names<StepKind>{{"cells", StepKind::cells}, {"depth", StepKind::depth}},
       "what grows: ever smaller cells, or ever deeper trees");
 }
 

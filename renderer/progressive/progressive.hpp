@@ -50,7 +50,7 @@ class Progressive {
   Samples make_picture() const;
   const Sampled& sampled() const { return sampled_; }
   /// True if a primary ray has hit the object.
-  bool is_seen(std::uint32_t object) const { return seen_[object]; }
+  bool is_observed(std::uint32_t object) const { return seen_[object]; }
   const std::vector<Cell>& cells() const { return cells_; }
 
  private:

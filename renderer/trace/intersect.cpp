@@ -35,12 +35,12 @@ struct Walk {
 }
 
 // The listener of a traversal that reports nothing.
-struct Nobody {
+struct NoListener {
   static constexpr bool LISTENS = false;
 };
 
 // Reports each access of a traversal, with up-to-date counts.
-struct Somebody {
+struct AccessListener {
   static constexpr bool LISTENS = true;
   Access& access;
   Work& work;
@@ -68,9 +68,9 @@ template <class Primitive>
 }
 
 // MOVES: the scene's objects move.
-template <bool MOVES, class Told>
-[[gnu::always_inline]] inline void consider(Walk& walk, Place place, const Told& told) {
-  if constexpr (Told::LISTENS) told.object(walk, place);
+template <bool MOVES, class Listener>
+[[gnu::always_inline]] inline void consider(Walk& walk, Place place, const Listener& listener) {
+  if constexpr (Listener::LISTENS) listener.object(walk, place);
   ++walk.tests[static_cast<int>(place.kind())];
   Tag tag;
   const double distance = visit(
@@ -90,14 +90,14 @@ template <bool MOVES, class Told>
   }
 }
 
-template <bool MOVES, class Told>
-void walk_linear(Walk& walk, const Told& told) {
-  for (const Place place : walk.scene.objects) consider<MOVES>(walk, place, told);
+template <bool MOVES, class Listener>
+void walk_linear(Walk& walk, const Listener& listener) {
+  for (const Place place : walk.scene.objects) consider<MOVES>(walk, place, listener);
 }
 
 // Depth first in stored order. CLIP: clip boxes by the nearest hit so far; ANY: stop at any hit.
-template <bool CLIP, bool ANY, bool MOVES, class Told>
-void walk_boxes(Walk& walk, const Told& told) {
+template <bool CLIP, bool ANY, bool MOVES, class Listener>
+void walk_boxes(Walk& walk, const Listener& listener) {
   const Box* boxes = walk.scene.hierarchy.boxes.data();
   [[maybe_unused]] const Bounds* moves = walk.scene.hierarchy.moves.data();
   [[maybe_unused]] const double time = walk.ray.time;
@@ -117,14 +117,14 @@ void walk_boxes(Walk& walk, const Told& told) {
   std::uint32_t tested = 0;
   for (std::uint32_t i = 0; i < count;) {
     const Box& box = boxes[i];
-    if constexpr (Told::LISTENS) walk.boxes = std::exchange(tested, 0);
+    if constexpr (Listener::LISTENS) walk.boxes = std::exchange(tested, 0);
     if (box.item != Box::INNER) {
-      consider<MOVES>(walk, Place{box.item}, told);
+      consider<MOVES>(walk, Place{box.item}, listener);
       if (ANY && walk.best.object != NO_OBJECT) break;
       ++i;
       continue;
     }
-    if constexpr (Told::LISTENS) told.box(walk, i);
+    if constexpr (Listener::LISTENS) listener.box(walk, i);
     ++tested;
     // Slabs: from the last entry to the first exit. A NaN (0 * infinity: the ray runs in a face)
     // compares false and leaves the interval unchanged.
@@ -192,39 +192,39 @@ template <bool MOVES>
   return hit;
 }
 
-template <bool MOVES, class Told>
+template <bool MOVES, class Listener>
 std::optional<Hit> find(const Scene& scene, const Ray& ray, Traversal traversal, Work& work,
-                        const Told& told) {
+                        const Listener& listener) {
   Walk walk(scene, ray);
   switch (traversal) {
     case Traversal::linear:
-      walk_linear<MOVES>(walk, told);
+      walk_linear<MOVES>(walk, listener);
       break;
     case Traversal::exhaustive:
-      walk_boxes<false, false, MOVES>(walk, told);
+      walk_boxes<false, false, MOVES>(walk, listener);
       break;
     case Traversal::nearest:
       if (ray.kind == RayKind::shadow)
-        walk_boxes<true, true, MOVES>(walk, told);
+        walk_boxes<true, true, MOVES>(walk, listener);
       else
-        walk_boxes<true, false, MOVES>(walk, told);
+        walk_boxes<true, false, MOVES>(walk, listener);
       break;
   }
   work[Op::ray_intersected] += 1;
   return conclude<MOVES>(walk, work);
 }
 
-template <class Told>
+template <class Listener>
 std::optional<Hit> choose(const Scene& scene, const Ray& ray, Traversal traversal, Work& work,
-                          const Told& told) {
-  return scene.moves.empty() ? find<false>(scene, ray, traversal, work, told)
-                             : find<true>(scene, ray, traversal, work, told);
+                          const Listener& listener) {
+  return scene.moves.empty() ? find<false>(scene, ray, traversal, work, listener)
+                             : find<true>(scene, ray, traversal, work, listener);
 }
 
 template <bool MOVES>
 std::optional<Hit> find_on(const Scene& scene, const Ray& ray, Place place, Work& work) {
   Walk walk(scene, ray);
-  consider<MOVES>(walk, place, Nobody{});
+  consider<MOVES>(walk, place, NoListener{});
   return conclude<MOVES>(walk, work);
 }
 
@@ -232,8 +232,8 @@ std::optional<Hit> find_on(const Scene& scene, const Ray& ray, Place place, Work
 
 std::optional<Hit> intersect(const Scene& scene, const Ray& ray, Traversal traversal, Work& work,
                              Access* access) {
-  return access ? choose(scene, ray, traversal, work, Somebody{*access, work})
-                : choose(scene, ray, traversal, work, Nobody{});
+  return access ? choose(scene, ray, traversal, work, AccessListener{*access, work})
+                : choose(scene, ray, traversal, work, NoListener{});
 }
 
 std::optional<Hit> intersect_object(const Scene& scene, const Ray& ray, Place place, Work& work) {

@@ -7,7 +7,7 @@ namespace farm {
 
 using namespace occam;
 
-void interaction(tracing::Orders<Limits>& orders, const Progress& progress,
+void interaction(ray_tracing::Orders<Limits>& orders, const Progress& progress,
                  Channel<Command>& into_coordination) {
   out(into_coordination, Command{Begin{}});
   // A second Begin blocks until the coordination has deposited the initial rays.
@@ -96,7 +96,7 @@ void Visualisation::end(machine::Seconds at) {
   recorder.end((at - progress.begun).value, [&] { return look(); });
 }
 
-growth::Shown Visualisation::look() const {
+snapshots::Snapshot Visualisation::look() const {
   return {.rays = rays,
           .cycles = static_cast<std::uint64_t>(tasks.charged().value),
           .rgb8 = picture.rgb8()};

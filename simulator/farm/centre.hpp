@@ -3,12 +3,12 @@
 // visualisation (thesis, 4.3.6.4 to 4.3.6.6).
 #include "simulator/farm/messages.hpp"
 #include "simulator/farm/progress.hpp"
-#include "simulator/tracing/orders.hpp"
-#include "simulator/tracing/rendering.hpp"
+#include "simulator/ray_tracing/orders.hpp"
+#include "simulator/ray_tracing/rendering.hpp"
 
 namespace farm {
 
-using Order = tracing::Order<Limits>;
+using Order = ray_tracing::Order<Limits>;
 
 /// Stores rays and returns them by priority (figure 4.16).
 struct RayDatabase {
@@ -29,10 +29,10 @@ struct Visualisation {
   kernels::MessageCosts message;
   FrameBuffer picture;
   FrameBuffer scratch;  ///< of the same size if costs are timed; else empty
-  growth::Recorder recorder;
+  snapshots::Recorder recorder;
   Progress& progress;
   const kernels::KernelCost& tasks;  ///< cost of the workers' tasks
-  std::vector<tracing::KeyImage> key_images = {};
+  std::vector<ray_tracing::KeyImage> key_images = {};
   std::uint64_t rays = 0;   ///< shown in the picture
   bool is_changed = false;  ///< whether the last ray changed the picture
 
@@ -40,11 +40,11 @@ struct Visualisation {
   /// Records the last picture, after the run's end or after it was cut short.
   void end(machine::Seconds at);
   void show(const Intersection& found);
-  growth::Shown look() const;
+  snapshots::Snapshot look() const;
 };
 
 /// The user's process: sends Begin, orders, Leave. The farm ends when the image is complete.
-void interaction(tracing::Orders<Limits>& orders, const Progress& progress,
+void interaction(ray_tracing::Orders<Limits>& orders, const Progress& progress,
                  Channel<Command>& into_coordination);
 
 }  // namespace farm

@@ -2,11 +2,11 @@
 #include <bit>
 
 #include "simulator/farm/farm.hpp"
-#include "simulator/tracing/looks.hpp"
+#include "simulator/ray_tracing/snapshot_fields.hpp"
 
 namespace farm {
 
-using tracing::PixelOrder;
+using ray_tracing::PixelOrder;
 
 namespace {
 
@@ -45,7 +45,7 @@ void check_order(const Params& params) {
 void check(const Params& params) {
   check(params.image);
   check_script(params.script);
-  tracing::check_looks("farm", params.looks, params.image);
+  ray_tracing::check_snapshots("farm", params.snapshot_times, params.image);
   if (params.max_cell < 1 || !std::has_single_bit(static_cast<unsigned>(params.max_cell)))
     base::refuse("farm.max_cell", "found {}, expected a power of two", params.max_cell);
   check_block(params);

@@ -3,7 +3,7 @@
 #include "simulator/farm/messages.hpp"
 #include "simulator/farm/progress.hpp"
 #include "simulator/farm/rays/cells.hpp"
-#include "simulator/tracing/rendering.hpp"
+#include "simulator/ray_tracing/rendering.hpp"
 
 namespace farm {
 

@@ -2,14 +2,14 @@
 
 #include "simulator/farm/wiring.hpp"
 #include "simulator/farm/worker.hpp"
-#include "simulator/tracing/looks.hpp"
+#include "simulator/ray_tracing/snapshot_fields.hpp"
 
 namespace farm {
 
 using machine::Machine;
 using machine::Priority;
 using machine::Processor;
-using tracing::PixelOrder;
+using ray_tracing::PixelOrder;
 
 namespace {
 
@@ -135,7 +135,7 @@ class Centre {
   }
 
   // Shows the run and takes the user's orders.
-  observe::View make_view();
+  observe::ControlPanel make_view();
 
   // Costs of the kernels that run here: shading and display.
   std::pair<const kernels::KernelCost*, const kernels::KernelCost*> kernels() const {
@@ -202,7 +202,7 @@ class Centre {
   CentralProcessors on_;
   kernels::KernelCost shading_;
   RayDatabase rays_;
-  tracing::Orders<Limits> orders_;
+  ray_tracing::Orders<Limits> orders_;
   Progress progress_;
   Visualisation visualisation_;
 
@@ -224,7 +224,7 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
       rays_{RayStores(make_cells(params), params.stages[0], params.weights),
             machine::OperationCosts(machine.model(), "central", DatabaseWork::NAMES), bytes_,
             message_},
-      orders_(params.script, !params.block && observe::is_watched(params.watch)),
+      orders_(params.script, !params.block && observe::has_controller(params.monitor)),
       progress_(machine),
       visualisation_{scene,
                      params.image,
@@ -232,7 +232,7 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
                      message_,
                      make_picture(params),
                      params.cycles_per_host_s ? make_picture(params) : FrameBuffer(),
-                     growth::Recorder(params.looks, params.watch),
+                     snapshots::Recorder(params.snapshot_times, params.monitor),
                      progress_,
                      tasks},
       from_interaction_("coordinator.from.interaction"),
@@ -248,12 +248,12 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
                                 "surfaces and lights", on_.display.now());
 }
 
-observe::View Centre::make_view() {
-  observe::View view;
+observe::ControlPanel Centre::make_view() {
+  observe::ControlPanel view;
   view.picture = {params_.image.width, params_.image.height,
                   [this] { return &visualisation_.picture.rgb8(); }};
   view.sequential = [this](const auto& goes_on) {
-    return tracing::render_sequentially(scene_, params_.image, goes_on);
+    return ray_tracing::render_sequentially(scene_, params_.image, goes_on);
   };
   const auto& stores = rays_.stores;
   view.gauges = {{"rays", "rays that the picture shows",
@@ -263,9 +263,9 @@ observe::View Centre::make_view() {
                  {"tasks", "handed out to the workers",
                   [this] { return static_cast<double>(progress_.tasks); }}};
   view.inspections.emplace_back([this, &stores](int processor) {
-    if (processor != on_.database.id()) return std::vector<observe::View::Reading>{};
+    if (processor != on_.database.id()) return std::vector<observe::ControlPanel::Reading>{};
     const auto lengths = stores.lengths();
-    return std::vector<observe::View::Reading>{
+    return std::vector<observe::ControlPanel::Reading>{
         {"shadow feelers", static_cast<double>(lengths.feelers)},
         {"rays in the priority queue", static_cast<double>(lengths.heap)},
         {"rays beyond the limits", static_cast<double>(lengths.later)}};
@@ -276,7 +276,7 @@ observe::View Centre::make_view() {
     return has_no_ray || progress_.phase == Progress::Phase::ended;
   };
   if (params_.block) return view;
-  view.waits_for_user = [this] { return progress_.is_null && orders_.waits_for_hand(); };
+  view.waits_for_user = [this] { return progress_.is_null && orders_.waits_for_manual_order(); };
   view.close_orders = [this] { orders_.close(); };
   view.take_order = [this](const std::any& record, machine::Seconds after) {
     const auto check_script = [this](const std::vector<Order>& script) {
@@ -284,13 +284,13 @@ observe::View Centre::make_view() {
       params.script = script;
       check(params);
     };
-    return orders_.take(std::any_cast<const tracing::OrderRecord<Limits>&>(record), after,
+    return orders_.take(std::any_cast<const ray_tracing::OrderRecord<Limits>&>(record), after,
                         check_script);
   };
   return view;
 }
 
-observe::View make_view(Centre& centre, const Workers& workers) {
+observe::ControlPanel make_view(Centre& centre, const Workers& workers) {
   auto view = centre.make_view();
   for (const auto* worker : workers.processors) view.network.push_back(worker->id());
   return view;
@@ -340,7 +340,7 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
       });
 
   Result result =
-      centre.take_result(observe::run(machine, params.watch, make_view(centre, workers)));
+      centre.take_result(observe::run(machine, params.monitor, make_view(centre, workers)));
   result.topology = workers.topology;
   for (auto& note : note_given_up(topology, workers.topology)) result.notes.push_back(note);
   if (!result.use.cpus.empty())
@@ -377,7 +377,7 @@ Processor& add_processor(Machine& machine, const std::string& name, std::uint64_
 
 Processor& add_worker(Machine& machine, const topologies::Topology& workers, int id,
                       const Params& params) {
-  tracing::check_label(workers, id);
+  ray_tracing::check_label(workers, id);
   const auto name = name_of(workers, id, fmt::format("worker{}", id + 1));
   const auto& model = programs::model_of(params.others, id, machine.model());
   return add_processor(machine, name, worker_memory(model, params), Role::worker,

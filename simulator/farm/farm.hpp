@@ -7,14 +7,14 @@
 #include "renderer/preview/preview.hpp"
 #include "simulator/farm/centre.hpp"
 #include "simulator/farm/coordination.hpp"
-#include "simulator/observe/watch.hpp"
-#include "simulator/tracing/busy.hpp"
-#include "simulator/tracing/pixel_order.hpp"
+#include "simulator/observe/run_monitor.hpp"
+#include "simulator/ray_tracing/busy.hpp"
+#include "simulator/ray_tracing/pixel_order.hpp"
 #include "topologies/graph/topology.hpp"
 
 namespace farm {
 
-using tracing::Role;
+using ray_tracing::Role;
 
 struct Params {
   renderer::Params image;  ///< size, shading and its limits
@@ -24,13 +24,14 @@ struct Params {
   int max_cell = 16;           ///< side of the largest image cell, pixels; a power of two
   CellOrder order = CellOrder::random;
   CellLight cells = CellLight::constant;
-  tracing::PixelOrder pixels = tracing::PixelOrder::cells;  ///< others replace cells, `order`
+  ray_tracing::PixelOrder pixels =
+      ray_tracing::PixelOrder::cells;  ///< others replace cells, `order`
   /// Picture that the display draws itself before the first ray (thesis, 4.1); none: black.
   std::optional<renderer::PreviewStep> preview;
-  Weights weights;             ///< for stages and orders without weights of their own
-  growth::Looks looks;         ///< times at which the growing picture is recorded
-  std::optional<Block> block;  ///< size of a task; none: a task is a ray
-  std::uint64_t seed = 1;      ///< seed of the order of cells
+  Weights weights;                     ///< for stages and orders without weights of their own
+  snapshots::Schedule snapshot_times;  ///< times at which the growing picture is recorded
+  std::optional<Block> block;          ///< size of a task; none: a task is a ray
+  std::uint64_t seed = 1;              ///< seed of the order of cells
   /// Longest message (bytes) of the scene on its way down the tree; workers acknowledge it before
   /// the first task. 0: workers have the scene, as in the thesis's measurements.
   std::uint32_t scene_message = 0;
@@ -43,10 +44,10 @@ struct Params {
   std::vector<programs::PlannedFault> faults;
   programs::OtherModels others;  ///< by worker number, from 0
   machine::EngineParams engine = {};
-  observe::Watch* watch = nullptr;  ///< supplies limit and trace; may be null
+  observe::RunMonitor* monitor = nullptr;  ///< supplies limit and trace; may be null
 };
 
-struct Result : tracing::Rendering {
+struct Result : ray_tracing::Rendering {
   std::optional<double> reorder_pause_s;  ///< longest time to reclassify all rays
   double interactive_s = 0;               ///< part of time_s in the interactive phase
   RayStores::Lengths peaks;               ///< most rays in each store of the database

@@ -14,9 +14,9 @@ Load load_of_coordination(const observe::Use& use) {
   const auto& process = find_process(use, cpu.name + ".coordination");
   return {"coordination", 1 - process.alternative_s / use.time_s,
           fmt::format("its CPU {}, waiting to send {}, for replies {}",
-                      tracing::percent(cpu.busy_s / use.time_s),
-                      tracing::percent(process.output_s / use.time_s),
-                      tracing::percent(process.input_s / use.time_s))};
+                      ray_tracing::percent(cpu.busy_s / use.time_s),
+                      ray_tracing::percent(process.output_s / use.time_s),
+                      ray_tracing::percent(process.input_s / use.time_s))};
 }
 
 Columns<Result> task_columns() {
@@ -57,42 +57,43 @@ Columns<Result> peak_columns() {
 std::vector<Load> find_loads(const Result& result) {
   const auto& use = result.use;
   if (use.time_s <= 0) return {};
-  auto loads = tracing::find_loads(use);
+  auto loads = ray_tracing::find_loads(use);
   loads.push_back(load_of_coordination(use));
   for (const char* role : {Role::database, Role::display})
     if (const auto* cpu = find_role(use, role))
       loads.push_back({cpu->name, cpu->busy_s / use.time_s, "its CPU"});
   loads.push_back(
       {"tasks", result.drain_s / result.time_s, fmt::format("all {} handed out", result.tasks)});
-  tracing::sort(loads);
+  ray_tracing::sort(loads);
   return loads;
 }
 
-Measured::Measured(Result result, tracing::DataFigures data_figures)
+Measured::Measured(Result result, ray_tracing::DataFigures data_figures)
     : run(std::move(result)),
       data(std::move(data_figures)),
-      busy(tracing::make_busy(run.use)),
+      busy(ray_tracing::make_busy(run.use)),
       loads(find_loads(run)) {}
 
 Columns<Measured> make_columns() {
   const auto of_run = [](const auto& columns) {
     return base::lift_columns<Measured>(columns, &Measured::run);
   };
-  return base::join(of_run(tracing::speed_columns()),
-                    {of_run(tracing::ray_columns()),
-                     of_run(task_columns()),
-                     of_run(tracing::time_columns()),
-                     {column<Measured>(
-                         "drain_s", [](const Measured& m) { return m.run.drain_s; },
-                         "part of time_s after the last task was handed out")},
-                     of_run(tracing::stage_columns()),
-                     of_run(message_columns()),
-                     base::lift_columns<Measured>(tracing::busy_columns(), &Measured::busy),
-                     base::lift_columns<Measured>(tracing::bottleneck_columns(), &Measured::loads),
-                     of_run(base::lift_columns<Result>(tracing::model_columns(), &Result::use)),
-                     of_run(peak_columns()),
-                     base::lift_columns<Measured>(growth::figure_columns(), &Measured::growth),
-                     base::lift_columns<Measured>(tracing::data_columns(), &Measured::data)});
+  return base::join(
+      of_run(ray_tracing::speed_columns()),
+      {of_run(ray_tracing::ray_columns()),
+       of_run(task_columns()),
+       of_run(ray_tracing::time_columns()),
+       {column<Measured>(
+           "drain_s", [](const Measured& m) { return m.run.drain_s; },
+           "part of time_s after the last task was handed out")},
+       of_run(ray_tracing::stage_columns()),
+       of_run(message_columns()),
+       base::lift_columns<Measured>(ray_tracing::busy_columns(), &Measured::busy),
+       base::lift_columns<Measured>(ray_tracing::bottleneck_columns(), &Measured::loads),
+       of_run(base::lift_columns<Result>(ray_tracing::model_columns(), &Result::use)),
+       of_run(peak_columns()),
+       base::lift_columns<Measured>(snapshots::figure_columns(), &Measured::growth),
+       base::lift_columns<Measured>(ray_tracing::data_columns(), &Measured::data)});
 }
 
 }  // namespace farm

@@ -2,7 +2,7 @@
 // Measurements of a farm run, their columns, and the resources that limit the farm: those that are
 // busy while others wait.
 #include "simulator/farm/shared_farm.hpp"
-#include "simulator/tracing/busy.hpp"
+#include "simulator/ray_tracing/busy.hpp"
 
 namespace farm {
 
@@ -20,12 +20,12 @@ using programs::Load;
 std::vector<Load> find_loads(const Result& result);
 
 struct Measured {
-  Measured(Result result, tracing::DataFigures data_figures);
+  Measured(Result result, ray_tracing::DataFigures data_figures);
 
   Result run;
-  tracing::DataFigures data;
-  tracing::Busy busy;
-  growth::Figures growth = {};
+  ray_tracing::DataFigures data;
+  ray_tracing::Busy busy;
+  snapshots::Figures growth = {};
   std::vector<Load> loads;  ///< resources of the farm, busiest first
 };
 

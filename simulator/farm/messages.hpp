@@ -8,16 +8,16 @@
 #include "simulator/farm/rays/ray_stores.hpp"
 #include "simulator/kernels/kernels.hpp"
 #include "simulator/occam/channel.hpp"
-#include "simulator/tracing/session.hpp"
+#include "simulator/ray_tracing/session.hpp"
 
 namespace farm {
 
 using occam::Channel;
 using occam::Signal;
-using tracing::Abort;
-using tracing::Interactive;
-using tracing::NonInteractive;
-using tracing::Save;
+using ray_tracing::Abort;
+using ray_tracing::Interactive;
+using ray_tracing::NonInteractive;
+using ray_tracing::Save;
 
 constexpr std::uint32_t TAG_BYTES = 4;      ///< a message without contents: one word
 constexpr std::uint32_t LIMITS_BYTES = 32;  ///< the parameters of increasing realism: 8 words
@@ -102,8 +102,8 @@ struct DatabaseReply {
   std::uint64_t bytes() const { return size; }
 };
 
-struct Begin {};       ///< deposit the initial rays, start the interactive phase
-using tracing::Leave;  ///< end when the image is complete
+struct Begin {};           ///< deposit the initial rays, start the interactive phase
+using ray_tracing::Leave;  ///< end when the image is complete
 
 /// Interaction -> coordination: the user's orders.
 struct Command {

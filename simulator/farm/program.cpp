@@ -1,9 +1,9 @@
 #include "simulator/farm/program.hpp"
 
 #include "renderer/files/load_scene.hpp"
-#include "simulator/declare/support.hpp"
 #include "simulator/farm/measured.hpp"
-#include "simulator/tracing/looks.hpp"
+#include "simulator/programs/declare/support.hpp"
+#include "simulator/ray_tracing/snapshot_fields.hpp"
 
 namespace farm {
 
@@ -114,19 +114,19 @@ base::Fields<Params> farm_fields() {
 base::Fields<ProgramParams> make_fields() {
   using P = ProgramParams;
   const auto image = [](P & p) -> auto& { return p.farm.image; };
-  const auto looks = [](P & p) -> auto& { return p.farm.looks; };
+  const auto snapshot_times = [](P & p) -> auto& { return p.farm.snapshot_times; };
   const auto data = [](P & p) -> auto& { return p.data ? *p.data : p.data.emplace(); };
   return base::join(
       base::lift_all<P>(memory_fields(), &P::farm, "machine."),
-      {base::lift_all<P>(tracing::scene_fields(), &P::scene),
+      {base::lift_all<P>(ray_tracing::scene_fields(), &P::scene),
        base::lift_all<P>(renderer::param_fields(), image, "image."),
        base::lift_all<P>(cell_fields(), &P::farm, "farm."),
        base::lift_all<P>(farm_fields(), &P::farm, "farm."),
-       base::lift_all<P>(tracing::look_fields(), looks, "farm."),
+       base::lift_all<P>(ray_tracing::snapshot_fields(), snapshot_times, "farm."),
        // Last, so that "order" alone names the program's own field.
-       base::lift_all<P>(base::Fields<Params>{tracing::pixel_order_field(&Params::pixels)},
+       base::lift_all<P>(base::Fields<Params>{ray_tracing::pixel_order_field(&Params::pixels)},
                          &P::farm, "image."),
-       base::lift_all<P>(tracing::data_fields(), data)});
+       base::lift_all<P>(ray_tracing::data_fields(), data)});
 }
 
 base::Fields<Limits> limit_fields() {
@@ -145,7 +145,7 @@ base::Fields<Limits> limit_fields() {
 
 std::vector<programs::RecordList> make_lists() {
   using P = ProgramParams;
-  return tracing::make_lists<P>(
+  return ray_tracing::make_lists<P>(
       limit_fields(), [](P & p) -> auto& { return p.farm.stages; },
       [](P & p) -> auto& { return p.farm.script; });
 }
@@ -157,7 +157,7 @@ Params make_params(const Setup& setup, const ProgramParams& params) {
   farm.faults = setup.faults;
   farm.others = setup.others;
   farm.engine = setup.engine;
-  farm.watch = setup.watch;
+  farm.monitor = setup.monitor;
   return farm;
 }
 

@@ -7,7 +7,7 @@ namespace farm {
 struct ProgramParams {
   Params farm;                       ///< [image], [farm], [[stage]], [[order]]
   std::optional<SharedParams> data;  ///< set if any key of [data] is given
-  tracing::SceneChoice scene;
+  ray_tracing::SceneChoice scene;
 };
 
 /// The program "farm". With Setup::cycles_per_host_s, costs are timed, also during checks.

@@ -1,8 +1,8 @@
 #include "simulator/farm/shared_farm.hpp"
 
-#include "simulator/declare/routers.hpp"
 #include "simulator/farm/wiring.hpp"
 #include "simulator/occam/case_of.hpp"
+#include "simulator/programs/declare/routers.hpp"
 #include "simulator/shared_memory/scene_items.hpp"
 
 namespace farm {
@@ -102,7 +102,7 @@ class SharedFarm {
         joined_(join_coordinator(workers_)),
         scene_(scene),
         items_(model, scene),
-        data_params_(make_data_params(model, tracing::size_of(scene), data)),
+        data_params_(make_data_params(model, ray_tracing::size_of(scene), data)),
         machine_(model, machine::Code::compiled, params.engine),
         pixel_bytes_(kernels::record_bytes(model).pixel),
         display_cost_(central_cost("display", model, params)),
@@ -110,7 +110,7 @@ class SharedFarm {
         picture_(params.image.width, params.image.height, {params.image.width}, params.cells,
                  get_area(params.image)),
         scratch_(params.cycles_per_host_s ? picture_ : FrameBuffer()),
-        recorder_(params.looks, params.watch),
+        recorder_(params.snapshot_times, params.monitor),
         progress_(machine_) {
     add_processors(machine_, params, workers_);
     network_.emplace(machine_, make_routing(data.method, joined_, topologies::make_routes(joined_)),
@@ -123,7 +123,7 @@ class SharedFarm {
   SharedResult run(const topologies::Topology& asked) {
     start();
     SharedResult result;
-    result.farm = take_result(observe::run(machine_, params_.watch, make_view()));
+    result.farm = take_result(observe::run(machine_, params_.monitor, make_view()));
     for (auto& note : note_given_up(asked, workers_)) result.farm.notes.push_back(note);
     result.shared = {memory_->use(), network_->use(), data_params_.cache_bytes,
                      workers_.processors * result.farm.time_s};
@@ -204,8 +204,8 @@ class SharedFarm {
     });
   }
 
-  observe::View make_view() {
-    observe::View view;
+  observe::ControlPanel make_view() {
+    observe::ControlPanel view;
     for (int id = 1; id <= workers_.processors; ++id) view.network.push_back(id);
     view.picture = {params_.image.width, params_.image.height, [this] { return &picture_.rgb8(); }};
     view.gauges = {{"rays", "rays that the picture shows",
@@ -215,7 +215,7 @@ class SharedFarm {
     return view;
   }
 
-  growth::Shown look() const {
+  snapshots::Snapshot look() const {
     return {.rays = progress_.rays.total(),
             .cycles = static_cast<std::uint64_t>(charged_.value),
             .rgb8 = picture_.rgb8()};
@@ -252,7 +252,7 @@ class SharedFarm {
   kernels::KernelCost display_cost_, block_cost_;
   machine::Cycles charged_{};  // for all blocks of all workers
   FrameBuffer picture_, scratch_;
-  growth::Recorder recorder_;
+  snapshots::Recorder recorder_;
   renderer::BlockBuffer block_scratch_;
   Progress progress_;
   std::map<int, std::uint64_t> done_;  // tasks, by processor
@@ -267,7 +267,7 @@ void check_task(const Params& params) {
                  "through data managers ([data]) are given no rays");
 }
 
-void check(const machine::Model& model, const tracing::SceneSize& scene, const Params& farm,
+void check(const machine::Model& model, const ray_tracing::SceneSize& scene, const Params& farm,
            const SharedParams& data) {
   check_farm(farm);
   check_data(model, scene, data);
@@ -276,7 +276,7 @@ void check(const machine::Model& model, const tracing::SceneSize& scene, const P
 SharedResult run_shared_farm(const machine::Model& model, const topologies::Topology& workers,
                              const renderer::Scene& scene, const Params& params,
                              const SharedParams& data) {
-  check(model, tracing::size_of(scene), params, data);
+  check(model, ray_tracing::size_of(scene), params, data);
   return SharedFarm(model, workers, scene, params, data).run(workers);
 }
 

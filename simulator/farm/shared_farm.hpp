@@ -3,20 +3,20 @@
 // messages; data managers read the scene (5.1.2). Processor 0 coordinates, displays and serves
 // data. It joins the root of the workers' topology, processors 1 to n.
 #include "simulator/farm/farm.hpp"
-#include "simulator/tracing/data.hpp"
+#include "simulator/ray_tracing/data.hpp"
 
 namespace farm {
 
-using tracing::SharedParams;
+using ray_tracing::SharedParams;
 
 struct SharedResult {
   Result farm;
-  tracing::SharedUse shared;
+  ray_tracing::SharedUse shared;
 };
 
 /// Throws base::BadInput naming the field, what was found and what was expected. Refuses farm
 /// parameters that have no meaning here.
-void check(const machine::Model& model, const tracing::SceneSize& scene, const Params& farm,
+void check(const machine::Model& model, const ray_tracing::SceneSize& scene, const Params& farm,
            const SharedParams& data);
 /// Checks only that the farm's task is a block.
 void check_task(const Params& farm);

@@ -16,7 +16,7 @@ void interact(Shared& shared, network::Client& client) {
   const int coordinator = shared.places.coordinator;
   for (bool has_left = false; !has_left;) {
     const std::size_t number = shared.orders.next(Seconds{shared.record.begun_s});
-    has_left = std::holds_alternative<tracing::Leave>(shared.orders[number].what);
+    has_left = std::holds_alternative<ray_tracing::Leave>(shared.orders[number].what);
     const IirraMessage::Content order = UserOrder{number};
     client.send({.to = {coordinator, TASK_PROCESS},
                  .from = {.process = TASK_PROCESS},
@@ -222,7 +222,7 @@ void Coordinator::note(std::size_t order, const std::string& why) {
 
 void Coordinator::obey_user(std::size_t place) {
   const auto what = shared_.orders[place].what;
-  if (std::holds_alternative<tracing::Leave>(what)) {
+  if (std::holds_alternative<ray_tracing::Leave>(what)) {
     is_quitting_ = true;
     if (is_null_ && !is_finishing_) end_interactive();
     return;
@@ -243,20 +243,20 @@ void Coordinator::obey_user(std::size_t place) {
         if (is_last_) return note(number, "the interactive phase was over");
         begin_interactive(limits);
       },
-      [&](tracing::NonInteractive) {
+      [&](ray_tracing::NonInteractive) {
         if (is_last_) return note(number, "the interactive phase was over");
         keep_picture(fmt::format("order{}", number));
         end_interactive();
       },
-      [&](tracing::Interactive) {
+      [&](ray_tracing::Interactive) {
         if (!is_last_) return note(number, "the interactive phase was not over");
         begin_interactive(limits_);
       },
-      [&](tracing::Abort) {
+      [&](ray_tracing::Abort) {
         shared_.record.is_aborted = true;
         finish();
       },
-      [](tracing::Leave) {}, [&](const tracing::Save& save) { keep_picture(save.name); });
+      [](ray_tracing::Leave) {}, [&](const ray_tracing::Save& save) { keep_picture(save.name); });
 }
 
 void Coordinator::tell(network::Address to, IirraMessage::Content content) {

@@ -14,7 +14,7 @@ Display::Display(Shared& shared, shared_memory::DataManager& manager)
       manager_(manager),
       screen_{std::vector<std::uint8_t>(3 * shared.record.samples.sums.size()),
               std::vector<TaskCell>(shared.record.samples.sums.size())},
-      recorder_(shared.params.looks, shared.params.watch) {
+      recorder_(shared.params.snapshot_times, shared.params.monitor) {
   if (shared.params.cycles_per_host_s) scratch_ = screen_;
 }
 
@@ -75,7 +75,7 @@ void Display::obey(const Message& message) {
       [&](const Picture& picture) {
         show(message, picture);
         if (!is_polled)
-          send(manager_, shared_.sizes, DISPLAY_PROCESS, {from, TASK_PROCESS}, Shown{});
+          send(manager_, shared_.sizes, DISPLAY_PROCESS, {from, TASK_PROCESS}, PictureShown{});
         else if (picture.is_all)
           --asked_;
         else
@@ -158,7 +158,7 @@ std::vector<std::uint8_t> Display::draw_borders() const {
   return rgb8;
 }
 
-growth::Shown Display::look() const {
+snapshots::Snapshot Display::look() const {
   return {.rays = shared_.record.rays.total(),
           .cycles = static_cast<std::uint64_t>(shared_.kernel_cycles().value),
           .rgb8 = screen_.rgb8};

@@ -4,10 +4,10 @@
 #include <bit>
 #include <deque>
 
-#include "simulator/declare/routers.hpp"
 #include "simulator/iirra/services.hpp"
 #include "simulator/iirra/worker.hpp"
-#include "simulator/tracing/looks.hpp"
+#include "simulator/programs/declare/routers.hpp"
+#include "simulator/ray_tracing/snapshot_fields.hpp"
 #include "topologies/route/routes.hpp"
 
 namespace iirra {
@@ -49,7 +49,7 @@ std::vector<int> find_parents(const topologies::Topology& topology, const Places
 }
 
 std::shared_ptr<const CellQuadrants> make_quadrants(const Params& params) {
-  if (params.pixels != tracing::PixelOrder::quadrants) return nullptr;
+  if (params.pixels != ray_tracing::PixelOrder::quadrants) return nullptr;
   return std::make_shared<const CellQuadrants>(
       make_cell_quadrants(get_area(params.image), params.max_cell));
 }
@@ -90,7 +90,7 @@ class Run {
             .display_cost = {"display", {model, &kernels::central_costs}, params.cycles_per_host_s},
             .quadrants = make_quadrants(params),
             .items = items_ ? &*items_ : nullptr,
-            .orders = {params.script, observe::is_watched(params.watch)},
+            .orders = {params.script, observe::has_controller(params.monitor)},
             .record = Record(params.image)} {
     add_processors(model, scene);
     connect(model, routes, tree);
@@ -99,7 +99,7 @@ class Run {
   }
 
   Result run() {
-    const auto end = observe::run(machine_, params_.watch, make_view());
+    const auto end = observe::run(machine_, params_.monitor, make_view());
     auto& record = shared_.record;
     coordinator_->end(machine_.now().value);
     record.end = end;
@@ -131,12 +131,12 @@ class Run {
   }
 
  private:
-  observe::View make_view() {
-    observe::View view;
+  observe::ControlPanel make_view() {
+    observe::ControlPanel view;
     view.picture = {params_.image.width, params_.image.height,
                     [this] { return &display_->rgb8(); }};
     view.sequential = [this](const auto& goes_on) {
-      return tracing::render_sequentially(shared_.scene, params_.image, goes_on);
+      return ray_tracing::render_sequentially(shared_.scene, params_.image, goes_on);
     };
     const auto& record = shared_.record;
     view.gauges = {
@@ -149,7 +149,7 @@ class Run {
     view.phase = [this] { return coordinator_->phase(); };
     view.is_complete = [&] { return record.ended_s > 0; };
     view.waits_for_user = [this] {
-      return coordinator_->is_null() && shared_.orders.waits_for_hand();
+      return coordinator_->is_null() && shared_.orders.waits_for_manual_order();
     };
     view.close_orders = [this] { shared_.orders.close(); };
     view.take_order = [this](const std::any& order, machine::Seconds after) {
@@ -158,8 +158,8 @@ class Run {
         params.script = script;
         check(params, topology_);
       };
-      return shared_.orders.take(std::any_cast<const tracing::OrderRecord<Limits>&>(order), after,
-                                 check_script);
+      return shared_.orders.take(std::any_cast<const ray_tracing::OrderRecord<Limits>&>(order),
+                                 after, check_script);
     };
     return view;
   }
@@ -172,7 +172,7 @@ class Run {
   void add_processors(const machine::Model& model, const renderer::Scene& scene) {
     companions_.resize(static_cast<std::size_t>(topology_.processors));
     for (int id = 0; id < topology_.processors; ++id) {
-      tracing::check_label(topology_, id);
+      ray_tracing::check_label(topology_, id);
       const char* role = role_of(id);
       const bool is_worker = role == Role::worker;
       auto& processor = machine_.add_processor(
@@ -334,8 +334,8 @@ void check(const Params& params, const topologies::Topology& topology) {
   for (const auto& order : params.script)
     if (const auto* limits = std::get_if<Limits>(&order.what))
       check_limits("order", params.image, *limits);
-  tracing::check_script(params.script);
-  tracing::check_looks("iirra", params.looks, params.image);
+  ray_tracing::check_script(params.script);
+  ray_tracing::check_snapshots("iirra", params.snapshot_times, params.image);
   const auto places = find_places(topology, params.is_far);
   if (params.balance == BalanceMethod::green) find_parents(topology, places);
 }

@@ -3,18 +3,18 @@
 // process, which alternates between application, data manager and task manager (figure 5.4). In a
 // double node, application and task manager have a second processor. One processor coordinates and
 // serves data, one shows the picture, the others compute it.
-#include "simulator/declare/program.hpp"
 #include "simulator/iirra/balance.hpp"
 #include "simulator/iirra/record.hpp"
-#include "simulator/observe/watch.hpp"
-#include "simulator/tracing/busy.hpp"
-#include "simulator/tracing/data.hpp"
-#include "simulator/tracing/pixel_order.hpp"
-#include "simulator/tracing/session.hpp"
+#include "simulator/observe/run_monitor.hpp"
+#include "simulator/programs/declare/program.hpp"
+#include "simulator/ray_tracing/busy.hpp"
+#include "simulator/ray_tracing/data.hpp"
+#include "simulator/ray_tracing/pixel_order.hpp"
+#include "simulator/ray_tracing/session.hpp"
 
 namespace iirra {
 
-using tracing::Role;
+using ray_tracing::Role;
 constexpr int SERVICES = 2;  ///< processors that do not compute: coordinator and display
 
 /// Distribution of the first cells among the workers.
@@ -24,7 +24,7 @@ enum class Start : std::uint8_t {
   subsampled  ///< balanced by the time for a sample of each cell (Badouel, 1990)
 };
 
-using Order = tracing::Order<Limits>;
+using Order = ray_tracing::Order<Limits>;
 
 struct Params {
   renderer::Params image;
@@ -32,7 +32,7 @@ struct Params {
   std::vector<Order> script;                            ///< in order of time
   int max_cell = 16;  ///< side of the first cells, pixels; a power of two from 2 to MAX_CELL
   CellOrder order = CellOrder::bayer;
-  tracing::PixelOrder pixels = tracing::PixelOrder::cells;  ///< else replaces `order`
+  ray_tracing::PixelOrder pixels = ray_tracing::PixelOrder::cells;  ///< else replaces `order`
   Weights weights;  ///< for stages and orders without weights of their own
   Start start = Start::scattered;
   BalanceMethod balance = BalanceMethod::neighbours;
@@ -45,7 +45,7 @@ struct Params {
   bool has_borders = false;  ///< records each picture again, with its cells' borders
   double frame_s = 0.04;     ///< shortest time between two polls of a worker, s
   std::uint64_t seed = 1;    ///< for the orders `random` and `adaptive`
-  growth::Looks looks;
+  snapshots::Schedule snapshot_times;
   network::Method method = network::Method::green;
   std::optional<std::size_t> buffers;             ///< per router; none: enough for all workers
   std::optional<shared_memory::DataParams> data;  ///< none: every processor holds the whole scene
@@ -54,7 +54,7 @@ struct Params {
   programs::OtherModels others;             ///< by processor number
   std::optional<double> cycles_per_host_s;  ///< as in farm::Params
   machine::EngineParams engine = {};
-  observe::Watch* watch = nullptr;
+  observe::RunMonitor* monitor = nullptr;
 };
 constexpr int MAX_CELL = 512;
 
@@ -77,8 +77,8 @@ void check(const Params& params, const topologies::Topology& topology);
 struct Result : Record {
   explicit Result(Record record) : Record(std::move(record)) {}
   int workers = 0;
-  double mean_depth = 0;                     ///< links from the coordinator to a worker, on average
-  std::optional<tracing::SharedUse> shared;  ///< set if the scene is distributed
+  double mean_depth = 0;  ///< links from the coordinator to a worker, on average
+  std::optional<ray_tracing::SharedUse> shared;  ///< set if the scene is distributed
   network::RouterUse routers;
   machine::Cycles kernel_cycles{};
   double kernels_s = 0;  ///< time of kernel_cycles, s

@@ -88,11 +88,11 @@ Columns<Result> run_columns() {
       column("mean_depth", &R::mean_depth, "links from the coordinator to a worker, on average")};
 }
 
-tracing::Load load_of_coordination(const observe::Use& use) {
+ray_tracing::Load load_of_coordination(const observe::Use& use) {
   const auto& cpu = *find_role(use, Role::coordinator);
   const auto& process = find_process(use, cpu.name + ".coordination");
   return {"coordination", 1 - (process.alternative_s + process.input_s) / use.time_s,
-          fmt::format("its CPU {}", tracing::percent(cpu.busy_s / use.time_s))};
+          fmt::format("its CPU {}", ray_tracing::percent(cpu.busy_s / use.time_s))};
 }
 
 }  // namespace
@@ -128,23 +128,23 @@ Losses find_losses(const Result& result) {
   return losses;
 }
 
-tracing::Loads find_loads(const Result& result) {
+ray_tracing::Loads find_loads(const Result& result) {
   const auto& use = result.use;
   if (use.time_s <= 0) return {};
-  auto loads = tracing::find_loads(use);
+  auto loads = ray_tracing::find_loads(use);
   loads.push_back(load_of_coordination(use));
   const auto& display = *find_role(use, Role::display);
   loads.push_back({display.name, display.busy_s / use.time_s, "its CPU"});
   loads.push_back({"tasks", (result.ended_s - result.last_task_s) / result.time_s,
                    "the last task was taken before"});
-  tracing::sort(loads);
+  ray_tracing::sort(loads);
   return loads;
 }
 
-Measured::Measured(Result result, tracing::DataFigures data_figures)
+Measured::Measured(Result result, ray_tracing::DataFigures data_figures)
     : run(std::move(result)),
       data(std::move(data_figures)),
-      busy(tracing::make_busy(run.use)),
+      busy(ray_tracing::make_busy(run.use)),
       losses(find_losses(run)),
       loads(find_loads(run)) {}
 
@@ -154,17 +154,18 @@ Columns<Measured> make_columns() {
   };
   const auto counts = [](const Measured& m) -> auto& { return m.run.counts; };
   return base::join(
-      of_run(tracing::speed_columns()),
-      {of_run(tracing::ray_columns()), of_run(sample_columns()), of_run(run_columns()),
-       of_run(tracing::time_columns()), of_run(tracing::stage_columns()),
+      of_run(ray_tracing::speed_columns()),
+      {of_run(ray_tracing::ray_columns()), of_run(sample_columns()), of_run(run_columns()),
+       of_run(ray_tracing::time_columns()), of_run(ray_tracing::stage_columns()),
        base::lift_columns<Measured>(loss_columns(), &Measured::losses),
        base::lift_columns<Measured>(task_columns(), counts),
        of_run(base::lift_columns<Result>(observe::message_columns(), &Result::use)),
        base::lift_columns<Measured>(
-           base::join(tracing::busy_columns(), {tracing::router_columns()}), &Measured::busy),
-       base::lift_columns<Measured>(tracing::bottleneck_columns(), &Measured::loads),
-       base::lift_columns<Measured>(growth::figure_columns(), &Measured::growth),
-       base::lift_columns<Measured>(tracing::data_columns(), &Measured::data)});
+           base::join(ray_tracing::busy_columns(), {ray_tracing::router_columns()}),
+           &Measured::busy),
+       base::lift_columns<Measured>(ray_tracing::bottleneck_columns(), &Measured::loads),
+       base::lift_columns<Measured>(snapshots::figure_columns(), &Measured::growth),
+       base::lift_columns<Measured>(ray_tracing::data_columns(), &Measured::data)});
 }
 
 }  // namespace iirra

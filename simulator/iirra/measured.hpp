@@ -17,19 +17,19 @@ struct Losses {
 Losses find_losses(const Result& result);
 
 struct Measured {
-  Measured(Result result, tracing::DataFigures data_figures);
+  Measured(Result result, ray_tracing::DataFigures data_figures);
 
   Result run;
-  tracing::DataFigures data;
-  tracing::Busy busy;
+  ray_tracing::DataFigures data;
+  ray_tracing::Busy busy;
   Losses losses;
-  growth::Figures growth = {};
-  tracing::Loads loads;  ///< busiest first
+  snapshots::Figures growth = {};
+  ray_tracing::Loads loads;  ///< busiest first
 };
 
-/// Resources of tracing::find_loads; the process "coordination" while not waiting for a message;
-/// the display's CPU; and "tasks": the share of the time after the last task was taken.
-tracing::Loads find_loads(const Result& result);
+/// Resources of ray_tracing::find_loads; the process "coordination" while not waiting for a
+/// message; the display's CPU; and "tasks": the share of the time after the last task was taken.
+ray_tracing::Loads find_loads(const Result& result);
 
 base::Columns<Measured> make_columns();
 

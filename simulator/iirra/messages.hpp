@@ -65,9 +65,9 @@ struct Picture {
   std::vector<Painted> blocks;
   bool is_all = true;  ///< nothing is left to send
 };
-struct Shown {};      ///< acknowledges an unrequested picture
-struct KeepPicture {  ///< keeps the picture; with polling after the next round
-  std::string name;   ///< file name; counts as one word in the message
+struct PictureShown {};  ///< acknowledges an unrequested picture
+struct KeepPicture {     ///< keeps the picture; with polling after the next round
+  std::string name;      ///< file name; counts as one word in the message
 };
 struct Finish {};  ///< the display shows everything, then replies Finished
 struct Finished {};
@@ -75,7 +75,7 @@ struct Finished {};
 struct IirraMessage : network::Contents {
   using Content =
       std::variant<Tasks, TaskRequest, NoTasks, Measure, CellTimes, NewPhase, Report, Stop,
-                   UserOrder, Poll, Picture, Shown, KeepPicture, Finish, Finished>;
+                   UserOrder, Poll, Picture, PictureShown, KeepPicture, Finish, Finished>;
   explicit IirraMessage(Content content) : content(std::move(content)) {}
   Content content;
 };

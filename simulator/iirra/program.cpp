@@ -1,9 +1,9 @@
 #include "simulator/iirra/program.hpp"
 
 #include "renderer/files/load_scene.hpp"
-#include "simulator/declare/support.hpp"
 #include "simulator/iirra/measured.hpp"
-#include "simulator/tracing/looks.hpp"
+#include "simulator/programs/declare/support.hpp"
+#include "simulator/ray_tracing/snapshot_fields.hpp"
 
 namespace iirra {
 
@@ -106,21 +106,21 @@ base::Fields<ProgramParams> make_fields() {
   using P = ProgramParams;
   using D = base::Declare<P>;
   const auto image = [](P & p) -> auto& { return p.iirra.image; };
-  const auto looks = [](P & p) -> auto& { return p.iirra.looks; };
+  const auto snapshot_times = [](P & p) -> auto& { return p.iirra.snapshot_times; };
   const auto memory = [](P & p) -> auto& { return p.iirra.memory; };
   const auto data = [](P & p) -> auto& { return p.data ? *p.data : p.data.emplace(); };
   return base::join(
       base::Fields<P>{D::whole("machine.worker_memory_bytes", memory, 1, 0x1p40, "bytes",
                                "memory of a worker; else the model's")},
-      {base::lift_all<P>(tracing::scene_fields(), &P::scene),
+      {base::lift_all<P>(ray_tracing::scene_fields(), &P::scene),
        base::lift_all<P>(renderer::param_fields(), image, "image."),
        base::lift_all<P>(cell_fields(), &P::iirra, "iirra."),
        base::lift_all<P>(machine_fields(), &P::iirra, "iirra."),
-       base::lift_all<P>(tracing::look_fields(), looks, "iirra."),
+       base::lift_all<P>(ray_tracing::snapshot_fields(), snapshot_times, "iirra."),
        // Last, so that "order" alone names the program's own field.
-       base::lift_all<P>(base::Fields<Params>{tracing::pixel_order_field(&Params::pixels)},
+       base::lift_all<P>(base::Fields<Params>{ray_tracing::pixel_order_field(&Params::pixels)},
                          &P::iirra, "image."),
-       base::lift_all<P>(tracing::data_fields(), data)});
+       base::lift_all<P>(ray_tracing::data_fields(), data)});
 }
 
 base::Fields<Limits> limit_fields() {
@@ -149,7 +149,7 @@ Params make_params(const Setup& setup, const ProgramParams& params) {
   iirra.others = setup.others;
   iirra.cycles_per_host_s = setup.cycles_per_host_s;
   iirra.engine = setup.engine;
-  iirra.watch = setup.watch;
+  iirra.monitor = setup.monitor;
   if (params.data) iirra.method = params.data->method;
   if (shares_data(params))
     iirra.data = make_data_params(setup.model, size_of(params.scene), *params.data);
@@ -169,7 +169,7 @@ Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
   const auto scene = renderer::load_scene(scene_source(params.scene));
   auto result = run_iirra(setup.model, setup.topology, setup.routes, setup.tree, scene,
                           make_params(setup, params));
-  const tracing::DataFigures data{params.data.has_value(), result.shared};
+  const ray_tracing::DataFigures data{params.data.has_value(), result.shared};
   Measured measured(std::move(result), data);
   auto given =
       make_given(setup, params.scene, params.iirra.image, params.iirra.max_cell, measured.run);
@@ -193,8 +193,8 @@ programs::Program make_iirra() {
        .columns = make_columns(),
        .run = &run,
        .check = &check_program,
-       .describe = [](const P& params) { return tracing::describe(params.scene); },
-       .lists = tracing::make_lists<P>(
+       .describe = [](const P& params) { return ray_tracing::describe(params.scene); },
+       .lists = ray_tracing::make_lists<P>(
            limit_fields(), [](P & p) -> auto& { return p.iirra.stages; },
            [](P & p) -> auto& { return p.iirra.script; })});
   program.processors = "workers";

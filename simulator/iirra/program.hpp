@@ -5,9 +5,9 @@
 namespace iirra {
 
 struct ProgramParams {
-  Params iirra;                               ///< [image], [iirra], [[stage]], [[order]]
-  std::optional<tracing::SharedParams> data;  ///< set if any key of [data] is given
-  tracing::SceneChoice scene;                 ///< [scene]
+  Params iirra;                                   ///< [image], [iirra], [[stage]], [[order]]
+  std::optional<ray_tracing::SharedParams> data;  ///< set if any key of [data] is given
+  ray_tracing::SceneChoice scene;                 ///< [scene]
 };
 
 programs::Program make_iirra();

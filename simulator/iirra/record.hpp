@@ -1,7 +1,7 @@
 #pragma once
 // Record of a run, kept outside the machine: it costs no simulated time.
 #include "simulator/iirra/tasks.hpp"
-#include "simulator/tracing/rendering.hpp"
+#include "simulator/ray_tracing/rendering.hpp"
 
 namespace iirra {
 
@@ -21,7 +21,7 @@ struct Counts {
 };
 
 /// `rays`: of all processors. `samples`: sums of the finished pixels.
-struct Record : tracing::Rendering {
+struct Record : ray_tracing::Rendering {
   explicit Record(const renderer::Params& image) : finished(0) {
     samples = renderer::Samples(image.width, image.height);
     finished.resize(samples.sums.size());

@@ -67,7 +67,7 @@ class Display {
   void show(const network::Message& message, const Picture& picture);
   void ask(int worker);
   void finish();
-  growth::Shown look() const;
+  snapshots::Snapshot look() const;
   void keep(const std::string& name);
   std::vector<std::uint8_t> draw_borders() const;
 
@@ -82,7 +82,7 @@ class Display {
   Shared& shared_;
   shared_memory::DataManager& manager_;
   Screen screen_, scratch_;
-  growth::Recorder recorder_;
+  snapshots::Recorder recorder_;
   std::vector<std::string> to_keep_;  // pictures to keep after the next round
   std::size_t asked_ = 0;             // workers with pictures left to send
   bool is_finishing_ = false, is_stopped_ = false;

@@ -1,8 +1,8 @@
 #pragma once
 // State shared by all processes of a run: fixed inputs and the record.
 #include "simulator/iirra/iirra.hpp"
+#include "simulator/ray_tracing/orders.hpp"
 #include "simulator/shared_memory/scene_items.hpp"
-#include "simulator/tracing/orders.hpp"
 
 namespace iirra {
 
@@ -29,7 +29,7 @@ struct Shared {
   const shared_memory::SceneItems* items = nullptr;          ///< set if the scene is shared
   machine::Cycles charged_with_data{};                       ///< for rays that read shared data
   machine::Seconds charged_with_data_s{};                    ///< time of these cycles
-  tracing::Orders<Limits> orders;                            ///< the user's
+  ray_tracing::Orders<Limits> orders;                        ///< the user's
   Record record;
   Traced scratch = {};  ///< for replays of rays, if costs are timed
 

@@ -26,7 +26,7 @@ bool is_inner(const SampledCell& cell, const Point& p) {
 
 Ordering make_ordering(const Shared& shared) {
   const Params& p = shared.params;
-  const bool is_scan = p.pixels == tracing::PixelOrder::scan;
+  const bool is_scan = p.pixels == ray_tracing::PixelOrder::scan;
   return {shared.area, p.max_cell, is_scan ? CellOrder::sequential : p.order,
           p.seed,      p.weights,  shared.quadrants};
 }
@@ -437,7 +437,7 @@ void Worker::obey(const Message& message) {
       [&](const Poll&) {
         send_to({from, DISPLAY_PROCESS}, unshown_.take());
       },
-      [&](const Shown&) { is_under_way_ = false; }, [&](const Stop&) { is_stopped_ = true; },
+      [&](const PictureShown&) { is_under_way_ = false; }, [&](const Stop&) { is_stopped_ = true; },
       [&](const auto&) { throw base::InvariantBroken("a message that is not for a worker"); });
 }
 

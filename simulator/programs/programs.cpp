@@ -2,7 +2,7 @@
 
 #include "simulator/farm/program.hpp"
 #include "simulator/iirra/program.hpp"
-#include "simulator/radiosity/program.hpp"
+#include "simulator/parallel_radiosity/program.hpp"
 
 namespace programs {
 
@@ -38,17 +38,38 @@ Program make_quadrants();
 
 const std::vector<Program>& all_programs() {
   static const std::vector<Program> all = {
-      farm::make_farm(),     iirra::make_iirra(),   make_message(),
-      make_soft(),           make_both_ways(),      make_unicast(),
-      make_pipeline(),       make_sources(),        make_broadcast(),
-      make_request(),        make_alternative(),    make_interrupt(),
-      make_traffic(),        make_task_farm(),      make_law(),
-      make_commstime(),      make_flops(),          make_metrics(),
-      make_census(),         make_deadlock(),       make_global(),
-      make_random_traffic(), make_router_load(),    make_soak(),
-      make_in_path(),        make_data(),           make_progressive(),
-      make_noise(),          make_refinement(),     make_quadrants(),
-      amp::make_radiosity(), amp::make_scan_line(),
+      farm::make_farm(),
+      iirra::make_iirra(),
+      make_message(),
+      make_soft(),
+      make_both_ways(),
+      make_unicast(),
+      make_pipeline(),
+      make_sources(),
+      make_broadcast(),
+      make_request(),
+      make_alternative(),
+      make_interrupt(),
+      make_traffic(),
+      make_task_farm(),
+      make_law(),
+      make_commstime(),
+      make_flops(),
+      make_metrics(),
+      make_census(),
+      make_deadlock(),
+      make_global(),
+      make_random_traffic(),
+      make_router_load(),
+      make_soak(),
+      make_in_path(),
+      make_data(),
+      make_progressive(),
+      make_noise(),
+      make_refinement(),
+      make_quadrants(),
+      parallel_radiosity::make_radiosity(),
+      parallel_radiosity::make_scan_line(),
   };
   return all;
 }

@@ -1,6 +1,6 @@
 #pragma once
 // The list of all programs.
-#include "simulator/declare/program.hpp"
+#include "simulator/programs/declare/program.hpp"
 
 namespace programs {
 

@@ -261,7 +261,7 @@ DataUse VirtualMemory::use() const {
   return sum;
 }
 
-void show(observe::View& view, const VirtualMemory& memory, int first) {
+void show(observe::ControlPanel& view, const VirtualMemory& memory, int first) {
   const auto share_found = [](const DataUse& use) {
     const auto accesses = use.accesses();
     return accesses == 0 ? 0
@@ -274,10 +274,10 @@ void show(observe::View& view, const VirtualMemory& memory, int first) {
                          [&memory, share_found] { return share_found(memory.use()); }});
   view.inspections.emplace_back([&memory, share_found, first](int processor) {
     const int id = processor - first;
-    if (id < 0 || id >= memory.processors()) return std::vector<observe::View::Reading>{};
+    if (id < 0 || id >= memory.processors()) return std::vector<observe::ControlPanel::Reading>{};
     const auto& manager = memory.manager(id);
     const auto& use = manager.use();
-    return std::vector<observe::View::Reading>{
+    return std::vector<observe::ControlPanel::Reading>{
         {"bytes in the cache", static_cast<double>(manager.cache().used())},
         {"of", static_cast<double>(manager.cache().capacity())},
         {"accesses", static_cast<double>(use.accesses())},

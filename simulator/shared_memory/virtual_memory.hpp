@@ -6,7 +6,7 @@
 //   in one address space, and fetched from their owners (Badouel, 5.1.2.1).
 #include <memory>
 
-#include "simulator/observe/spectator.hpp"
+#include "simulator/observe/control_panel.hpp"
 #include "simulator/shared_memory/cache_manager.hpp"
 
 namespace shared_memory {
@@ -63,6 +63,6 @@ class VirtualMemory {
 
 /// Adds the memory's counts and cache fill to the view. Its processors have the ids `first`,
 /// `first` + 1, ... in the machine.
-void show(observe::View& view, const VirtualMemory& memory, int first = 0);
+void show(observe::ControlPanel& view, const VirtualMemory& memory, int first = 0);
 
 }  // namespace shared_memory

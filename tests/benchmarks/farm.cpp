@@ -13,13 +13,13 @@ namespace {
 
 constexpr int WORKERS = 7, OBJECTS = 200, SIZE = 100;
 
-farm::Result run_farm(observe::Watch* watch, bool profile, machine::EngineParams engine) {
+farm::Result run_farm(observe::RunMonitor* monitor, bool profile, machine::EngineParams engine) {
   static const auto scene = renderer::make_spheres(OBJECTS);
   static const auto workers = topologies::make_topology(fmt::format("tree:{}", WORKERS));
   farm::Params params;
   params.image.width = params.image.height = SIZE;
   params.image.limits.depth = 15;
-  params.watch = watch;
+  params.monitor = monitor;
   params.profile = profile;
   params.engine = engine;
   return farm::run_farm(model(), workers, scene, params);
@@ -29,9 +29,9 @@ farm::Result run_farm(observe::Watch* watch, bool profile, machine::EngineParams
 // the order of their start.
 std::vector<Activity> record() {
   observe::Trace trace;
-  observe::Watch watch;
-  watch.trace = &trace;
-  run_farm(&watch, false, machine::EngineParams{});
+  observe::RunMonitor monitor;
+  monitor.trace = &trace;
+  run_farm(&monitor, false, machine::EngineParams{});
   std::vector<std::pair<double, Activity>> begun;
   for (const auto& span : trace.spans) {
     if (span.doing == observe::Trace::Doing::switching) continue;

@@ -14,8 +14,8 @@
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/commands.hpp"
+#include "experiments/laboratory/host/elapsed_time.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
-#include "experiments/laboratory/host/patience.hpp"
 #include "renderer/files/load_scene.hpp"
 #include "renderer/files/obj_nff.hpp"
 #include "renderer/files/write_nff.hpp"
@@ -162,7 +162,7 @@ void convert(const std::string& source, const std::string& output) {
     return Converted{std::move(texts), left_out.describe()};
   };
   const auto [texts, left_out] = [&] {
-    const Patience patience("convert " + source);
+    const ElapsedTime elapsed_time("convert " + source);
     return is_mesh(source) ? convert_apart(source, convert_here) : convert_here();
   }();
   for (const auto& [path, text] : texts) {

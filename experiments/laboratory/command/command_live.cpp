@@ -141,7 +141,7 @@ RunOptions run_watched(const RunOptions& options, const ExperimentFile& file, Se
     failure = std::current_exception();
   }
   const auto folder = fs::path(options.file).parent_path().string();
-  base::save_whole(options.file, record_session(file, session.deeds(), folder));
+  base::save_whole(options.file, record_session(file, session.actions(), folder));
   if (failure) std::rethrow_exception(failure);
   return result ? keep_result(options, session, std::move(*result)) : options;
 }

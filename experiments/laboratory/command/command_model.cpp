@@ -11,7 +11,7 @@
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/calibrate/calibration.hpp"
 #include "experiments/laboratory/command/commands.hpp"
-#include "experiments/laboratory/host/patience.hpp"
+#include "experiments/laboratory/host/elapsed_time.hpp"
 #include "experiments/laboratory/options/options.hpp"
 #include "simulator/machine/model.hpp"
 
@@ -56,7 +56,7 @@ void fit_model(ModelOptions o) {
   if (!o.output.empty()) check_model_file(o.output);
   for (auto& entry : o.fit.entries) entry = trim_name(entry);
   const auto found = [&] {
-    const Patience patience("model --fit " + o.fit.measurements);
+    const ElapsedTime elapsed_time("model --fit " + o.fit.measurements);
     return calibrate(o.fit);
   }();
   fmt::print("{}", to_text(found));

@@ -18,9 +18,9 @@
 #include "experiments/laboratory/command/completion.hpp"
 #include "experiments/laboratory/command/run.hpp"
 #include "experiments/laboratory/guide/keys.hpp"
+#include "experiments/laboratory/host/elapsed_time.hpp"
 #include "experiments/laboratory/host/interrupt.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
-#include "experiments/laboratory/host/patience.hpp"
 #include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/host/version.hpp"
 #include "experiments/laboratory/options/options.hpp"
@@ -86,7 +86,7 @@ void add_topology_command(CLI::App& app) {
     const auto format =
         std::ranges::find(FORMATS, o->format, &decltype(FORMATS)::value_type::first);
     const auto text = [&] {
-      const Patience patience(fmt::format("topology {}", o->spec));
+      const ElapsedTime elapsed_time(fmt::format("topology {}", o->spec));
       const auto topology = topologies::make_topology(o->spec);
       return o->routes.empty()
                  ? format->second(topology)

@@ -16,11 +16,11 @@
 #include "experiments/laboratory/judge/ranking.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/points.hpp"
-#include "experiments/laboratory/points/singles.hpp"
+#include "experiments/laboratory/points/single_worker.hpp"
 #include "experiments/laboratory/points/view.hpp"
 #include "experiments/laboratory/report/run_report.hpp"
+#include "experiments/laboratory/uncertain/confidence.hpp"
 #include "experiments/laboratory/uncertain/draw.hpp"
-#include "experiments/laboratory/uncertain/sureness.hpp"
 
 namespace laboratory {
 namespace {
@@ -79,8 +79,9 @@ void print_summary(const RunOptions& options, const Simulation& s) {
              to_text(s.table, view, output_width()));
   for (const auto& sentence : view.unknown) print_note(sentence);
   print_notes(s);
-  if (const auto sure = load_sureness(output))
-    for (const auto& sentence : tell_sureness(*sure, fit_columns(s.table, view, output_width())))
+  if (const auto sure = load_confidence(output))
+    for (const auto& sentence :
+         describe_confidence(*sure, fit_columns(s.table, view, output_width())))
       fmt::print("{}\n", sentence);
   if (const auto rankings = load_rankings(output))
     for (const auto& sentence : tell_rankings(*rankings)) fmt::print("{}\n", sentence);
@@ -222,7 +223,7 @@ void run_chosen_points(const RunOptions& options) {
   for (const auto i : numbers)
     if (!results[i].is_there()) missing.push_back(i);
   run_points(plan, missing, results);
-  measure_singles(plan, results, Singles::run);
+  measure_single_workers(plan, results, SingleWorker::run);
   if (missing.size() < numbers.size()) save_origin(folder, file, plan.origin);
   judge_chosen(plan, numbers, results);
 }

@@ -7,8 +7,8 @@
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/run.hpp"
-#include "experiments/laboratory/host/carry.hpp"
 #include "experiments/laboratory/host/interrupt.hpp"
+#include "experiments/laboratory/host/link_files.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/host/results_folder.hpp"
 #include "experiments/laboratory/judge/cover.hpp"
@@ -19,10 +19,10 @@
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/points.hpp"
 #include "experiments/laboratory/points/results.hpp"
-#include "experiments/laboratory/points/singles.hpp"
+#include "experiments/laboratory/points/single_worker.hpp"
 #include "experiments/laboratory/report/run_report.hpp"
+#include "experiments/laboratory/uncertain/confidence.hpp"
 #include "experiments/laboratory/uncertain/draw.hpp"
-#include "experiments/laboratory/uncertain/sureness.hpp"
 
 namespace laboratory {
 namespace {
@@ -106,19 +106,20 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
   plan.lone = folder.working() / lone_records_folder();
   folder.fill([&] {
     Results drawn = make_results(plan, missing, s.there);
-    measure_singles(plan, drawn, missing == Missing::run ? Singles::run : Singles::find);
+    measure_single_workers(plan, drawn,
+                           missing == Missing::run ? SingleWorker::run : SingleWorker::find);
     s.results.assign(drawn.begin(), drawn.begin() + std::ptrdiff_t(file.points.size()));
-    carry_files(results / records_folder(), folder.working() / records_folder());
+    link_files(results / records_folder(), folder.working() / records_folder());
     place_images(s.file, s.results, folder.working() / records_folder(), folder.working());
     keep_points_that_ran(s, plan);
     s.table = make_table(checks, s.file, s.results);
     s.checks = eval_checks(checks, s.file, s.table);
     if (file.uncertain.machines > 0 && !was_interrupted()) {
-      const auto sureness = find_sureness(file, s.table, drawn);
-      s.left_out = sureness.left_out;
-      if (sureness.machines >= LEAST_MACHINES) {
-        const auto tables = make_sureness_tables(s.table, sureness);
-        save_sureness(folder.working(), tables);
+      const auto confidence = find_confidence(file, s.table, drawn);
+      s.left_out = confidence.left_out;
+      if (confidence.machines >= LEAST_MACHINES) {
+        const auto tables = make_confidence_tables(s.table, confidence);
+        save_confidence(folder.working(), tables);
         check_cover(s.checks, s.table, tables);
       }
       save_rankings(folder.working(), find_rankings(checks, file, all, drawn));

@@ -46,13 +46,13 @@ Texts usual_columns(const std::vector<ComparedRun>& runs, const Texts& common) {
 }
 
 // A sentence on each result, and the results that differ.
-struct Told {
+struct ResultFindings {
   Texts sentences;
   Texts differing;  ///< results not equal in all runs; if there are none, the first
 };
 
-Told tell_results(const Comparison& c) {
-  Told told;
+ResultFindings find_results(const Comparison& c) {
+  ResultFindings found;
   Texts same;
   for (const auto& column : c.columns) {
     Texts sentences;
@@ -63,15 +63,15 @@ Told tell_results(const Comparison& c) {
       differs = differs || !spread.is_same();
     }
     if (differs) {
-      told.differing.push_back(column);
-      told.sentences.insert(told.sentences.end(), sentences.begin(), sentences.end());
+      found.differing.push_back(column);
+      found.sentences.insert(found.sentences.end(), sentences.begin(), sentences.end());
     } else {
       same.push_back(column);
     }
   }
-  if (told.differing.empty()) told.differing.push_back(c.columns[0]);
-  if (!same.empty()) told.sentences.push_back("the same in all runs: " + join_texts(same, ", "));
-  return told;
+  if (found.differing.empty()) found.differing.push_back(c.columns[0]);
+  if (!same.empty()) found.sentences.push_back("the same in all runs: " + join_texts(same, ", "));
+  return found;
 }
 
 // Points and columns left out of the comparison, with the reasons.
@@ -188,10 +188,10 @@ std::string to_text(const Comparison& c) {
   add_table("Settings that differ", find_differing_settings(c.runs));
   add_table("Entries of the machine models that differ", find_differing_entries(c.runs));
   text += "\n";
-  const auto told = tell_results(c);
+  const auto found = find_results(c);
   add_lines(note_gaps(c));
-  add_lines(told.sentences);
-  add_table(told.differing[0] + " at each point", compare_column(c.matched, told.differing[0]));
+  add_lines(found.sentences);
+  add_table(found.differing[0] + " at each point", compare_column(c.matched, found.differing[0]));
   return text;
 }
 
@@ -201,17 +201,17 @@ std::string to_page(const Comparison& c, Texts& undrawn) {
   for (const auto& run : c.runs) names.push_back(run.name);
   page.title = join_texts(names, " and ");
   page.question = join_texts(name_runs(c), "; ");
-  const auto told = tell_results(c);
-  page.findings = told.sentences;
+  const auto found = find_results(c);
+  page.findings = found.sentences;
   page.notes = note_gaps(c);
   page.answers.push_back({"Settings that differ", {}, {find_differing_settings(c.runs)}});
   page.answers.push_back(
       {"Entries of the machine models that differ", {}, {find_differing_entries(c.runs)}});
-  for (const auto& column : told.differing)
+  for (const auto& column : found.differing)
     page.answers.push_back({column, {}, {compare_column(c.matched, column)}});
   page.table = stack_runs(c.matched, c.columns);
-  for (const auto& plot : plot_ratio(c.matched, told.differing[0])) draw(page, undrawn, plot, {});
-  for (const auto& plot : make_plots(page.table, told.differing))
+  for (const auto& plot : plot_ratio(c.matched, found.differing[0])) draw(page, undrawn, plot, {});
+  for (const auto& plot : make_plots(page.table, found.differing))
     draw(page, undrawn, plot, make_plot_data(plot, page.table));
   page.command = join_texts(name_runs(c), "\n");
   return make_report(page);

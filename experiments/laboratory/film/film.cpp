@@ -18,7 +18,7 @@ using base::require;
 using renderer::Frame;
 
 // Samples a run at least twice a frame; each frame uses the last sample before its time.
-constexpr int LOOKS_A_FRAME = 2;
+constexpr int SNAPSHOTS_A_FRAME = 2;
 constexpr double MOST_BYTES = 1e9;  // of sampled pictures
 
 bool is_webp(const std::string& file) { return fs::path(file).extension() == ".webp"; }
@@ -91,7 +91,7 @@ PicturePlace place_picture(int width, int height) {
 Film::Film(const FilmOptions& options, const topologies::Topology& network, double from_s)
     : options_(options), network_(network), from_s_(from_s) {}
 
-void Film::begin(const machine::Machine& machine, const observe::View& view) {
+void Film::begin(const machine::Machine& machine, const observe::ControlPanel& view) {
   if (!options_.picture.empty() && view.picture) {
     const auto [width, height, rgb8] = *view.picture;
     const auto place = place_picture(width, height);
@@ -99,20 +99,20 @@ void Film::begin(const machine::Machine& machine, const observe::View& view) {
                 std::max(place.width, place.height) <= renderer::MAX_WEBP_SIDE,
             "--animate", "found a picture of {} x {} pixels, expected at most {} a side in .webp",
             width, height, renderer::MAX_WEBP_SIDE - 160);
-    const double bytes = 6.0 * width * height * LOOKS_A_FRAME;
+    const double bytes = 6.0 * width * height * SNAPSHOTS_A_FRAME;
     require(bytes * options_.frames <= MOST_BYTES, "--frames",
             "found {} of pictures of {} x {} pixels, expected at most {:.0f}", options_.frames,
             width, height, MOST_BYTES / bytes);
     picture_ = view.picture;
     width_ = width;
-    growth::Looks looks;
-    looks.growth = LOOKS_A_FRAME * options_.frames;
-    recorder_.emplace(looks);
+    snapshots::Schedule snapshot_times;
+    snapshot_times.growth = SNAPSHOTS_A_FRAME * options_.frames;
+    recorder_.emplace(snapshot_times);
   }
   if (!options_.network.empty()) drawing_.emplace(machine, network_, view.network);
 }
 
-growth::Shown Film::look() const { return {.rgb8 = *picture_->rgb8()}; }
+snapshots::Snapshot Film::look() const { return {.rgb8 = *picture_->rgb8()}; }
 
 void Film::before_change(double now_s) {
   if (recorder_) recorder_->note(now_s - from_s_, [this] { return look(); });
@@ -143,7 +143,8 @@ void Film::save_picture(const std::string& title) const {
   const int last = options_.frames - 1;
   save_frames(options_.picture, options_.frames, [&](std::size_t nth) {
     const auto i = static_cast<int>(nth);
-    const auto after = std::ranges::upper_bound(shown, end_s * i / last, {}, &growth::Shown::at_s);
+    const auto after =
+        std::ranges::upper_bound(shown, end_s * i / last, {}, &snapshots::Snapshot::at_s);
     const auto& picture = i < last ? *std::prev(after) : shown.back();
     const double now_s = from_s_ + picture.at_s;
     Canvas canvas(place.width, place.height);

@@ -7,8 +7,8 @@
 #include "experiments/laboratory/film/film_options.hpp"
 #include "experiments/laboratory/film/machine_drawing.hpp"
 #include "renderer/image/animation.hpp"
-#include "simulator/growth/recorder.hpp"
 #include "simulator/observe/trace.hpp"
+#include "simulator/snapshots/recorder.hpp"
 
 namespace laboratory {
 
@@ -37,14 +37,14 @@ struct PicturePlace {
 PicturePlace place_picture(int width, int height);
 
 /// Records a run to make films of it.
-class Film : public observe::Onlooker {
+class Film : public observe::RunObserver {
  public:
   /// Films begin `from_s` seconds after the start of the program. `network`: the program's
   /// topology, if a film shows it.
   Film(const FilmOptions& options, const topologies::Topology& network, double from_s);
 
   /// Throws BadInput for a picture too large for a film of that many frames.
-  void begin(const machine::Machine& machine, const observe::View& view) override;
+  void begin(const machine::Machine& machine, const observe::ControlPanel& view) override;
   void before_change(double now_s) override;
   void end(double now_s) override;
 
@@ -53,17 +53,17 @@ class Film : public observe::Onlooker {
   void save(const std::string& title, const observe::Trace& trace) const;
 
  private:
-  growth::Shown look() const;
+  snapshots::Snapshot look() const;
   void save_picture(const std::string& title) const;
   void save_network(const std::string& title, const observe::Trace& trace) const;
 
   const FilmOptions options_;
   const topologies::Topology network_;
   const double from_s_;
-  double end_s_ = 0;                               // of the run
-  std::optional<growth::Recorder> recorder_;       // of the picture
-  std::optional<observe::View::Picture> picture_;  // while the machine runs
-  int width_ = 0;                                  // of the picture
+  double end_s_ = 0;                                       // of the run
+  std::optional<snapshots::Recorder> recorder_;            // of the picture
+  std::optional<observe::ControlPanel::Picture> picture_;  // while the machine runs
+  int width_ = 0;                                          // of the picture
   std::optional<MachineDrawing> drawing_;
 };
 

@@ -15,7 +15,7 @@
 
 #include "base/errors.hpp"
 #include "base/partial_name.hpp"
-#include "experiments/laboratory/host/carry.hpp"
+#include "experiments/laboratory/host/link_files.hpp"
 
 namespace laboratory {
 namespace {
@@ -150,7 +150,7 @@ void remove_stale(const fs::path& path) {
     if (!fs::exists(path)) fs::rename(folder, path, ignored);
   for (const auto* kind : {OLD, PARTIAL})
     for (const auto& folder : find_stale(path, kind)) {
-      carry_records(folder, path);
+      link_records(folder, path);
       fs::remove_all(folder, ignored);
     }
 }
@@ -164,7 +164,7 @@ void drop_replaced(const fs::path& older, const fs::path& path) {
     for (const auto& entry : fs::directory_iterator(path / "points", ignored))
       if (entry.is_directory()) kept.push_back(entry.path().filename());
     for (const auto& name : kept)
-      if (name != "lone") carry_files(older / "points" / name, path / "points" / name);
+      if (name != "lone") link_files(older / "points" / name, path / "points" / name);
   }
   fs::remove_all(older, ignored);
 }

@@ -131,17 +131,18 @@ double gain_per_doubling(const BestSpec& spec, const std::pair<double, double>& 
 }
 
 // Sentences, each with the groups it applies to.
-using Told = std::vector<std::pair<std::string, std::vector<std::string>>>;
+using GroupedSentences = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
-void add_told(Told& told, const std::string& sentence, const std::string& group) {
-  auto same = std::ranges::find(told, sentence, &Told::value_type::first);
-  if (same == told.end()) same = told.insert(told.end(), {sentence, {}});
+void add_sentence(GroupedSentences& grouped, const std::string& sentence,
+                  const std::string& group) {
+  auto same = std::ranges::find(grouped, sentence, &GroupedSentences::value_type::first);
+  if (same == grouped.end()) same = grouped.insert(grouped.end(), {sentence, {}});
   same->second.push_back(group);
 }
 
 // Adds "mesh; torus: doubling workers pays up to 8."
-void tell_groups(BestAnswer& answer, const Told& told) {
-  for (const auto& [sentence, groups] : told) {
+void tell_groups(BestAnswer& answer, const GroupedSentences& grouped) {
+  for (const auto& [sentence, groups] : grouped) {
     const auto names = join_texts(groups, "; ");
     answer.findings.push_back(names.empty() ? sentence : fmt::format("{}: {}", names, sentence));
   }
@@ -153,7 +154,7 @@ void find_end(BestAnswer& answer, const BestSpec& spec, const Table& table,
   answer.pays.axes = groups.size();
   answer.pays.columns.push_back("pays_up_to_" + spec.pays);
   answer.pays.columns.emplace_back("next doubling gains %");
-  Told told;
+  GroupedSentences grouped;
   for (const auto& group : group_by(table, points, groups)) {
     std::map<double, double> curve;
     for (const auto& p : group.points)
@@ -169,13 +170,14 @@ void find_end(BestAnswer& answer, const BestSpec& spec, const Table& table,
       break;
     }
     row.insert(row.end(), {to_cell(end->first), next});
-    add_told(told,
-             fmt::format(
-                 "doubling {} pays up to {:g}{}.", make_label(spec.pays), end->first,
-                 std::holds_alternative<std::monostate>(next) ? ", the most that was tried" : ""),
-             group.at.empty() ? "" : name_values(table, group.points[0].row, groups));
+    add_sentence(
+        grouped,
+        fmt::format(
+            "doubling {} pays up to {:g}{}.", make_label(spec.pays), end->first,
+            std::holds_alternative<std::monostate>(next) ? ", the most that was tried" : ""),
+        group.at.empty() ? "" : name_values(table, group.points[0].row, groups));
   }
-  tell_groups(answer, told);
+  tell_groups(answer, grouped);
 }
 
 BestAnswer answer_question(const CheckPlan::Question& question, const Rows& rows) {

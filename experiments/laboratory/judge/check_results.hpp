@@ -5,7 +5,7 @@
 
 #include "experiments/laboratory/judge/check_plan.hpp"
 #include "experiments/laboratory/table/table.hpp"
-#include "experiments/laboratory/uncertain/sureness.hpp"
+#include "experiments/laboratory/uncertain/confidence.hpp"
 
 namespace laboratory {
 

@@ -23,12 +23,12 @@ struct Case {
 };
 
 std::vector<Case> find_cases(const CheckResult& result, const Table& table,
-                             const SurenessTables& sureness) {
+                             const ConfidenceTables& confidence) {
   std::vector<Case> cases;
   const bool is_column = table.find(result.check.of).has_value();
   for (const auto& point : result.points) {
     if (point.kind == Kind::calibrated) continue;
-    if (const auto range = find_interval(sureness, table, point.row, result.check.of))
+    if (const auto range = find_interval(confidence, table, point.row, result.check.of))
       cases.push_back({&point, *range});
     else if (is_column)  // the same on all machines
       cases.push_back({&point, {point.simulated, point.simulated}});
@@ -78,10 +78,10 @@ std::optional<OwnError> find_own_error(const std::vector<double>& errors) {
 }
 
 void check_cover(std::vector<CheckResult>& results, const Table& table,
-                 const SurenessTables& sureness) {
+                 const ConfidenceTables& confidence) {
   for (auto& result : results) {
     if (result.check.has_bounds()) continue;
-    const auto cases = find_cases(result, table, sureness);
+    const auto cases = find_cases(result, table, confidence);
     const auto& asked = result.check.covers;
     if (cases.empty()) {
       if (!asked || result.points.empty()) continue;

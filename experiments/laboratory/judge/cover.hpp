@@ -23,6 +23,6 @@ std::optional<OwnError> find_own_error(const std::vector<double>& errors);
 /// relative errors there is a second count. Its intervals are shifted and widened by the model's
 /// error, estimated from the other points of the check.
 void check_cover(std::vector<CheckResult>& results, const Table& table,
-                 const SurenessTables& sureness);
+                 const ConfidenceTables& confidence);
 
 }  // namespace laboratory

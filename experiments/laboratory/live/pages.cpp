@@ -47,11 +47,10 @@ std::shared_ptr<const std::string> Pages::dump(const Frame& frame) {
   return dumped_;
 }
 
-Stranger::Stranger(Pages& pages, std::function<void()> close)
-    : pages_(pages), number_(++pages.strangers_so_far) {
-  if (pages.strangers.size() == MOST_CLIENTS)
-    pages.strangers.extract(pages.strangers.begin()).mapped()();
-  pages.strangers.emplace(number_, std::move(close));
+PendingConnection::PendingConnection(Pages& pages, std::function<void()> close)
+    : pages_(pages), number_(++pages.pending_so_far) {
+  if (pages.pending.size() == MOST_CLIENTS) pages.pending.extract(pages.pending.begin()).mapped()();
+  pages.pending.emplace(number_, std::move(close));
 }
 
 // --- one page ------------------------------------------------------------------------------------

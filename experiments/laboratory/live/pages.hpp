@@ -36,8 +36,8 @@ struct Pages {
   std::uint64_t known_so_far = 0;
   std::weak_ptr<Page> steers;
   /// Closes unauthenticated connections; the oldest is the first.
-  std::map<std::uint64_t, std::function<void()>> strangers;
-  std::uint64_t strangers_so_far = 0;
+  std::map<std::uint64_t, std::function<void()>> pending;
+  std::uint64_t pending_so_far = 0;
   boost::asio::io_context io{1};  ///< after all members that its handlers' destructors use
 
  private:
@@ -48,12 +48,12 @@ struct Pages {
 /// An unauthenticated connection, counted during its lifetime. If there are too many, a new one
 /// closes the oldest. A page loses its place only if MOST_CLIENTS others connect before it
 /// authenticates.
-class Stranger {
+class PendingConnection {
  public:
-  Stranger(Pages& pages, std::function<void()> close);
-  ~Stranger() { pages_.strangers.erase(number_); }
-  Stranger(const Stranger&) = delete;
-  Stranger& operator=(const Stranger&) = delete;
+  PendingConnection(Pages& pages, std::function<void()> close);
+  ~PendingConnection() { pages_.pending.erase(number_); }
+  PendingConnection(const PendingConnection&) = delete;
+  PendingConnection& operator=(const PendingConnection&) = delete;
 
  private:
   Pages& pages_;
@@ -95,7 +95,7 @@ class Page : public std::enable_shared_from_this<Page> {
   void write();
 
   Pages& pages_;
-  std::optional<Stranger> stranger_;
+  std::optional<PendingConnection> stranger_;
   boost::beast::websocket::stream<boost::beast::tcp_stream> socket_;
   boost::asio::steady_timer patience_, later_;
   boost::beast::flat_buffer buffer_;

@@ -38,15 +38,15 @@ Record to_record(const toml::node& node) {
   return {(*table)["at_s"].value_or(0.0), base::to_toml(*table)};
 }
 
-Record to_record(const Deed& deed) {
-  std::string text = fmt::format("at_s = {}", deed.at_s);
-  for (const auto& [key, value] : deed.keys) text += fmt::format("\n{} = {}", key, value);
-  return {deed.at_s, text};
+Record to_record(const UserAction& action) {
+  std::string text = fmt::format("at_s = {}", action.at_s);
+  for (const auto& [key, value] : action.keys) text += fmt::format("\n{} = {}", key, value);
+  return {action.at_s, text};
 }
 
 }  // namespace
 
-std::string record_session(const ExperimentFile& file, const std::vector<Deed>& deeds,
+std::string record_session(const ExperimentFile& file, const std::vector<UserAction>& actions,
                            const std::string& folder) {
   toml::table table = base::parse_toml(file.resolved, file.path);
   move_files(table, file.folder, folder);
@@ -55,8 +55,8 @@ std::string record_session(const ExperimentFile& file, const std::vector<Deed>& 
     std::vector<Record> records;
     if (const auto* given = table[key].as_array())
       for (const auto& record : *given) records.push_back(to_record(record));
-    for (const auto& deed : deeds)
-      if (deed.table == key) records.push_back(to_record(deed));
+    for (const auto& action : actions)
+      if (action.table == key) records.push_back(to_record(action));
     // The file requires them in order of time.
     std::ranges::stable_sort(records, {}, &Record::at_s);
     for (const auto& record : records) lists += fmt::format("\n[[{}]]\n{}\n", key, record.text);

@@ -110,7 +110,7 @@ class Client : public std::enable_shared_from_this<Client> {
 
   Pages& pages_;
   std::uint16_t port_;  // the server's
-  std::optional<Stranger> stranger_;
+  std::optional<PendingConnection> stranger_;
   beast::tcp_stream stream_;
   beast::flat_buffer buffer_;
   http::request_parser<http::empty_body> parser_;

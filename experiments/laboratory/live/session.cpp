@@ -71,7 +71,7 @@ void Session::on_frame(std::function<void()> told) {
 
 // --- the run ----------------------------------------------------------------------------------
 
-void Session::begin(machine::Machine& machine, const observe::View& view) {
+void Session::begin(machine::Machine& machine, const observe::ControlPanel& view) {
   machine_ = &machine;
   view_ = view;
   if (phase_ == Phase::over) phase_ = Phase::running;  // another machine of the same run
@@ -101,17 +101,17 @@ bool Session::before(double date) {
 
 // Returns as before() does.
 bool Session::attend(double date) {
-  const std::size_t deeds = deeds_.size();
+  const std::size_t actions = actions_.size();
   next_s_ = date;
   for (;;) {
     if (was_interrupted()) end_by_hand();
     obey_all();
     if (ended_by_hand_s_) return true;
     if (view_.is_complete && view_.is_complete()) leave();
-    if (deeds_.size() != deeds) return false;
+    if (actions_.size() != actions) return false;
     if (follow_goal(date)) {  // a deadlock, or the end
       leave();
-      return deeds_.size() == deeds;
+      return actions_.size() == actions;
     }
     show();
     const auto rest = hold_back(date);
@@ -266,7 +266,7 @@ void Session::make_frame() {
                  {"phase", view_.phase ? view_.phase() : ""},
                  {"speed", std::isinf(speed_) ? ordered_json() : ordered_json(speed_)},
                  {"events", machine_->events()},
-                 {"deeds", deeds_.size()}};
+                 {"deeds", actions_.size()}};
   auto gauges = ordered_json::array();
   for (const auto& gauge : view_.gauges) gauges.push_back(gauge.value());
   made->state["gauges"] = gauges;
@@ -300,8 +300,8 @@ void Session::observe(bool is_told) {
   machine_->set_observer(is_told ? &spans_ : nullptr);
 }
 
-const observe::View::Gauge* Session::find_rays() const {
-  const auto found = std::ranges::find(view_.gauges, "rays", &observe::View::Gauge::name);
+const observe::ControlPanel::Gauge* Session::find_rays() const {
+  const auto found = std::ranges::find(view_.gauges, "rays", &observe::ControlPanel::Gauge::name);
   return found == view_.gauges.end() ? nullptr : &*found;
 }
 
@@ -330,7 +330,7 @@ void Session::end(const std::string& fault) {
   fault_ = fault;
   // The user did not leave before the end of the run.
   if (ended_by_hand_s_ && orders_ && view_.take_order && !has_left_)
-    deeds_.push_back({"order", LATEST_S, {{"leave", "true"}}});
+    actions_.push_back({"order", LATEST_S, {{"leave", "true"}}});
   // A process that threw has no wait left to show.
   has_thrown_ = std::ranges::any_of(machine_->processors(),
                                     [](const auto& on) { return on->failure() != nullptr; });

@@ -12,9 +12,9 @@
 #include <mutex>
 #include <thread>
 
-#include "experiments/laboratory/live/hands.hpp"
-#include "experiments/laboratory/live/portrait.hpp"
+#include "experiments/laboratory/live/machine_state.hpp"
 #include "experiments/laboratory/live/spans.hpp"
+#include "experiments/laboratory/live/user_actions.hpp"
 
 namespace laboratory {
 
@@ -30,7 +30,7 @@ struct Frame {
 
 /// Requests of pages, and their execution. The functions for pages may be called by any thread;
 /// they and the simulation never wait for each other.
-class Session : public observe::Spectator {
+class Session : public observe::RunController {
  public:
   /// Called by the simulation's thread: "" on success, else the reason of the refusal.
   using Reply = std::function<void(const std::string& refusal)>;
@@ -53,7 +53,7 @@ class Session : public observe::Spectator {
   void on_frame(std::function<void()> told);
 
   // --- for the simulation -------------------------------------------------------------------
-  void begin(machine::Machine& machine, const observe::View& view) override;
+  void begin(machine::Machine& machine, const observe::ControlPanel& view) override;
   bool before(double date) override;
   void end(const std::string& fault) override;
 
@@ -62,7 +62,7 @@ class Session : public observe::Spectator {
   /// Waits until a page asks to quit, or the user interrupts.
   void wait_for_quit();
 
-  const std::vector<Deed>& deeds() const { return deeds_; }
+  const std::vector<UserAction>& actions() const { return actions_; }
   /// The simulated time at which the user ended the run; none if it ended by itself.
   std::optional<double> ended_by_hand_s() const { return ended_by_hand_s_; }
 
@@ -115,7 +115,7 @@ class Session : public observe::Spectator {
   std::shared_ptr<const std::vector<std::uint8_t>> look();
   void observe(bool is_told);
   std::uint64_t count_messages() const;
-  const observe::View::Gauge* find_rays() const;  // null if none are traced
+  const observe::ControlPanel::Gauge* find_rays() const;  // null if none are traced
 
   const ExperimentFile& file_;
   const programs::RecordList* orders_;
@@ -123,9 +123,9 @@ class Session : public observe::Spectator {
 
   // Used by the simulation's thread only.
   machine::Machine* machine_ = nullptr;
-  observe::View view_;
+  observe::ControlPanel view_;
   Spans spans_;
-  std::vector<Deed> deeds_;
+  std::vector<UserAction> actions_;
   std::optional<double> ended_by_hand_s_;
   Phase phase_ = Phase::running;
   std::optional<Goal> goal_;

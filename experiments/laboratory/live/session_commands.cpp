@@ -98,8 +98,9 @@ void Session::quit() {
 
 // Saves the present picture under a generated name.
 void Session::save() {
-  const auto saved = std::ranges::count_if(
-      deeds_, [](const Deed& deed) { return !deed.keys.empty() && deed.keys[0].first == "save"; });
+  const auto saved = std::ranges::count_if(actions_, [](const UserAction& action) {
+    return !action.keys.empty() && action.keys[0].first == "save";
+  });
   obey_order({{"save", fmt::format("live{}", saved + 1)}});
 }
 
@@ -126,7 +127,7 @@ void Session::obey_order(const Command& order) {
                 file_.points[0].experiment.program->name);
   const auto record = read_order(*orders_, order);
   const double at_s = view_.take_order(record, {shown_s()});
-  deeds_.push_back(make_deed(at_s, order));
+  actions_.push_back(make_action(at_s, order));
   has_left_ |= order.contains("leave");
 }
 
@@ -157,7 +158,7 @@ void Session::obey_fault(const Command& fault) {
     faults_ = std::move(experiment.faults);
   };
   const auto at = [&](int id) -> auto& { return *processors[static_cast<std::size_t>(id)]; };
-  Deed deed{"fault", at_s, {}};
+  UserAction action{"fault", at_s, {}};
   if (fault.contains("link")) {
     const auto& link = fault["link"];
     base::require(link.is_array() && link.size() == 2, "link", "expected two processors");
@@ -170,16 +171,16 @@ void Session::obey_fault(const Command& fault) {
                   at(b).name());
     check_with({.at_s = at_s, .a = a_number, .b = b_number});
     machine_->cut_link(at(a), at(b), {at_s});
-    deed.keys.emplace_back("link", fmt::format("[{}, {}]", a_number, b_number));
+    action.keys.emplace_back("link", fmt::format("[{}, {}]", a_number, b_number));
   } else {
     const auto [id, number] =
         find(fault.contains("processor") ? fault["processor"] : ordered_json());
     check_with({.at_s = at_s, .a = number});
     machine_->stop_processor(at(id), {at_s});
-    deed.keys.emplace_back("processor", fmt::format("{}", number));
+    action.keys.emplace_back("processor", fmt::format("{}", number));
   }
   fault_after_s_ = at_s;
-  deeds_.push_back(std::move(deed));
+  actions_.push_back(std::move(action));
 }
 
 // Makes the user leave if no order remains: otherwise the machine would wait.

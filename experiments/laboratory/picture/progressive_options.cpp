@@ -45,8 +45,8 @@ void save_stats(const RenderTask& task, const TreeRays& all, Json steps, double 
   base::save_whole(task.stats, stats.dump(2) + "\n");
 }
 
-std::string name_of(Growth growth, const Step& step) {
-  return growth == Growth::cells ? fmt::format("cell-{}.png", step.min_cell)
+std::string name_of(StepKind kind, const Step& step) {
+  return kind == StepKind::cells ? fmt::format("cell-{}.png", step.min_cell)
                                  : fmt::format("depth-{}.png", step.depth);
 }
 
@@ -58,7 +58,7 @@ void add_progressive_options(CLI::App& command, ProgressiveOptions& o) {
                        "in steps, with cells that are refined where the image needs it; outside "
                        "--area the first cells stay");
   bind_options(command,
-               {growth_field<ProgressiveOptions>(&ProgressiveOptions::growth),
+               {step_kind_field<ProgressiveOptions>(&ProgressiveOptions::kind),
                 max_cell_field<ProgressiveOptions>(&ProgressiveOptions::max_cell)},
                o);
   bind_options(command, base::select(step_fields(), {"min_cell", "contrast"}), o.last);
@@ -76,7 +76,7 @@ void render_progressively(const ProgressiveOptions& o, const RenderTask& task) {
   check(last, task.params, o.max_cell);
   const auto scene = renderer::load_scene(task.scene);
   if (!task.key_images.empty()) make_folder("--key-images", task.key_images);
-  const auto steps = make_steps(o.growth, o.max_cell, last);
+  const auto steps = make_steps(o.kind, o.max_cell, last);
   const InterruptGuard guard;  // until all is written
   Progress bar("rendering");
   Clock clock;
@@ -91,12 +91,12 @@ void render_progressively(const ProgressiveOptions& o, const RenderTask& task) {
     seconds += clock.lap();
     if (!counts) is_stopped = true;
     // Trees without a deeper level have none further below either.
-    if (!counts || (o.growth == Growth::depth && counts->rays.fresh.total() == 0)) break;
+    if (!counts || (o.kind == StepKind::depth && counts->rays.fresh.total() == 0)) break;
     all += counts->rays;
     rows.push_back(make_step_json(step, *counts));
     picture = image.make_picture();
     if (!task.key_images.empty())
-      renderer::save_png((fs::path(task.key_images) / name_of(o.growth, step)).string(), *picture);
+      renderer::save_png((fs::path(task.key_images) / name_of(o.kind, step)).string(), *picture);
     clock.lap();
     bar.show(rows.size(), steps.size());
   }

@@ -11,7 +11,7 @@ struct ProgressiveOptions {
   bool is_wanted = false, no_pyramid = false;
   renderer::progressive::Step last;
   int max_cell = 16;
-  renderer::progressive::Growth growth = renderer::progressive::Growth::cells;
+  renderer::progressive::StepKind kind = renderer::progressive::StepKind::cells;
 };
 
 /// The input common to all ways of rendering; the parameters have passed renderer::check().

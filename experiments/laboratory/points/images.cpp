@@ -11,8 +11,8 @@
 #include "base/errors.hpp"
 #include "base/partial_name.hpp"
 #include "base/whole_file.hpp"
-#include "experiments/laboratory/host/carry.hpp"
 #include "experiments/laboratory/host/hash.hpp"
+#include "experiments/laboratory/host/link_files.hpp"
 #include "experiments/laboratory/points/results.hpp"
 
 namespace laboratory {
@@ -148,7 +148,7 @@ void place_images(const ExperimentFile& file, Results& results, const fs::path& 
       const Shared& placed = shared.at(key_of(image));
       const auto place = [&](const std::string& source) {
         const auto name = placed.stem + fs::path(source).extension().string();
-        if (!fs::exists(folder / name)) carry_file(records / source, folder / name);
+        if (!fs::exists(folder / name)) link_file(records / source, folder / name);
         return name;
       };
       image.path = place(image.file);

@@ -9,7 +9,7 @@
 #include "base/errors.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
-#include "experiments/laboratory/host/carry.hpp"
+#include "experiments/laboratory/host/link_files.hpp"
 #include "experiments/laboratory/host/version.hpp"
 
 namespace laboratory {

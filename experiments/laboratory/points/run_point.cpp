@@ -9,11 +9,11 @@
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/file/schema.hpp"
 #include "experiments/laboratory/film/film.hpp"
-#include "experiments/laboratory/host/carry.hpp"
+#include "experiments/laboratory/host/link_files.hpp"
 #include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/points/images.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
-#include "simulator/observe/watch.hpp"
+#include "simulator/observe/run_monitor.hpp"
 #include "topologies/graph/partition.hpp"
 #include "topologies/make/generators.hpp"
 
@@ -42,9 +42,9 @@ Setup make_setup_without_network(const Experiment& experiment, const machine::Mo
 }
 
 Setup make_setup(const Experiment& experiment, const machine::Model& model,
-                 const RunOptions& options, observe::Watch& watch) {
+                 const RunOptions& options, observe::RunMonitor& monitor) {
   auto setup = make_setup_without_network(experiment, model);
-  setup.watch = &watch;
+  setup.monitor = &monitor;
   setup.profile = options.profile;
   const auto& uses = experiment.program->uses;
   if (uses.network) setup.topology = make_workers(experiment);
@@ -178,10 +178,10 @@ void tell_failure(PointResult& result, const std::exception_ptr& why) {
 }
 
 PointResult run(const Experiment& experiment, const fs::path& images, const RunOptions& options,
-                observe::Watch& watch) {
+                observe::RunMonitor& monitor) {
   const double start_s = process_cpu_s();
   const auto model = make_model(experiment.model);
-  const auto setup = make_setup(experiment, model, options, watch);
+  const auto setup = make_setup(experiment, model, options, monitor);
   auto result = describe(experiment, setup.topology);
   const double run_start_s = process_cpu_s();
   try {
@@ -198,9 +198,9 @@ PointResult run(const Experiment& experiment, const fs::path& images, const RunO
     result.host.events = outcome.events;
     result.rows = std::move(outcome.rows);
     result.notes = std::move(outcome.notes);
-    if (watch.deadlock) tell_failure(result, watch.deadlock);
+    if (monitor.deadlock) tell_failure(result, monitor.deadlock);
   } catch (const programs::Unfinished&) {
-    result.ended = machine::to_string(watch.end);
+    result.ended = machine::to_string(monitor.end);
   }
   result.host.total_s = process_cpu_s() - start_s;
   return result;
@@ -274,20 +274,20 @@ PointResult describe_point(const Experiment& experiment) {
 }
 
 PointResult run_point(const Point& point, const RunOptions& options, const fs::path& images,
-                      observe::Spectator* spectator) {
+                      observe::RunController* controller) {
   check_films(options.films, point.experiment);
   const bool draws = !options.films.network.empty();
   Film film(options.films, draws ? make_workers(point.experiment) : topologies::Topology{},
             options.from_s);
   observe::Trace trace;
-  observe::Watch watch;
-  watch.until = {options.until_s};
-  watch.from = {options.from_s};
-  if (options.wants_trace()) watch.trace = &trace;
-  watch.spectator = spectator;
-  if (options.films.is_asked()) watch.onlooker = &film;
+  observe::RunMonitor monitor;
+  monitor.until = {options.until_s};
+  monitor.from = {options.from_s};
+  if (options.wants_trace()) monitor.trace = &trace;
+  monitor.controller = controller;
+  if (options.films.is_asked()) monitor.observer = &film;
   try {
-    auto result = run(point.experiment, images, options, watch);
+    auto result = run(point.experiment, images, options, monitor);
     save_traces(point, options, trace, film);
     return result;
   } catch (const machine::Fault&) {

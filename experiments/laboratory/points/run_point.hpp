@@ -4,7 +4,7 @@
 
 #include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_result.hpp"
-#include "simulator/observe/spectator.hpp"
+#include "simulator/observe/run_observers.hpp"
 
 namespace laboratory {
 
@@ -24,8 +24,9 @@ PointResult describe_point(const Experiment& experiment);
 
 /// Runs the program of a point with these options and puts its images into the folder `images`, in
 /// files named by content. Writes the traces and films, even if a fault ends the simulation. Throws
-/// all exceptions of the program except Unfinished. `spectator`: observer of the run; null: none.
+/// all exceptions of the program except Unfinished. `controller`: observer of the run; null: none.
 PointResult run_point(const Point& point, const RunOptions& options,
-                      const std::filesystem::path& images, observe::Spectator* spectator = nullptr);
+                      const std::filesystem::path& images,
+                      observe::RunController* controller = nullptr);
 
 }  // namespace laboratory

@@ -145,20 +145,21 @@ struct FittedLaw {
 double serial_of(const Fit& fit) { return fit.parameters[0].value; }
 
 const FittedLaw& find_law(Law law) {
-  using Growth = const std::vector<double>&;
+  using Workload = const std::vector<double>&;
   static const std::map<Law, FittedLaw> LAWS = {
       {Law::amdahl,
-       {"Amdahl's law (± 95 %)", [](const Series& c, Growth) { return fit_amdahl(c.x, c.y); },
+       {"Amdahl's law (± 95 %)", [](const Series& c, Workload) { return fit_amdahl(c.x, c.y); },
         [](const Fit& fit, double x, double) { return amdahl_speedup(serial_of(fit), x); }}},
       {Law::gustafson,
-       {"Gustafson's law (± 95 %)", [](const Series& c, Growth) { return fit_gustafson(c.x, c.y); },
+       {"Gustafson's law (± 95 %)",
+        [](const Series& c, Workload) { return fit_gustafson(c.x, c.y); },
         [](const Fit& fit, double x, double) { return gustafson_speedup(serial_of(fit), x); }}},
       {Law::sun_ni,
        {"Sun and Ni's law (± 95 %)",
-        [](const Series& c, Growth growth) { return fit_sun_ni(c.x, c.y, growth); },
+        [](const Series& c, Workload growth) { return fit_sun_ni(c.x, c.y, growth); },
         [](const Fit& fit, double x, double g) { return sun_ni_speedup(serial_of(fit), x, g); }}},
       {Law::log,
-       {"a + k log10 x (± 95 %)", [](const Series& c, Growth) { return fit_log(c.x, c.y); },
+       {"a + k log10 x (± 95 %)", [](const Series& c, Workload) { return fit_log(c.x, c.y); },
         [](const Fit& fit, double x, double) {
           return fit.parameters[0].value + fit.parameters[1].value * std::log10(x);
         }}}};

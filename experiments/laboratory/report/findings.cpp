@@ -9,7 +9,7 @@
 #include <map>
 #include <set>
 
-#include "experiments/laboratory/table/growth.hpp"
+#include "experiments/laboratory/table/power_law.hpp"
 
 namespace laboratory {
 namespace {
@@ -58,41 +58,41 @@ std::string begin(std::string sentence) {
 
 // ---- Bends ----
 
-struct Grown {
+struct FittedCurve {
   const Series* curve;
-  Growth growth;
+  PowerLaw law;
 };
 
 // Formats "workers^0.95", or the range "workers^0.90…0.95" of several.
-std::string name_power(const std::string& x, const std::vector<Grown>& all,
-                       double Growth::*exponent) {
+std::string name_power(const std::string& x, const std::vector<FittedCurve>& all,
+                       double PowerLaw::*exponent) {
   const auto [low, high] =
-      std::ranges::minmax(all, {}, [&](const Grown& grown) { return grown.growth.*exponent; });
+      std::ranges::minmax(all, {}, [&](const FittedCurve& fitted) { return fitted.law.*exponent; });
   // Adding 0 avoids the power -0.00.
   const auto round = [](double value) {
     return fmt::format("{:.2f}", std::round(100 * value) / 100 + 0.0);
   };
-  const auto from = round(low.growth.*exponent), to = round(high.growth.*exponent);
+  const auto from = round(low.law.*exponent), to = round(high.law.*exponent);
   return from == to ? fmt::format("{}^{}", x, from) : fmt::format("{}^{}…{}", x, from, to);
 }
 
 std::string tell_bends(const Plot& plot) {
   const auto curves = curves_of(plot);
-  std::map<std::optional<double>, std::vector<Grown>> groups;
+  std::map<std::optional<double>, std::vector<FittedCurve>> groups;
   for (const auto* s : curves)
-    if (const auto growth = fit_growth(s->x, s->y)) groups[growth->bend].push_back({s, *growth});
+    if (const auto law = fit_power_law(s->x, s->y)) groups[law->bend].push_back({s, *law});
   if (groups.empty()) return "";
   const auto x = without_unit(plot.x_label);
   Texts bends;
   std::string straight;
   for (const auto& [bend, group] : groups) {
     Curves some;
-    for (const auto& grown : group) some.push_back(grown.curve);
+    for (const auto& fitted : group) some.push_back(fitted.curve);
     const auto names = name_curves(some, curves.size());
-    const auto before = name_power(x, group, &Growth::before);
+    const auto before = name_power(x, group, &PowerLaw::before);
     if (bend)
       bends.push_back(fmt::format("at {}{} ({}, then {})", name_x(plot, *bend), names, before,
-                                  name_power(x, group, &Growth::after)));
+                                  name_power(x, group, &PowerLaw::after)));
     else
       straight = fmt::format("has no bend{} (goes as {})", names, before);
   }

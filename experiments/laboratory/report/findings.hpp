@@ -10,7 +10,7 @@
 namespace laboratory {
 
 /// At most one sentence of each kind about each plot, shared by curves with the same finding:
-/// - bends (fit_growth): "Speed-up bends at 4 workers for 200 objects (workers^0.95, then
+/// - bends (fit_power_law): "Speed-up bends at 4 workers for 200 objects (workers^0.95, then
 ///   workers^0.35)";
 /// - limits, if the points' loads are known: "Limited by coordination from 6 workers on for 200
 ///   objects (at 7 workers 0.98: its CPU 42 %, waiting for replies 52 %)", once for equal points;

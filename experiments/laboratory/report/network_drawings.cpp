@@ -10,7 +10,7 @@
 
 #include "base/share.hpp"
 #include "base/whole_file.hpp"
-#include "experiments/laboratory/host/carry.hpp"
+#include "experiments/laboratory/host/link_files.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/results.hpp"
 #include "experiments/laboratory/setup/setup.hpp"

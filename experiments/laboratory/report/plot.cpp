@@ -87,13 +87,13 @@ void add_point(std::vector<Series>& all, const std::string& name, std::size_t ro
   series->rows.push_back(row);
 }
 
-void add_bands(Plot& plot, const Table& table, const SurenessTables& sureness) {
+void add_bands(Plot& plot, const Table& table, const ConfidenceTables& confidence) {
   for (auto& series : plot.series) {
     if (series.kind != SeriesKind::curve || series.column.empty()) continue;
     std::vector<double> low = series.y, high = series.y;
     bool is_wide = false;
     for (std::size_t i = 0; i < series.rows.size(); ++i)
-      if (const auto interval = find_interval(sureness, table, series.rows[i], series.column)) {
+      if (const auto interval = find_interval(confidence, table, series.rows[i], series.column)) {
         std::tie(low[i], high[i]) = *interval;
         is_wide = true;
       }

@@ -7,7 +7,7 @@
 
 #include "experiments/laboratory/table/axis_values.hpp"
 #include "experiments/laboratory/table/table.hpp"
-#include "experiments/laboratory/uncertain/sureness.hpp"
+#include "experiments/laboratory/uncertain/confidence.hpp"
 
 namespace laboratory {
 
@@ -71,7 +71,7 @@ void add_point(std::vector<Series>& all, const std::string& name, std::size_t ro
                double y);
 
 /// Adds a band to each curve whose column has intervals; its width is zero if all machines agree.
-void add_bands(Plot& plot, const Table& table, const SurenessTables& sureness);
+void add_bands(Plot& plot, const Table& table, const ConfidenceTables& confidence);
 
 /// Sorts the points of each series by x; equal ones keep their order.
 void sort_points(std::vector<Series>& all);

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "experiments/laboratory/report/simulation.hpp"
-#include "simulator/tracing/busy.hpp"
+#include "simulator/ray_tracing/busy.hpp"
 
 namespace laboratory {
 
@@ -21,7 +21,7 @@ struct PointLoads {
 std::vector<PointLoads> load_loads(const std::filesystem::path& folder, const Simulation& s);
 
 /// A point is limited by its busiest resource if that was busy for at least this share of the time.
-inline constexpr double SATURATED = tracing::SATURATED;
+inline constexpr double SATURATED = ray_tracing::SATURATED;
 
 /// The limiting resource of the point, the first of its loads; null if nothing is saturated.
 const programs::Load* find_limit(const PointLoads& point);

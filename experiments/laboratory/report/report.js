@@ -613,7 +613,7 @@
     });
   }
 
-  document.documentElement.classList.add("has-hands");
+  document.documentElement.classList.add("is-interactive");
   for (const table of document.querySelectorAll("main table")) makeRows(table);
   document.querySelectorAll("figure.plot").forEach((figure, i) => {
     if (plots[i]) new Plot(figure, plots[i], i);

@@ -9,8 +9,8 @@
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/file/values.hpp"
-#include "experiments/laboratory/host/carry.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
+#include "experiments/laboratory/host/link_files.hpp"
 #include "experiments/laboratory/host/results_folder.hpp"
 #include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/judge/best.hpp"
@@ -29,7 +29,7 @@
 #include "experiments/laboratory/report/plot_script.hpp"
 #include "experiments/laboratory/report/report.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
-#include "experiments/laboratory/uncertain/sureness.hpp"
+#include "experiments/laboratory/uncertain/confidence.hpp"
 #include "experiments/laboratory/uncertain/tornado.hpp"
 
 namespace laboratory {
@@ -315,10 +315,10 @@ Table choose_rows(Table table, const Texts& columns) {
 
 // Adds the confidence in the results from drawn machines, and a tornado chart of the first.
 void add_sureness(Report& report, Texts& undrawn, const fs::path& folder) {
-  const auto found = load_sureness(folder);
+  const auto found = load_confidence(folder);
   if (!found) return;
   const auto& columns = report.shown_columns;
-  const auto sentences = tell_sureness(*found, columns);
+  const auto sentences = describe_confidence(*found, columns);
   append(report.findings, sentences);
   report.answers.push_back(
       {"How sure these numbers are",
@@ -365,8 +365,8 @@ Texts write_report(const fs::path& folder, const RunOptions& options, const Simu
   auto exhibits = add_figures(report, folder, s);
   if (s.file.plots.empty())
     for (const auto& plot : usual_plots(s.file, s.table)) exhibits.push_back({.plot = plot});
-  if (const auto sureness = load_sureness(folder))
-    for (auto& exhibit : exhibits) add_bands(exhibit.plot, s.table, *sureness);
+  if (const auto confidence = load_confidence(folder))
+    for (auto& exhibit : exhibits) add_bands(exhibit.plot, s.table, *confidence);
   add_findings(report, exhibits, !s.file.plots.empty());
   const Table growth = make_growth_table(s.file, s.results);
   save_unless_empty(folder / "growth.csv", growth);
@@ -408,10 +408,10 @@ void report_results(const std::string& results, const Texts& columns) {
       for (const auto& sentence : choose_view(simulation.file, simulation.table).unknown)
         base::refuse("--columns", "{}", sentence);
     folder.fill([&] {
-      carry_files(results, folder.working());
-      carry_files(results / fs::path("points"), folder.working() / "points");
-      carry_records(results, folder.working());
-      carry_files(results / lone_records_folder(), folder.working() / lone_records_folder());
+      link_files(results, folder.working());
+      link_files(results / fs::path("points"), folder.working() / "points");
+      link_records(results, folder.working());
+      link_files(results / lone_records_folder(), folder.working() / lone_records_folder());
       undrawn = write_report(folder.working(), origin.options, simulation);
     });
   } catch (const nlohmann::json::exception& error) {

@@ -119,7 +119,7 @@ Simulation load_simulation(const fs::path& folder, const ExperimentFile& file) {
   const auto plan = plan_checks(s.file);
   s.table = make_table(plan, s.file, s.results);
   s.checks = eval_checks(plan, s.file, s.table);
-  if (const auto sureness = load_sureness(folder)) check_cover(s.checks, s.table, *sureness);
+  if (const auto confidence = load_confidence(folder)) check_cover(s.checks, s.table, *confidence);
   s.ended = run.at("ended").get<std::string>();
   s.complete = run.at("complete").get<bool>();
   return s;

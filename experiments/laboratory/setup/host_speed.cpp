@@ -10,7 +10,7 @@
 #include "experiments/laboratory/setup/setup.hpp"
 #include "renderer/files/load_scene.hpp"
 #include "simulator/farm/farm.hpp"
-#include "simulator/radiosity/radiosity.hpp"
+#include "simulator/parallel_radiosity/radiosity.hpp"
 #include "topologies/make/generators.hpp"
 
 namespace laboratory {
@@ -56,11 +56,12 @@ radiosity::Room make_room() {
 }
 
 Kernels run_radiosity(const machine::Model& model) {
-  amp::Params params;
+  parallel_radiosity::Params params;
   params.solve.shots = SHOTS;
   params.cycles_per_host_s = 1;
   const auto worker = topologies::make_topology("line:1");
-  return amp::run_radiosity(model, worker, make_mesh(make_room(), {}), params).kernels;
+  return parallel_radiosity::run_radiosity(model, worker, make_mesh(make_room(), {}), params)
+      .kernels;
 }
 
 double eval_speed(const Kernels& kernels) {

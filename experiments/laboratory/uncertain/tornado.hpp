@@ -2,7 +2,7 @@
 // A tornado chart of the effect of each assumption on a result, the largest at the top.
 #include <string>
 
-#include "experiments/laboratory/uncertain/sureness.hpp"
+#include "experiments/laboratory/uncertain/confidence.hpp"
 
 namespace laboratory {
 

@@ -317,7 +317,7 @@ auto eval_chain(const MirroredSight& sight, const Source& source) {
 }
 
 template <class Source>
-constexpr bool KEEPS = std::is_same_v<Source, Recorder>;
+constexpr bool KEEPS = std::is_same_v<Source, TermCollector>;
 
 // The sum over all chains that extend the one of `sight`, without that one.
 template <class Source>
@@ -352,7 +352,7 @@ Rgb eval_mirrored_light(const Eye& eye, const Vertex& vertex, const Sender& send
 void find_mirrored_terms(const Eye& eye, const Vertex& vertex, const Sender& sender, Terms& kept,
                          Work& work) {
   const Chain none({vertex.lit, vertex.normal});
-  sum_chains({eye, vertex, sender.patch, sender.quad, none, work}, Recorder{kept});
+  sum_chains({eye, vertex, sender.patch, sender.quad, none, work}, TermCollector{kept});
 }
 
 }  // namespace radiosity

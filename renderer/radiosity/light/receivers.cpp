@@ -69,7 +69,7 @@ struct Looks {
   Mask looking;
 };
 
-// Recorder in lanes.
+// TermCollector in lanes.
 struct TermLanes {
   Lanes share, s, t;
 };
@@ -224,7 +224,7 @@ class Near {
       return eval_seen(quad, delta, vertex.normal, look, source, work_);
     };
     if (sum_.kept)
-      eval(Recorder{(*sum_.kept)[receiver]});
+      eval(TermCollector{(*sum_.kept)[receiver]});
     else
       sum_.lights[receiver] += is_even ? eval(EvenGlow{glow.at}) : eval(glow);
   }

@@ -30,7 +30,7 @@ struct Terms {
 };
 
 /// A source for sum_deltas() that keeps terms instead of adding them up.
-struct Recorder {
+struct TermCollector {
   static constexpr bool IS_EVEN = false;
   struct Nothing {
     Nothing& operator+=(const Nothing&) { return *this; }

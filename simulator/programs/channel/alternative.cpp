@@ -1,5 +1,5 @@
 // An ALT over n guards, none ready, and one output.
-#include "simulator/declare/support.hpp"
+#include "simulator/programs/declare/support.hpp"
 
 namespace programs {
 

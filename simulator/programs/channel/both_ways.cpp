@@ -2,7 +2,7 @@
 //
 //   p0: sender --->  p1: receiver
 //   p0: receiver <--- p1: sender
-#include "simulator/declare/support.hpp"
+#include "simulator/programs/declare/support.hpp"
 
 namespace programs {
 

@@ -8,7 +8,7 @@
 //
 // Charges what compiled occam executes around channels, by instruction: the jump back of a WHILE, a
 // turn of a replicated SEQ, an addition.
-#include "simulator/declare/support.hpp"
+#include "simulator/programs/declare/support.hpp"
 
 namespace programs {
 

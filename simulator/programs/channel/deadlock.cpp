@@ -1,6 +1,6 @@
 // A ring of processes that deadlocks. In the first round every second process inputs before it
 // outputs. In the second all output first, and each waits for its neighbour.
-#include "simulator/declare/support.hpp"
+#include "simulator/programs/declare/support.hpp"
 
 namespace programs {
 

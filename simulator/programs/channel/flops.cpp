@@ -1,5 +1,5 @@
 // Floating-point additions, one after another: the peak rate of data sheets.
-#include "simulator/declare/support.hpp"
+#include "simulator/programs/declare/support.hpp"
 
 namespace programs {
 

@@ -1,7 +1,7 @@
 // A router at high priority on a processor that computes at low priority.
 //
 //   p0: sender ===> p1: router, and a computation ===> p2: receiver
-#include "simulator/declare/support.hpp"
+#include "simulator/programs/declare/support.hpp"
 
 namespace programs {
 

@@ -1,5 +1,5 @@
 // One message over one link: the time of a communication between two processors.
-#include "simulator/declare/support.hpp"
+#include "simulator/programs/declare/support.hpp"
 
 namespace programs {
 

@@ -1,5 +1,5 @@
 // A saturated pipeline: every stage inputs, computes, outputs.
-#include "simulator/declare/support.hpp"
+#include "simulator/programs/declare/support.hpp"
 
 namespace programs {
 

@@ -1,5 +1,5 @@
 // Request and reply between two processors.
-#include "simulator/declare/support.hpp"
+#include "simulator/programs/declare/support.hpp"
 
 namespace programs {
 

@@ -1,5 +1,5 @@
 // One message on a soft channel: two processes of one processor.
-#include "simulator/declare/support.hpp"
+#include "simulator/programs/declare/support.hpp"
 
 namespace programs {
 

@@ -3,7 +3,7 @@
 //   source 0 --.
 //   source 1 ---+-> multiplexer ===> relay ===> sink
 //   source k --'          p0           p1        p2
-#include "simulator/declare/support.hpp"
+#include "simulator/programs/declare/support.hpp"
 
 namespace programs {
 

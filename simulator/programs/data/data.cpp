@@ -1,7 +1,7 @@
 #include "simulator/programs/data/data.hpp"
 
 #include "base/random.hpp"
-#include "simulator/declare/routers.hpp"
+#include "simulator/programs/declare/routers.hpp"
 
 namespace programs {
 
@@ -117,7 +117,7 @@ std::vector<DataPass> run_data(const Setup& setup, const network::Routing& routi
   for (int id = 0; id < n; ++id)
     machine[id].start(machine[id].name() + ".application", Priority::low,
                       [&, id] { test.live(id); });
-  observe::View view;
+  observe::ControlPanel view;
   show(view, network);
   show(view, memory);
   run_machine(setup, machine, view);

@@ -3,7 +3,7 @@
 // places of the items.
 #include <optional>
 
-#include "simulator/declare/program.hpp"
+#include "simulator/programs/declare/program.hpp"
 #include "simulator/shared_memory/virtual_memory.hpp"
 
 namespace programs {

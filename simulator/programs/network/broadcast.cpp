@@ -1,6 +1,6 @@
 // Broadcast from the root along the spanning tree: each processor forwards the message to its
 // children, in parallel (PAR) or one after another (SEQ).
-#include "simulator/declare/support.hpp"
+#include "simulator/programs/declare/support.hpp"
 
 namespace programs {
 

@@ -1,6 +1,6 @@
 // Transit load of each processor of a network, from its routes; simulates nothing.
 
-#include "simulator/declare/support.hpp"
+#include "simulator/programs/declare/support.hpp"
 
 namespace programs {
 

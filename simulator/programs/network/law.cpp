@@ -1,7 +1,7 @@
 // A program with a fixed serial fraction: the first processor does the serial part, then all share
 // the rest. Amdahl's and Gustafson's laws, thesis Eq 2.2, 2.3 and 4.29.
-#include "simulator/declare/support.hpp"
 #include "simulator/network/store_and_forward.hpp"
+#include "simulator/programs/declare/support.hpp"
 
 namespace programs {
 

@@ -1,7 +1,7 @@
 // Distances in a network, for comparison with textbooks; simulates nothing.
 #include "topologies/graph/metrics.hpp"
 
-#include "simulator/declare/program.hpp"
+#include "simulator/programs/declare/program.hpp"
 #include "topologies/route/route_load.hpp"
 
 namespace programs {

@@ -1,7 +1,7 @@
 // A farm of equal tasks: the first processor distributes them, the others work. The workers or the
 // centre limit its throughput.
-#include "simulator/declare/support.hpp"
 #include "simulator/network/store_and_forward.hpp"
+#include "simulator/programs/declare/support.hpp"
 
 namespace programs {
 

@@ -1,8 +1,8 @@
 #include "simulator/programs/network/traffic.hpp"
 
 #include "base/random.hpp"
-#include "simulator/declare/support.hpp"
 #include "simulator/network/store_and_forward.hpp"
+#include "simulator/programs/declare/support.hpp"
 
 namespace programs {
 

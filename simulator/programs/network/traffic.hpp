@@ -2,7 +2,7 @@
 // Packets offered to a network of routers at given times, and their delays.
 #include <vector>
 
-#include "simulator/declare/program.hpp"
+#include "simulator/programs/declare/program.hpp"
 
 namespace programs {
 

@@ -1,6 +1,6 @@
 // One packet through an idle network of routers to a processor `hops` links away.
-#include "simulator/declare/support.hpp"
 #include "simulator/network/store_and_forward.hpp"
+#include "simulator/programs/declare/support.hpp"
 
 namespace programs {
 

@@ -2,7 +2,7 @@
 #include "renderer/files/load_scene.hpp"
 #include "renderer/quality/quality.hpp"
 #include "renderer/trace/render.hpp"
-#include "simulator/declare/support.hpp"
+#include "simulator/programs/declare/support.hpp"
 
 namespace programs {
 

@@ -2,9 +2,9 @@
 #include "renderer/progressive/progressive.hpp"
 
 #include "renderer/files/load_scene.hpp"
-#include "simulator/declare/support.hpp"
-#include "simulator/growth/growth.hpp"
 #include "simulator/kernels/kernels.hpp"
+#include "simulator/programs/declare/support.hpp"
+#include "simulator/snapshots/quality_curve.hpp"
 
 namespace programs {
 
@@ -19,7 +19,7 @@ struct Params {
   renderer::Params image;
   Step step;  // the last step, except for its depth and area
   int max_cell = 16;
-  renderer::progressive::Growth growth = renderer::progressive::Growth::cells;
+  renderer::progressive::StepKind kind = renderer::progressive::StepKind::cells;
 };
 
 struct Measured {
@@ -38,7 +38,7 @@ Step last_step(const Params& params) {
 
 Image make_picture(const Params& params, const Step& step, Seconds time,
                    const Progressive& progressive) {
-  const auto name = params.growth == renderer::progressive::Growth::cells
+  const auto name = params.kind == renderer::progressive::StepKind::cells
                         ? fmt::format("cell-{}", step.min_cell)
                         : fmt::format("level-{}", step.depth);
   return {.name = name,
@@ -54,14 +54,14 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   const auto costs = kernels::tree_costs(setup.model);
   Machine machine(setup, 1);
   Outcome<Measured> outcome;
-  std::vector<growth::Shown> shown;
+  std::vector<snapshots::Snapshot> shown;
   std::uint64_t rays = 0, cycles = 0;
   machine[0].start("renderer", Priority::low, [&] {
     Progressive progressive(scene, params.image, params.max_cell);
-    for (const Step& step : make_steps(params.growth, params.max_cell, last_step(params))) {
+    for (const Step& step : make_steps(params.kind, params.max_cell, last_step(params))) {
       const auto counts = progressive.advance(step);
       // If a level adds no rays, deeper levels add none either.
-      if (params.growth == renderer::progressive::Growth::depth && counts.rays.fresh.total() == 0)
+      if (params.kind == renderer::progressive::StepKind::depth && counts.rays.fresh.total() == 0)
         break;
       const auto cost = costs(counts.rays.work.counts);
       compute(cost);
@@ -74,7 +74,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
     }
   });
   run_machine(setup, machine);
-  outcome.growth = growth::make_growth(shown, params.image.width, params.max_cell).rows;
+  outcome.growth = snapshots::make_quality_curve(shown, params.image.width, params.max_cell).rows;
   return outcome;
 }
 
@@ -82,7 +82,7 @@ base::Fields<Params> make_fields() {
   using D = base::Declare<Params>;
   return base::join<base::Field<Params>>(
       {D::source("scene", &Params::scene, "room:27, spheres:200, hills:20000 or an NFF file"),
-       renderer::progressive::growth_field<Params>(&Params::growth),
+       renderer::progressive::step_kind_field<Params>(&Params::kind),
        renderer::progressive::max_cell_field<Params>(&Params::max_cell)},
       {base::lift_all<Params>(renderer::progressive::step_fields(), &Params::step),
        base::lift_all<Params>(renderer::param_fields(), &Params::image)});

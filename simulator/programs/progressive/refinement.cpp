@@ -6,7 +6,7 @@
 
 #include "renderer/files/load_scene.hpp"
 #include "renderer/quality/quality.hpp"
-#include "simulator/declare/program.hpp"
+#include "simulator/programs/declare/program.hpp"
 
 namespace programs {
 

@@ -1,6 +1,6 @@
 // A sequence of GLOBAL messages from the root, answered by every other processor (table 5.3): once
 // after the last message, or after each.
-#include "simulator/declare/routers.hpp"
+#include "simulator/programs/declare/routers.hpp"
 
 namespace programs {
 

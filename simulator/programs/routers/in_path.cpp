@@ -1,7 +1,7 @@
 // InPathTo requests along a line, sometimes answered by processors on the way (5.1.1.3).
 
 #include "base/random.hpp"
-#include "simulator/declare/routers.hpp"
+#include "simulator/programs/declare/routers.hpp"
 #include "topologies/make/generators.hpp"
 
 namespace programs {
@@ -65,7 +65,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
     }
     end = now();
   });
-  observe::View view;
+  observe::ControlPanel view;
   show(view, network);
   run_machine(setup, machine, view);
   const auto count = static_cast<double>(params.requests);

@@ -1,7 +1,7 @@
 // Every processor sends messages to random others: CPU shares of the routers and of the sending
 // application (table 5.2).
 #include "base/random.hpp"
-#include "simulator/declare/routers.hpp"
+#include "simulator/programs/declare/routers.hpp"
 
 namespace programs {
 

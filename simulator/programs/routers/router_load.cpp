@@ -1,7 +1,7 @@
 // Load-latency curve of routers: all processors offer messages at a given rate, and sinks take them
 // at once. The curve ends where queues grow without bound or overflow their buffers.
 #include "base/random.hpp"
-#include "simulator/declare/routers.hpp"
+#include "simulator/programs/declare/routers.hpp"
 
 namespace programs {
 

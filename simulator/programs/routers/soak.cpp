@@ -5,7 +5,7 @@
 #include <set>
 
 #include "base/random.hpp"
-#include "simulator/declare/routers.hpp"
+#include "simulator/programs/declare/routers.hpp"
 
 namespace programs {
 

@@ -19,7 +19,7 @@ TEST(ExperimentsFile, DefaultsAreOnePoint) {
   const Experiment& e = file.points[0].experiment;
   EXPECT_EQ(e.model.source.text, "t805-25");
   EXPECT_EQ(make_workers(e).name, "tree:7");
-  EXPECT_EQ(tracing::scene_source(farm_of(e).scene), "spheres:200");
+  EXPECT_EQ(ray_tracing::scene_source(farm_of(e).scene), "spheres:200");
   EXPECT_EQ(farm_of(e).farm.image.limits.depth, 15);
 }
 

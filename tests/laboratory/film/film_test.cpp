@@ -5,7 +5,7 @@
 
 #include <numeric>
 
-#include "simulator/observe/watch.hpp"
+#include "simulator/observe/run_monitor.hpp"
 #include "tests/laboratory/support/one_point.hpp"
 #include "tests/laboratory/support/tlab.hpp"
 #include "tests/laboratory/support/two_processors.hpp"
@@ -53,11 +53,11 @@ TEST(Film, ShowsSharesOfEachFramesTimeInTheColoursOfTheScale) {
   const auto line = topologies::make_line(2);
   Film film({.picture = "", .network = file, .frames = 3}, line, 0);
   observe::Trace trace;
-  observe::Watch watch;
-  watch.trace = &trace;
-  watch.onlooker = &film;
-  observe::run(lab.machine, watch);
-  EXPECT_NEAR(watch.ended.value, 1, 1e-4);
+  observe::RunMonitor monitor;
+  monitor.trace = &trace;
+  monitor.observer = &film;
+  observe::run(lab.machine, monitor);
+  EXPECT_NEAR(monitor.ended.value, 1, 1e-4);
   film.save("two processors", trace);
 
   const MachineDrawing drawing(lab.machine, line, {});

@@ -28,19 +28,19 @@ TEST(Cover, OwnErrorHasNineOfTenFurtherPoints) {
 // A column t over workers. On nine of ten machines t is between `low` and `high` times its value.
 struct Sure {
   explicit Sure(std::vector<double> expected, double low = 0.9, double high = 1.1) {
-    Sureness sureness;
-    sureness.machines = 19;
+    Confidence confidence;
+    confidence.machines = 19;
     CheckResult result;
     result.check.of = "t";
     result.verdict = Verdict::holds;
     for (std::size_t row = 0; row < expected.size(); ++row) {
       const double t = 100.0 / double(row + 1);
       table.rows.push_back({Value(std::int64_t(row + 1)), Value(t)});
-      sureness.intervals.push_back({row, 1, t, low * t, t, high * t, {low * t, t, high * t}});
+      confidence.intervals.push_back({row, 1, t, low * t, t, high * t, {low * t, t, high * t}});
       result.points.push_back({.row = row, .simulated = t, .expected = expected[row] * t});
     }
     results = {result};
-    check_cover(results, table, make_sureness_tables(table, sureness));
+    check_cover(results, table, make_confidence_tables(table, confidence));
   }
   const CheckResult::Covered& covered() const { return results[0].covered.value(); }
   Table table{.columns = {"workers", "t"}, .axes = 1, .rows = {}};

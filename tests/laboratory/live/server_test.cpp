@@ -214,10 +214,10 @@ TEST(LiveServer, StrangersLeaveRoomForPages) {
   test::run_isolated([] {
     Served served;
     served.run();
-    std::vector<tcp::socket> strangers;
+    std::vector<tcp::socket> pending;
     std::vector<Socket> silent;  // web sockets without a token
     const auto bring_strangers = [&] {
-      for (int i = 0; i < 150; ++i) strangers.push_back(served.connect());
+      for (int i = 0; i < 150; ++i) pending.push_back(served.connect());
       for (int i = 0; i < 80; ++i) silent.push_back(served.open());
       EXPECT_EQ(served.get("/", served.host()).result(), http::status::ok);  // accepts all
     };

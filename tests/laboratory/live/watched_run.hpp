@@ -13,11 +13,11 @@ namespace laboratory {
 
 // Forwards all calls to a session, and gives each command at its number of calls, or as soon as the
 // run waits. In the end it leaves the interactive phase.
-struct Driven : observe::Spectator {
+struct Driven : observe::RunController {
   Driven(Session& session, std::multimap<int, Session::Command> commands)
       : session(session), commands(std::move(commands)) {}
 
-  void begin(machine::Machine& machine, const observe::View& view) override {
+  void begin(machine::Machine& machine, const observe::ControlPanel& view) override {
     waits_for_user = view.waits_for_user;
     session.begin(machine, view);
   }
@@ -84,7 +84,7 @@ inline Watched watch(const std::string& text, const std::string& folder,
   auto result =
       run_point(file.points[0], options, std::filesystem::path(folder) / "images", &driven);
   if (session.ended_by_hand_s()) result.ended = "limit";
-  return {text_of(result), record_session(file, session.deeds(), folder),
+  return {text_of(result), record_session(file, session.actions(), folder),
           driven.replies,  session.ended_by_hand_s(),
           session.frame(), driven.calls};
 }

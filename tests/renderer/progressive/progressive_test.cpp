@@ -261,7 +261,7 @@ std::size_t count_lost(const Scene& scene, const Params& params, Step step) {
   Progressive image(scene, params, 16);
   image.advance(step);
   std::size_t lost = 0;
-  for (const auto object : find_owners(scene, params)) lost += !image.is_seen(object);
+  for (const auto object : find_owners(scene, params)) lost += !image.is_observed(object);
   return lost;
 }
 

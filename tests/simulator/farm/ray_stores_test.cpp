@@ -49,10 +49,10 @@ bool is_within(const renderer::Ray& ray, const Limits& limits) {
   const int x = static_cast<int>(ray.sample) % 32, y = static_cast<int>(ray.sample) / 32;
   const int size = cell_size(ray);
   const auto& area = limits.area;
-  const bool is_seen = area.width == 0 || (x < area.x + area.width && x + size > area.x &&
-                                           y < area.y + area.height && y + size > area.y);
+  const bool is_observed = area.width == 0 || (x < area.x + area.width && x + size > area.x &&
+                                               y < area.y + area.height && y + size > area.y);
   return ray.level <= (ray.through ? limits.depth_transmitted : limits.depth_reflected) &&
-         largest_factor(ray) >= limits.min_influence && size >= limits.min_cell && is_seen;
+         largest_factor(ray) >= limits.min_influence && size >= limits.min_cell && is_observed;
 }
 
 // A searched list: the behaviour of the stores without their structure.

@@ -257,7 +257,7 @@ TEST(Session, LookingCostsNothing) {
       test::isolated_numbers([] { return std::vector{run(small_params()).time_s}; })[0];
   const std::string told = isolated([blind_s] {
     Params params = small_params();
-    params.looks = {.at_s = {0.1, 0.25}, .every_s = 0.2, .growth = 10};
+    params.snapshot_times = {.at_s = {0.1, 0.25}, .every_s = 0.2, .growth = 10};
     const auto seen = run(params);
     std::string text =
         fmt::format("{} {} {}", blind_s == seen.time_s, seen.rgb8 == seen.growth.back().rgb8,

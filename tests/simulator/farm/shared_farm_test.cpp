@@ -97,7 +97,7 @@ TEST(SharedFarm, ImageEqualsTheSequentialRenderers) {
 TEST(SharedFarm, OfACacheThatHoldsAllEveryRecordIsAskedForOnce) {
   const auto scene = renderer::make_spheres(60);
   run_isolated([&] {
-    const auto size = tracing::size_of(scene);
+    const auto size = ray_tracing::size_of(scene);
     const auto use = run(small_block_params(4, 4), "tree:4", scene, shared_params(100)).shared.data;
     EXPECT_LE(use.requests, 4 * (size.boxes + size.objects));
     EXPECT_LE(use.found_at(shared_memory::Level::disk), size.boxes + size.objects);
@@ -209,9 +209,9 @@ TEST(SharedFarm, ARunThatIsCutShortTellsWhatWasDone) {
   const auto scene = renderer::make_spheres(60);
   const auto found = isolated([&] {
     auto params = small_block_params(2, 2);
-    observe::Watch watch;
-    watch.until = machine::Seconds{2};
-    params.watch = &watch;
+    observe::RunMonitor monitor;
+    monitor.until = machine::Seconds{2};
+    params.monitor = &monitor;
     const auto result = run(params, "tree:3", scene, shared_params(30)).farm;
     return fmt::format("{} {} {}", machine::to_string(result.end), result.setup_s + result.time_s,
                        farm::find_loads(result).empty());

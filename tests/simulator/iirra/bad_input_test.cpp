@@ -72,9 +72,9 @@ TEST(IirraInput, StagesAndOrdersAreLookedAt) {
   params.stages[0].area = {20, 0, 5, 5};
   EXPECT_NE(error_of(params).find("area"), std::string::npos) << error_of(params);
   params = small_params();
-  params.script = {{{2}, {tracing::Abort{}}}, {{1}, {tracing::Abort{}}}};
+  params.script = {{{2}, {ray_tracing::Abort{}}}, {{1}, {ray_tracing::Abort{}}}};
   expect_error("order 2: its time", params);
-  params.script = {{{1}, {tracing::Save{"a"}}}, {{2}, {tracing::Save{"a"}}}};
+  params.script = {{{1}, {ray_tracing::Save{"a"}}}, {{2}, {ray_tracing::Save{"a"}}}};
   EXPECT_NE(error_of(params).find("\"a\""), std::string::npos) << error_of(params);
 }
 

@@ -31,10 +31,10 @@ Result run(const std::string& name, double percent, bool is_double,
   params.is_double = is_double;
   params.balance = balance;
   if (percent > 0) {
-    tracing::SharedParams data;
+    ray_tracing::SharedParams data;
     data.cache_percent = percent;
     data.scheme = scheme;
-    params.data = make_data_params(model, tracing::size_of(scene), data);
+    params.data = make_data_params(model, ray_tracing::size_of(scene), data);
   }
   return run_iirra(model, topology, topologies::make_routes(topology), {}, scene, params);
 }

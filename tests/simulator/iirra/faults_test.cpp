@@ -100,9 +100,9 @@ TEST(IirraFaults, ACutAfterTheEndChangesNothing) {
 TEST(IirraFaults, ALimitOfTimeEndsWithWhatThereIs) {
   run_isolated([] {
     auto params = small_params();
-    observe::Watch watch;
-    watch.until = machine::Seconds{0.3};
-    params.watch = &watch;
+    observe::RunMonitor monitor;
+    monitor.until = machine::Seconds{0.3};
+    params.monitor = &monitor;
     const auto result = run(params);
     EXPECT_EQ(result.end, machine::End::limit);
     EXPECT_NEAR(result.setup_s + result.time_s, 0.3, 1e-12);

@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "simulator/tracing/data.hpp"
+#include "simulator/ray_tracing/data.hpp"
 #include "tests/simulator/iirra/iirra_support.hpp"
 #include "tests/support/places.hpp"
 
@@ -18,7 +18,7 @@ namespace {
 struct Case {
   std::string topology, scene;
   Params params;
-  std::optional<tracing::SharedParams> data;
+  std::optional<ray_tracing::SharedParams> data;
   std::uint64_t seed = 1;
 };
 
@@ -69,16 +69,16 @@ std::vector<Order> random_script(Random& random, const renderer::Area& area) {
     Order order{{at_s}, random_limits(random, area)};
     switch (below(random, 9)) {
       case 0:
-        order.what = tracing::NonInteractive{};
+        order.what = ray_tracing::NonInteractive{};
         break;
       case 1:
-        order.what = tracing::Interactive{};
+        order.what = ray_tracing::Interactive{};
         break;
       case 2:
-        order.what = tracing::Save{fmt::format("kept-{}", script.size())};
+        order.what = ray_tracing::Save{fmt::format("kept-{}", script.size())};
         break;
       case 3:
-        if (n == 0) order.what = tracing::Abort{};
+        if (n == 0) order.what = ray_tracing::Abort{};
         break;
       default:
         break;
@@ -88,8 +88,8 @@ std::vector<Order> random_script(Random& random, const renderer::Area& area) {
   return script;
 }
 
-tracing::SharedParams random_data(Random& random, network::Method method) {
-  tracing::SharedParams data;
+ray_tracing::SharedParams random_data(Random& random, network::Method method) {
+  ray_tracing::SharedParams data;
   data.cache_percent = 40 + below(random, 61);
   data.server_cache_percent = 50 + below(random, 51);
   data.scheme = random() % 2 ? shared_memory::Scheme::pages : shared_memory::Scheme::items;
@@ -184,8 +184,8 @@ Result run_case(const Case& c) {
   params.others = make_others(c, board.processors);
   if (c.data) {
     const auto model = machine::load_model("t805-25");
-    check_data(model, tracing::size_of(scene), *c.data);
-    params.data = make_data_params(model, tracing::size_of(scene), *c.data);
+    check_data(model, ray_tracing::size_of(scene), *c.data);
+    params.data = make_data_params(model, ray_tracing::size_of(scene), *c.data);
   }
   return run(params, board, scene);
 }
@@ -390,7 +390,7 @@ TEST(IirraRun, EveryEngineDoesTheSame) {
   if (test::IS_SANITIZED) GTEST_SKIP() << "the sanitizer does not know the stacks of actors";
   Case c{"torus:2x4", "own glass", small_params(), {}};
   c.params.balance = BalanceMethod::mixed;
-  c.data = tracing::SharedParams{};
+  c.data = ray_tracing::SharedParams{};
   c.data->cache_percent = 60;
   const auto told = [&](machine::EngineParams engine, int digits) {
     c.params.engine = engine;

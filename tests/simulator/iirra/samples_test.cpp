@@ -23,7 +23,7 @@ Params random_params(std::mt19937_64& random) {
     limits.depth_reflected = static_cast<int>(random() % 4);
     limits.min_influence = 0.1 * static_cast<double>(random() % 3);
     params.stages = {limits, Limits{}};
-    params.script = {{{0.2}, limits}, {{0.9}, tracing::NonInteractive{}}};
+    params.script = {{{0.2}, limits}, {{0.9}, ray_tracing::NonInteractive{}}};
   }
   return params;
 }

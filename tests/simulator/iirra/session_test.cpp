@@ -68,7 +68,7 @@ TEST(IirraSession, TheNullModeWaitsForTheNextOrder) {
       Params params = small_params();
       params.is_polled = is_polled;
       params.stages = {coarse(8)};
-      params.script = {{{3}, {coarse(4)}}, {{4}, {tracing::Save{"kept"}}}, {{6}, {Limits{}}}};
+      params.script = {{{3}, {coarse(4)}}, {{4}, {ray_tracing::Save{"kept"}}}, {{6}, {Limits{}}}};
       const auto result = run(params);
       EXPECT_EQ(names(result), "stage1 order1 kept order3 ");
       EXPECT_GT(result.time_s, 6);
@@ -85,11 +85,11 @@ TEST(IirraSession, TheUserComesBackFromTheNonInteractivePhase) {
   run_isolated([] {
     Params params = small_params();
     params.stages = {coarse(8)};
-    params.script = {{{0.02}, {tracing::NonInteractive{}}},
-                     {{0.04}, {tracing::NonInteractive{}}},
-                     {{0.06}, {tracing::Interactive{}}},
-                     {{0.08}, {tracing::Interactive{}}},
-                     {{3}, {tracing::NonInteractive{}}}};
+    params.script = {{{0.02}, {ray_tracing::NonInteractive{}}},
+                     {{0.04}, {ray_tracing::NonInteractive{}}},
+                     {{0.06}, {ray_tracing::Interactive{}}},
+                     {{0.08}, {ray_tracing::Interactive{}}},
+                     {{3}, {ray_tracing::NonInteractive{}}}};
     const auto result = run(params);
     EXPECT_EQ(notes(result),
               "order 2 had no effect: the interactive phase was over; "
@@ -126,7 +126,7 @@ TEST(IirraSession, AnAbortWhileNothingIsLeftToDoEndsTheRun) {
   run_isolated([] {
     Params params = small_params();
     params.stages = {coarse(8)};
-    params.script = {{{3}, {tracing::Abort{}}}, {{20}, {tracing::Save{"late"}}}};
+    params.script = {{{3}, {ray_tracing::Abort{}}}, {{20}, {ray_tracing::Save{"late"}}}};
     const auto result = run(params);
     EXPECT_TRUE(result.is_aborted);
     EXPECT_LT(result.time_s, 3.5);
@@ -157,8 +157,9 @@ TEST(IirraSession, AnAbortEndsWithThePictureAsItIs) {
     run_isolated([&] {
       Params params = small_params();
       params.is_polled = is_polled;
-      params.script = {
-          {{0.1}, {tracing::Save{"first"}}}, {{0.2}, {tracing::Abort{}}}, {{60}, {Limits{}}}};
+      params.script = {{{0.1}, {ray_tracing::Save{"first"}}},
+                       {{0.2}, {ray_tracing::Abort{}}},
+                       {{60}, {Limits{}}}};
       const auto result = run(params);
       EXPECT_TRUE(result.is_aborted);
       EXPECT_EQ(names(result), "first ");
@@ -192,7 +193,7 @@ TEST(IirraSession, OnlyAWholePictureTellsOfDoubleSamples) {
   });
   run_isolated([] {
     Params params = small_params();
-    params.script = {{{0.1}, {tracing::Abort{}}}};
+    params.script = {{{0.1}, {ray_tracing::Abort{}}}};
     const auto aborted = run(params);
     EXPECT_EQ(cell_of(aborted, "samples_double"), 0);
     EXPECT_EQ(cell_of(aborted, "rays_double"), 0);
@@ -216,7 +217,7 @@ TEST(IirraSession, StagesThatWereNotNeededAreNoted) {
 TEST(IirraSession, OrdersAfterTheEndAreNoted) {
   run_isolated([] {
     Params params = small_params();
-    params.script = {{{100}, {coarse(4)}}, {{101}, {tracing::Save{"late"}}}};
+    params.script = {{{100}, {coarse(4)}}, {{101}, {ray_tracing::Save{"late"}}}};
     const auto result = run(params);
     EXPECT_EQ(notes(result),
               "order 1 had no effect: the picture was complete; "
@@ -232,7 +233,7 @@ TEST(IirraSession, LookingCostsNothing) {
       test::isolated_numbers([] { return std::vector{run(small_params()).time_s}; })[0];
   run_isolated([blind_s] {
     Params params = small_params();
-    params.looks = {.at_s = {0.1, 0.25}, .every_s = 0.2, .growth = 10};
+    params.snapshot_times = {.at_s = {0.1, 0.25}, .every_s = 0.2, .growth = 10};
     const auto seen = run(params);
     EXPECT_EQ(blind_s, seen.time_s);
     ASSERT_GE(seen.growth.size(), 10u);
@@ -249,7 +250,7 @@ TEST(IirraSession, TheAreaOfInterestIsAllThatIsComputed) {
     Limits pointed;
     pointed.area = {8, 8, 8, 8};
     params.stages = {pointed};
-    params.script = {{{5}, {tracing::Save{"kept"}}}, {{6}, {Limits{}}}};
+    params.script = {{{5}, {ray_tracing::Save{"kept"}}}, {{6}, {Limits{}}}};
     const auto result = run(params);
     ASSERT_EQ(names(result), "stage1 kept order2 ");
     EXPECT_EQ(result.key_images[0].rgb8, result.key_images[1].rgb8);

@@ -222,7 +222,7 @@ TEST(Dma, LeavesAMonitorWhatIsNotTaken) {
   constexpr double END_S = 0.02;
   constexpr std::int64_t ROUND = 8;  // cycles
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    const auto run = [&](bool is_watched) {
+    const auto run = [&](bool has_controller) {
       return isolated_numbers([&] {
         std::mt19937_64 random(seed);
         Lab lab(model);
@@ -243,7 +243,7 @@ TEST(Dma, LeavesAMonitorWhatIsNotTaken) {
         talk(back, b, a);
         Numbers found;
         std::array<std::int64_t, 2> rounds{};
-        if (is_watched)
+        if (has_controller)
           for (std::size_t i : {0, 1})
             (i == 0 ? a : b).start("monitor", Priority::low, [&rounds, i] {
               for (;; ++rounds[i]) compute(ROUND), this_process().sync();
@@ -251,8 +251,8 @@ TEST(Dma, LeavesAMonitorWhatIsNotTaken) {
         lab.machine.run({END_S});
         for (std::size_t i : {0, 1}) {
           const double taken_s = (i == 0 ? a : b).use().taken().value;
-          found.push_back(is_watched ? static_cast<double>(rounds[i] * ROUND)
-                                     : (END_S - taken_s) * model.cpu.clock.value);
+          found.push_back(has_controller ? static_cast<double>(rounds[i] * ROUND)
+                                         : (END_S - taken_s) * model.cpu.clock.value);
         }
         return found;
       });

@@ -119,12 +119,12 @@ TEST(Programs, WithoutAnEndRunUpToTheirDateOrTheUsersLimit) {
   const auto run_until = [&](double until_s) {
     return occam::isolated([&]() -> std::string {
       auto setup = make_small_setup(model, program);
-      observe::Watch watch;
-      watch.until = {until_s};
-      setup.watch = &watch;
+      observe::RunMonitor monitor;
+      monitor.until = {until_s};
+      setup.monitor = &monitor;
       try {
         const auto outcome = run_program(program, setup, {{"window_s", 0.01}});
-        return fmt::format("{} rows, limit {}", outcome.rows.size(), watch.until.value);
+        return fmt::format("{} rows, limit {}", outcome.rows.size(), monitor.until.value);
       } catch (const Unfinished& error) {
         return error.what();
       }

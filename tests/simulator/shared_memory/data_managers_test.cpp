@@ -214,8 +214,10 @@ TEST(DataManagers, BadInputIsNamed) {
 
 // A program that inspects the run sees each processor's own cache, and no other.
 TEST(DataManagers, EachIsShownWithItsNumbers) {
-  struct Reader : observe::Onlooker {
-    void begin(const machine::Machine&, const observe::View& shown) override { view = shown; }
+  struct Reader : observe::RunObserver {
+    void begin(const machine::Machine&, const observe::ControlPanel& shown) override {
+      view = shown;
+    }
     void before_change(double) override {}
     void end(double) override {
       for (int processor = -1; processor <= 4; ++processor) {
@@ -226,17 +228,17 @@ TEST(DataManagers, EachIsShownWithItsNumbers) {
         capacities.push_back(cached);
       }
     }
-    observe::View view;
+    observe::ControlPanel view;
     occam::Numbers capacities;
   };
   const auto found = occam::isolated_numbers([] {
     const auto topology = topologies::make_topology("line:4");
     const auto load = make_load(40, 5, 30);
     Reader reader;
-    observe::Watch watch;
-    watch.onlooker = &reader;
+    observe::RunMonitor monitor;
+    monitor.observer = &reader;
     programs::Setup setup{model(), topology};
-    setup.watch = &watch;
+    setup.monitor = &monitor;
     const auto routes = topologies::make_routes(topology);
     run_data(setup, network::make_routing(load.network.method, topology, routes), load);
     return reader.capacities;

@@ -1,0 +1,116 @@
+#include "experiments/laboratory/points/single_worker.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "base/errors.hpp"
+#include "experiments/laboratory/host/jobs.hpp"
+#include "experiments/laboratory/host/streams.hpp"
+#include "experiments/laboratory/points/run_point.hpp"
+#include "experiments/laboratory/setup/setup.hpp"
+
+namespace laboratory {
+namespace {
+
+const base::Cell* find_cell(const PointResult& result, const std::string& column) {
+  if (result.rows.size() != 1) return nullptr;
+  const auto cell = std::ranges::find(result.rows[0], column, &base::Row::value_type::first);
+  return cell == result.rows[0].end() ? nullptr : &cell->second;
+}
+
+std::optional<double> time_of(const PointResult& result) {
+  const auto* time = find_cell(result, "time_s");
+  const auto* seconds = time ? std::get_if<double>(time) : nullptr;
+  return seconds && result.is_complete() ? std::optional(*seconds) : std::nullopt;
+}
+
+bool needs_single(const Point& point, const PointResult& result) {
+  const auto* speedup = find_cell(result, "speedup");
+  return point.experiment.program->uses.network && has_own_workers(point.experiment) &&
+         result.processors > 1 && time_of(result) && speedup && *speedup == base::Cell();
+}
+
+// True for keys without meaning in a network of one worker.
+bool is_of_network(const std::string& key) {
+  return key == "fault" || key == "processor" ||
+         (key.starts_with("network.") && key != "network.switches");
+}
+
+// The file without the axes of the network, and without points.
+ExperimentFile without_network(const ExperimentFile& file) {
+  ExperimentFile single = file;
+  single.points.clear();
+  single.axes.clear();
+  std::erase_if(single.axis_keys, is_of_network);
+  for (std::size_t i = 0; i < file.axes.size(); ++i)
+    if (!is_of_network(file.axis_keys[i])) single.axes.push_back(file.axes[i]);
+  std::erase_if(single.settings, [](const auto& setting) { return is_of_network(setting.first); });
+  single.settings["network.topology"] = "\"line\"";
+  single.settings["network.workers"] = "1";
+  return single;
+}
+
+Point make_single(const Point& point, const ExperimentFile& file) {
+  Point single = point;
+  std::size_t axis = 0;
+  std::erase_if(single.at, [&](const auto&) { return is_of_network(file.axis_keys[axis++]); });
+  Experiment& e = single.experiment;
+  e.topology = {"line", "line"};
+  e.workers = 1;
+  e.switches_between.clear();
+  e.routes = {};
+  e.tree.clear();
+  e.tree_links.clear();
+  e.faults.clear();
+  e.others.clear();
+  return single;
+}
+
+void run_missing(const PointsPlan& plan, Results& results) {
+  try {
+    for (const auto& point : plan.file.points) check_point(point.experiment);
+    run_points(plan, missing_points(results), results);
+  } catch (const std::runtime_error& error) {
+    complain(fmt::format("no speed-up: a single worker of the machine: {}", error.what()));
+  }
+}
+
+}  // namespace
+
+void measure_single_workers(const PointsPlan& plan, Results& results, SingleWorker single_worker) {
+  ExperimentFile file = without_network(plan.file);
+  std::map<std::string, double> times;                     // of single workers, by name
+  std::map<std::string, std::vector<std::size_t>> needed;  // points that need one, by name
+  for (std::size_t i = 0; i < results.size(); ++i) {
+    const Point& point = plan.file.points[i];
+    const Point single = make_single(point, plan.file);
+    if (const auto time = time_of(results[i]); time && results[i].processors == 1)
+      times.emplace(name_of(single), *time);
+    if (!needs_single(point, results[i])) continue;
+    auto& points = needed[name_of(single)];
+    if (points.empty()) file.points.push_back(single);
+    points.push_back(i);
+  }
+  std::erase_if(file.points, [&](const Point& point) { return times.contains(name_of(point)); });
+  if (!file.points.empty()) {
+    RunOptions options = plan.options;
+    options.trace = options.timeline = "";
+    options.films = {};
+    options.profile = false;
+    PointsPlan more(options, file);
+    more.lone = plan.lone;
+    more.origin = plan.origin;
+    Results found = find_points(more, all_points(file));
+    if (single_worker == SingleWorker::run && !missing_points(found).empty() && !was_interrupted())
+      run_missing(more, found);
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (const auto time = time_of(found[i])) times.emplace(name_of(file.points[i]), *time);
+  }
+  for (const auto& [name, points] : needed)
+    if (const auto time = times.find(name); time != times.end())
+      for (const auto i : points) results[i].single_s = time->second;
+}
+
+}  // namespace laboratory

@@ -1,0 +1,129 @@
+#pragma once
+// The application process of a processor. AMP has separate processes for computing, tasks, data and
+// control beside the router (figure 5.3). Here they are one, as 5.1 proposes for IIRRA. A round:
+//   SEQ
+//     SEQ i = 0 FOR children         -- in whatever order they come
+//       from.router ? candidate
+//     parent ! brightest
+//     from.router ? shot             -- GLOBAL, from the root; or show my vertices; or stop
+//     receive
+//     others ! border, others ? border
+//     settle
+#include "simulator/kernels/by_model.hpp"
+#include "simulator/kernels/kernels.hpp"
+#include "simulator/parallel_radiosity/messages.hpp"
+#include "simulator/parallel_radiosity/radiosity.hpp"
+#include "simulator/shared_memory/scene_items.hpp"
+
+namespace parallel_radiosity {
+
+using machine::Cycles;
+
+/// Kernels of all processes, with scratch states to run them again if costs are timed.
+struct Kernels {
+  Kernels(const machine::Model& model, const radiosity::Mesh& mesh, const Params& params);
+  kernels::KernelCost choose, receive, settle, draw;
+  Candidate scratch_candidate;
+  radiosity::State scratch;
+};
+
+/// A process's work on a message, beside the router's.
+struct MessageWork {
+  explicit MessageWork(const machine::Model& model);
+  kernels::MessageCosts identification;
+  Cycles colour_copied;  ///< into a message, or out of it
+};
+
+/// State shared by all processes.
+struct Common {
+  const radiosity::Mesh& mesh;
+  const Params& params;
+  MessageBytes bytes;
+  Kernels& kernels;
+  std::optional<shared_memory::SceneItems> items;  ///< if geometry is shared
+  int root = 0;
+  kernels::ByModel<MessageWork> messages;
+};
+
+/// A processor's place in the tree, and its access to the network.
+struct Node {
+  int id = 0, parent = 0;  ///< the root's parent is itself
+  std::size_t children = 0;
+  Share share;
+  network::Client* client = nullptr;
+  shared_memory::DataManager* manager = nullptr;  ///< if geometry is shared
+};
+
+class Application {
+ public:
+  Application(const Common& common, const Node& node);
+  virtual ~Application() = default;
+  /// Runs the process; returns on Stop.
+  virtual void run();
+
+  const Node& node() const { return node_; }
+  const radiosity::State& state() const { return state_; }
+  const renderer::Work& work() const { return work_; }
+  Cycles kernel_cycles() const { return kernel_cycles_; }
+  /// Seconds charged for its kernels, by shot.
+  const std::vector<double>& charged_s() const { return charged_s_; }
+
+ protected:
+  /// Returns the best of its own patches and those of its subtree.
+  Candidate reduce();
+  void shoot(const radiosity::Shot& shot);
+  network::Message wait_message();
+  void charge_message(Cycles kernels::MessageCosts::*identification,
+                      const AmpMessage::Content& content);
+  void send(network::Address to, AmpMessage::Content content);
+
+  const Common& common_;
+  const Node node_;
+  radiosity::State state_;  ///< covers its own vertices and patches
+
+ private:
+  Candidate find_best();
+  void shoot_at_shared(const radiosity::Shot& shot);
+  Displayed show(const Show& asked) const;
+  void light(const radiosity::Eye& eye, const radiosity::Shot& shot, radiosity::State& state,
+             renderer::Work& work) const;
+  void give();
+  void wait_for_borders();
+  void keep(const network::Message& message);
+  void note_charged(Cycles cycles);
+  template <class Changed, class Kernel>
+  void charge(kernels::KernelCost& cost, Changed& state, Changed& scratch, Kernel kernel);
+
+  renderer::Work work_;
+  Cycles kernel_cycles_{};
+  std::vector<double> charged_s_ = {0};
+  // Messages received early, from children and from processors that share vertices.
+  std::vector<Candidate> candidates_;
+  std::vector<network::Message> borders_;
+};
+
+/// The root of AMP's tree: computes like all others, chooses the next shot, and is the display.
+class Root : public Application {
+ public:
+  /// `nodes`: all processors. `on_solved` is called when the last shot is done everywhere.
+  Root(const Common& common, const Node& node, const std::vector<Node>& nodes,
+       std::function<void()> on_solved)
+      : Application(common, node), nodes_(nodes), on_solved_(std::move(on_solved)) {}
+  void run() override;
+
+  const std::vector<Frame>& frames() const { return frames_; }
+  int shots() const { return shots_; }
+
+ private:
+  bool is_over(const Candidate& best) const;
+  bool is_time_to_show() const;
+  void take_frame(const Candidate& best);
+  void take_vertices(const Node& node, std::vector<radiosity::Rgb>& vertices);
+
+  const std::vector<Node>& nodes_;
+  std::function<void()> on_solved_;
+  std::vector<Frame> frames_;
+  int shots_ = 0;
+};
+
+}  // namespace parallel_radiosity

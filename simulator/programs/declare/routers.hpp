@@ -1,0 +1,135 @@
+#pragma once
+// Common part of the programs over routers: parameters, network, and costs of an application.
+#include <optional>
+
+#include "simulator/network/network.hpp"
+#include "simulator/programs/declare/support.hpp"
+
+namespace programs {
+
+/// Methods of deadlock avoidance, by name. The farm's [data] accepts all but naive.
+inline const base::Names<network::Method> METHODS = {{"green", network::Method::green},
+                                                     {"chalmers", network::Method::chalmers},
+                                                     {"acyclic", network::Method::acyclic},
+                                                     {"naive", network::Method::naive}};
+
+/// Parameters of every program over routers, in its member `routers`.
+struct RouterParams {
+  network::Method method = network::Method::green;
+  bool pointers = true;  ///< pass messages within a processor by pointer; else copy them
+  std::uint64_t buffers = 64;
+};
+
+inline base::Fields<RouterParams> router_fields() {
+  using D = base::Declare<RouterParams>;
+  static const base::Names<bool> WITHIN = {{"pointers", true}, {"copies", false}};
+  return {D::choice("method", &RouterParams::method, METHODS,
+                    "how routers avoid deadlock; acyclic takes the network's routes only if they "
+                    "close no cycle"),
+          D::choice("within", &RouterParams::pointers, WITHIN,
+                    "how a message is passed within a processor: by pointer, or copied"),
+          D::whole("buffers", &RouterParams::buffers, 1, 1e6, "",
+                   "messages that a router has room for")};
+}
+
+/// The fields of the routers, followed by `others`.
+template <class P>
+base::Fields<P> with_routers(const base::Fields<P>& others) {
+  return base::join(base::lift_all<P>(router_fields(), &P::routers), {others});
+}
+
+/// The field "message_bytes": contents of a message.
+template <class P, class Access>
+base::Field<P> message_bytes_field(Access access) {
+  return base::Declare<P>::whole("message_bytes", access, 0, 1e9, "bytes",
+                                 "contents of a message; the identification is 20 more");
+}
+
+/// The column "most_held": the most messages that a router held at once.
+template <class R>
+base::Column<R> most_held_column(std::size_t R::*most_held) {
+  return base::column("most_held", most_held, "most messages that one router held at once");
+}
+
+/// Adds the routers' queues and counts to the view. The network's processors have the ids `first`,
+/// `first` + 1, ... in the machine.
+inline void show(observe::ControlPanel& view, const network::Network& network, int first = 0) {
+  const int count = network.routing().processors();
+  view.gauges.push_back({"messages in queues", "of all routers", [&network, count] {
+                           std::size_t held = 0;
+                           for (int id = 0; id < count; ++id) held += network.held(id);
+                           return static_cast<double>(held);
+                         }});
+  view.gauges.push_back({"messages delivered", "by routers to processes",
+                         [&network] { return static_cast<double>(network.use().delivered); }});
+  view.inspections.emplace_back([&network, count, first](int processor) {
+    const int id = processor - first;
+    if (id < 0 || id >= count) return std::vector<observe::ControlPanel::Reading>{};
+    const auto& use = network.use(id);
+    return std::vector<observe::ControlPanel::Reading>{
+        {"messages in the router's queues", static_cast<double>(network.held(id))},
+        {"at most so far", static_cast<double>(use.most_held)},
+        {"taken from processes", static_cast<double>(use.taken)},
+        {"passed on", static_cast<double>(use.passed)},
+        {"delivered", static_cast<double>(use.delivered)}};
+  });
+}
+
+inline void check_two_processors(const Setup& setup) {
+  base::require(setup.topology.processors >= 2, "network.topology",
+                "found one processor, expected at least two");
+}
+
+/// `longest`: contents of the longest message, in bytes.
+inline network::Params network_params(const RouterParams& routers, std::uint64_t longest) {
+  network::Params params;
+  params.method = routers.method;
+  params.pointers = routers.pointers;
+  params.buffers = static_cast<std::size_t>(routers.buffers);
+  params.longest = longest;
+  return params;
+}
+
+inline network::Routing routing_of(const Setup& setup, network::Method method) {
+  return network::make_routing(method, setup.topology, setup.routes, setup.tree);
+}
+
+/// A machine for programs of compiled occam, with the model's memory.
+struct CompiledMachine : Machine {
+  CompiledMachine(const Setup& setup, int count) : Machine(setup, count, machine::Code::compiled) {}
+};
+
+/// A compiled machine with the topology's processors, a network of routers, and the setup's faults.
+struct RouterMachine : CompiledMachine {
+  RouterMachine(const Setup& setup, const network::Params& params)
+      : CompiledMachine(setup, setup.topology.processors) {
+    base::require(params.method != network::Method::acyclic || !setup.tree, "network.tree",
+                  "found a tree for all senders, expected none with program.method = "
+                  "\"acyclic\", which has its own");
+    network.emplace(*this, routing_of(setup, params.method), params);
+    plan_faults(
+        *this, setup.faults, [this](int id) -> auto& { return (*this)[id]; });
+  }
+  /// Starts `application` on every processor, with its client.
+  template <class Application>
+  void start_all(Application application) {
+    for (int id = 0; id < static_cast<int>(processors().size()); ++id)
+      (*this)[id].start((*this)[id].name() + ".application", Priority::low,
+                        [this, id, application] { application(network->client(id)); });
+  }
+
+  observe::ControlPanel view() const {
+    observe::ControlPanel view;
+    show(view, *network);
+    return view;
+  }
+
+  std::optional<network::Network> network;
+};
+
+/// Spends the cycles of an operation of a compiled application.
+inline void compute(const char* operation) {
+  compute(get_compiled(this_process().processor().model(), operation));
+}
+
+}  // namespace programs

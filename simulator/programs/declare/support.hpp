@@ -1,0 +1,89 @@
+#pragma once
+// Common part of the small programs.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <deque>
+
+#include "simulator/occam/alt.hpp"
+#include "simulator/occam/process.hpp"
+#include "simulator/programs/declare/program.hpp"
+
+namespace programs {
+
+using occam::Channel;
+using occam::Cycles;
+using occam::Priority;
+using occam::Seconds;
+using occam::this_process;
+
+/// A message of any length.
+struct Message {
+  std::uint64_t length = 0;
+  std::uint64_t bytes() const { return length; }
+};
+
+constexpr std::uint64_t MEMORY = 1 << 20;  ///< bytes; programs of bare code allocate nothing
+constexpr Seconds START{1024e-6};          ///< by this date every process waits for its input
+
+inline Seconds now() { return this_process().now(); }
+inline void wait_for_start() { occam::wait_until(occam::ticks(START)); }
+inline void compute(Cycles cycles) { this_process().charge(cycles); }
+
+/// A machine with processors p0, p1, ..., not yet joined. They take the topology's labels if it has
+/// labels and the same number of processors.
+struct Machine : machine::Machine {
+  Machine(const Setup& setup, int count, machine::Code code = machine::Code::bare)
+      : machine::Machine(setup.model, code, setup.engine) {
+    const bool is_topology = count == setup.topology.processors;
+    for (int id = 0; id < count; ++id) {
+      const auto number = fmt::format("p{}", id);
+      const auto memory =
+          code == machine::Code::bare ? MEMORY : get_bytes(setup.model_of(id), "worker_memory");
+      add_processor(is_topology ? name_of(setup.topology, id, number) : number, memory, {},
+                    find_model(setup.others, id));
+    }
+  }
+  machine::Processor& operator[](int id) const { return *processors()[id]; }
+};
+
+/// A line p0 - p1 - ... and a channel from each to the next.
+struct Line : Machine {
+  Line(const Setup& setup, int count) : Machine(setup, count) {
+    for (int id = 0; id + 1 < count; ++id) {
+      auto &here = (*this)[id], &next = (*this)[id + 1];
+      connect(here, next);
+      channels.emplace_back(next.name() + ".in", link(here, next));
+    }
+  }
+  std::deque<Channel<Message>> channels;
+};
+
+/// The field "bytes", the length of a message.
+template <class P, class Access>
+base::Field<P> bytes_field(Access access, double low = 1) {
+  return base::Declare<P>::whole("bytes", access, low, 1e9, "bytes", "length of a message");
+}
+
+/// The field "seed" of a random stream; `help` names its purpose.
+template <class P, class Access>
+base::Field<P> seed_field(Access access, const std::string& help) {
+  return base::Declare<P>::whole("seed", access, 0, 1e15, "", help);
+}
+
+/// The same up to the largest whole number.
+template <class P, class Access>
+base::Field<P> whole_seed_field(Access access, const std::string& help) {
+  auto field = seed_field<P>(access, help);
+  field.domain.high = 0x1p63;
+  field.domain.expected = fmt::format("a whole number from 0 to {}", INT64_MAX);
+  return field;
+}
+
+/// Cell for a processor: its label if the topology has labels, else its number.
+inline base::Cell processor_cell(const topologies::Topology& topology, int id) {
+  if (topology.labels.empty()) return static_cast<std::int64_t>(id);
+  return topology.labels.at(id);
+}
+
+}  // namespace programs

@@ -1,0 +1,133 @@
+#pragma once
+// The user's orders by time: those of the script and, on a watched run, manual ones ("hands"). A
+// manual order acts as if it were part of the script.
+#include <algorithm>
+#include <any>
+#include <cmath>
+#include <deque>
+
+#include "simulator/occam/process.hpp"
+#include "simulator/ray_tracing/session.hpp"
+
+namespace ray_tracing {
+
+template <class Limits>
+class Orders {
+ public:
+  using Order = ray_tracing::Order<Limits>;
+
+  /// `is_live`: manual orders may follow; else the user leaves after the script's last order. The
+  /// last order is always a Leave.
+  Orders(const std::vector<Order>& script, bool is_live)
+      : orders_(script.begin(), script.end()), is_open_(is_live) {}
+
+  bool has_any() const { return is_open_ || !orders_.empty(); }
+
+  /// Called by the user's process: waits for the next order's time and returns its number, from 0.
+  /// Times count from `begun`.
+  std::size_t next(machine::Seconds begun) {
+    user_ = &machine::this_process();
+    begun_ = begun;
+    if (next_ < orders_.size())
+      wait_for_time();
+    else if (is_open_)
+      wait_for_manual_order();
+    if (next_ == orders_.size()) orders_.push_back({{}, Leave{}});
+    return next_++;
+  }
+  const Order& operator[](std::size_t number) const { return orders_.at(number); }
+
+  /// Called from outside the machine, between two events: see observe::ControlPanel::TakeOrder.
+  /// `check` throws for orders that the program does not allow.
+  double take(const OrderRecord<Limits>& record, machine::Seconds after,
+              const std::function<void(const std::vector<Order>&)>& check) {
+    if (!user_ || !is_open_)
+      throw base::BadInput(user_ ? "[[order]]: found one after the picture was complete"
+                                 : "[[order]]: found one before the first task was at hand");
+    if (has_left()) throw base::BadInput("[[order]]: found one after the user had left");
+    const double tick_s = occam::date_of(*user_, 1).value;
+    // The user's process may be ahead of the clock, and has then seen no order up to its own time.
+    const bool is_blocked = user_->state() == machine::Process::State::blocked;
+    const auto own = is_blocked ? user_->blocked_since() : user_->own_time();
+    const double from_s = std::max(after, own).value;
+    const auto tick = static_cast<std::int64_t>(std::floor(from_s / tick_s)) + 1;
+    const machine::Seconds date = occam::date_of(*user_, tick);
+    OrderRecord<Limits> dated = record;
+    dated.at_s = (date - begun_).value;
+    const auto order = make_order(dated);
+    std::vector<Order> script(orders_.begin(), orders_.end());
+    const auto place = std::upper_bound(
+        script.begin() + static_cast<std::ptrdiff_t>(next_), script.end(), order.at,
+        [](machine::Seconds at, const Order& other) { return at < other.at; });
+    script.insert(place, order);
+    check(script);
+    orders_.assign(script.begin(), script.end());
+    wake(date);
+    return dated.at_s;
+  }
+
+  /// True if the user's process waits for a manual order, with none left.
+  bool waits_for_manual_order() const { return waits_for_manual_order_ && next_ == orders_.size(); }
+  bool has_left() const {
+    return !orders_.empty() && std::holds_alternative<Leave>(orders_.back().what);
+  }
+  /// Ends manual orders: the user leaves after the last pending order.
+  void close() { is_open_ = false; }
+
+ private:
+  // Like occam::wait_until, but it ends before all other events of its date, whenever the wait
+  // began, and a manual order may end it earlier.
+  void wait_for_time() {
+    const auto& timer = user_->processor().model().timer;
+    const bool is_past = user_->own_time() >= date_of_next();
+    user_->charge(is_past ? timer.wait_past : timer.wait_future);
+    block_until_time();
+  }
+
+  void wait_for_manual_order() {
+    user_->charge(user_->processor().model().timer.wait_future);
+    user_->sync();
+    waits_for_manual_order_ = true;
+    if (next_ == orders_.size())
+      block();
+    else  // an order has come meanwhile
+      block_until_time();
+    waits_for_manual_order_ = false;
+  }
+
+  machine::Seconds date_of_next() const {
+    return occam::date_of(*user_, occam::ticks(begun_ + orders_[next_].at));
+  }
+
+  void block_until_time() {
+    const auto date = date_of_next();
+    if (user_->now() >= date) return;
+    user_->processor().wake_first_at(date, *user_, user_->waits() + 1);
+    block();
+  }
+
+  struct UserWait : machine::Wait {
+    std::string describe() const override { return "the user's next order"; }
+  };
+  void block() {
+    UserWait wait;
+    waits_for_order_ = true;
+    user_->block(wait);
+    waits_for_order_ = false;
+  }
+
+  // Ends a wait for a manual order, or for a later order. A process still busy with the previous
+  // order will find the new one by itself.
+  void wake(machine::Seconds date) {
+    if (waits_for_order_) user_->processor().wake_first_at(date, *user_, user_->waits());
+  }
+
+  std::deque<Order> orders_;
+  std::size_t next_ = 0;
+  bool is_open_;
+  machine::Process* user_ = nullptr;
+  machine::Seconds begun_{};
+  bool waits_for_manual_order_ = false, waits_for_order_ = false;
+};
+
+}  // namespace ray_tracing

@@ -1,0 +1,141 @@
+#pragma once
+// The user's session with a growing picture: [[stage]], successive sets of limits for the
+// interactive phase, and [[order]]. Each program defines its type Limits and the fields.
+#include <fmt/format.h>
+
+#include "simulator/programs/declare/program.hpp"
+
+namespace ray_tracing {
+
+struct NonInteractive {};  ///< leave the interactive phase now
+struct Interactive {};     ///< return to it from the non-interactive phase
+struct Abort {};           ///< stop giving out tasks: end with the picture as it is
+struct Leave {};           ///< leave the run: it is finished without the user
+struct Save {              ///< save the picture as it is now
+  std::string name;        ///< for a file
+};
+
+/// An order of the user; its time counts from the first task.
+template <class Limits>
+struct Order {
+  machine::Seconds at;
+  std::variant<NonInteractive, Interactive, Abort, Leave, Save, Limits> what;
+};
+
+/// An [[order]] as given in the experiment file.
+template <class Limits>
+struct OrderRecord {
+  double at_s = 0;
+  bool non_interactive = false, interactive = false, abort = false, leave = false;
+  std::string save;
+  std::optional<Limits> limits;  ///< set if any limit is given
+};
+
+/// True if `name` can be part of a file's name: up to 40 letters, digits and dashes.
+bool is_picture_name(const std::string& name);
+/// Throws base::BadInput for equal names of pictures, and for names that begin like those given by
+/// the program (stage, order, shown, growth, borders).
+void check_saved_names(const std::vector<std::string>& names);
+
+/// Throws base::BadInput for orders not sorted by time or after a Leave, and for invalid names of
+/// pictures.
+template <class Limits>
+void check_script(const std::vector<Order<Limits>>& script) {
+  std::vector<std::string> names;
+  for (const auto& order : script)
+    if (const auto* save = std::get_if<Save>(&order.what)) names.push_back(save->name);
+  check_saved_names(names);
+  for (std::size_t i = 1; i < script.size(); ++i)
+    if (script[i].at < script[i - 1].at)
+      throw base::BadInput(fmt::format("order {}: its time, {} s, is before the last one's", i + 1,
+                                       script[i].at.value));
+  for (std::size_t i = 1; i < script.size(); ++i)
+    if (std::holds_alternative<Leave>(script[i - 1].what))
+      throw base::BadInput(
+          fmt::format("order {}: found one after the user has left, expected none", i + 1));
+}
+
+/// at_s, non_interactive, interactive, abort, leave, save, and the fields of the limits.
+template <class Limits>
+base::Fields<OrderRecord<Limits>> order_fields(const base::Fields<Limits>& limit_fields) {
+  using Record = OrderRecord<Limits>;
+  using D = base::Declare<Record>;
+  const auto limits = [](Record & r) -> auto& { return r.limits ? *r.limits : r.limits.emplace(); };
+  const auto set_save = [](Record& r, const base::Scalar& value) {
+    const auto& name = std::get<std::string>(value);
+    if (!is_picture_name(name)) return false;
+    r.save = name;
+    return true;
+  };
+  return base::join(
+      base::Fields<Record>{
+          D::number("at_s", &Record::at_s, 0, 1e9, "s",
+                    "when the user orders it, counted as time_s from the first task"),
+          D::flag("non_interactive", &Record::non_interactive,
+                  "true: the user leaves the interactive phase"),
+          D::flag("interactive", &Record::interactive,
+                  "true: the user comes back from the non-interactive phase"),
+          D::flag("abort", &Record::abort,
+                  "true: the user has had enough; rays that are under way end"),
+          D::flag("leave", &Record::leave,
+                  "true: the user leaves, which is else with the last order; what is left to do is "
+                  "done without limits"),
+          {"save",
+           "",
+           "the picture as it is then is saved, with this in its name",
+           {.kind = base::Domain::Kind::text, .expected = "up to 40 letters, digits and dashes"},
+           set_save,
+           [](const Record& r) -> base::Scalar { return r.save; }}},
+      {base::lift_all<Record>(limit_fields, limits)});
+}
+
+/// Throws base::BadInput for a record that does not contain exactly one order.
+template <class Limits>
+Order<Limits> make_order(const OrderRecord<Limits>& record) {
+  std::vector<Order<Limits>> orders;
+  const auto add = [&](const auto& what) { orders.push_back({{record.at_s}, what}); };
+  if (record.limits) add(*record.limits);
+  if (record.non_interactive) add(NonInteractive{});
+  if (record.interactive) add(Interactive{});
+  if (record.abort) add(Abort{});
+  if (record.leave) add(Leave{});
+  if (!record.save.empty()) add(Save{record.save});
+  if (orders.size() != 1)
+    throw base::BadInput(
+        fmt::format("[[order]] at {} s: found {}, expected one of: limits, non_interactive = true, "
+                    "interactive = true, abort = true, leave = true, save = \"name\"",
+                    record.at_s, orders.empty() ? "nothing to do" : "several things to do"));
+  return orders[0];
+}
+
+/// A list of tables of the experiment file in a program's parameters P. `list`: a member of P, or a
+/// function from P& to a reference. `append`: converts a record to an element of the list.
+template <class P, class Record, class Access, class Append>
+programs::RecordList make_list(const std::string& key, const std::string& help,
+                               const base::Fields<Record>& fields, Access list, Append append) {
+  const auto find = [list](std::any & params) -> auto& {
+    return std::invoke(list, std::any_cast<P&>(params));
+  };
+  const auto record = [](std::any& any) -> Record& { return std::any_cast<Record&>(any); };
+  return {key,
+          help,
+          base::lift_all<std::any>(fields, record),
+          [] { return std::any(Record{}); },
+          [find](std::any& params) { find(params).clear(); },
+          [find, append](std::any& params, const std::any& any) {
+            find(params).push_back(append(std::any_cast<const Record&>(any)));
+          }};
+}
+
+/// [[stage]] and [[order]]; `stages` and `script` are the members of P with the vectors of Limits
+/// and of Order<Limits>.
+template <class P, class Limits, class Stages, class Script>
+std::vector<programs::RecordList> make_lists(const base::Fields<Limits>& limit_fields,
+                                             Stages stages, Script script) {
+  return {make_list<P>("stage", "limits of the interactive phase, one set after the other",
+                       limit_fields, stages, [](const Limits& limits) { return limits; }),
+          make_list<P>("order", "what the user orders, at_s seconds after the first task",
+                       order_fields(limit_fields), script, &make_order<Limits>)};
+}
+
+}  // namespace ray_tracing

@@ -1,0 +1,48 @@
+// Texts and drawings about drawn machines.
+#include "experiments/laboratory/uncertain/confidence.hpp"
+
+#include <gtest/gtest.h>
+
+#include "experiments/laboratory/table/table.hpp"
+#include "experiments/laboratory/uncertain/tornado.hpp"
+
+namespace laboratory {
+namespace {
+
+// The data of the bars, one line each.
+std::vector<std::string> bars(const std::string& script) {
+  const auto from = script.find("<< END\n") + 7, to = script.find("END\nset border");
+  std::vector<std::string> lines;
+  for (std::size_t at = from, end; at < to; at = end + 1)
+    lines.push_back(script.substr(at, (end = script.find('\n', at)) - at));
+  return lines;
+}
+
+TEST(Confidence, TellsTheStrongestFirstAndAllThatFollow) {
+  const ConfidenceTables tables{
+      parse_csv("workers,column,value,p5,p95\n2,s,10,9,11\n4,s,20,18,22\n", "intervals.csv"),
+      parse_csv("workers,column,entry,swing\n2,s,a,0.2\n2,s,b,2\n2,s,c,0.4\n"
+                "4,s,a,0.4\n4,s,b,4\n4,s,c,0.8\n",
+                "assumptions.csv")};
+  EXPECT_EQ(describe_confidence(tables, {"s", "other"}),
+            std::vector<std::string>{
+                "s: ± 10 % on nine of ten machines (the median of 2 rows); of the assumptions, b "
+                "matters most: ± 10 % (the median of 2 rows); then c ± 2 %, a ± 1 %"});
+}
+
+TEST(Tornado, ShowsTheTwelveStrongest) {
+  std::vector<Weight> weights;
+  for (int i = 0; i < 15; ++i) weights.push_back({"e" + std::to_string(i), 0.01 * (i + 1), 1});
+  const auto script = make_tornado_script("s", weights);
+  const auto shown = bars(script);
+  ASSERT_EQ(shown.size(), 12u) << script;
+  EXPECT_EQ(shown.front(), "12 15");
+  EXPECT_EQ(shown.back(), "1 4");
+  EXPECT_EQ(script.find("\"e2\""), std::string::npos);
+  EXPECT_NE(script.find("\"e3\" 1)"), std::string::npos);
+  EXPECT_EQ(tornado_height(weights), tornado_height({weights.begin(), weights.begin() + 12}));
+  EXPECT_GT(tornado_height(weights), tornado_height({weights.begin(), weights.begin() + 11}));
+}
+
+}  // namespace
+}  // namespace laboratory
