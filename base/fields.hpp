@@ -141,17 +141,14 @@ Field<P> make_field(const std::string& name, Access access, Domain domain, const
             store(std::invoke(access, p), value);
             return true;
           },
-          [access](const P& p) {
-            P copy = p;  // `access` may be a function that takes a non-const P
-            return load(std::invoke(access, copy));
-          }};
+          [access](const P& p) { return load(std::invoke(access, p)); }};
 }
 
 }  // namespace detail
 
 /// Makes fields of P: `Declare<Params> d; d.whole("bytes", &Params::bytes, 1, 1e9, "bytes", "length
-/// of a message")`. `access` is a member of P, or a function from P& to a reference. Numbers may be
-/// quantities or optional values; an optional one is empty unless it is given.
+/// of a message")`. `access` is a member of P, or a function `[](auto& p) -> auto& { ... }`.
+/// Numbers may be quantities or optional values; an optional one is empty unless it is given.
 template <class P>
 struct Declare {
   template <class Access>
@@ -198,9 +195,8 @@ struct Declare {
               return true;
             },
             [access, names](const P& p) {
-              P copy = p;
               for (const auto& [key, meaning] : names)
-                if (meaning == std::invoke(access, copy)) return Scalar(key);
+                if (meaning == std::invoke(access, p)) return Scalar(key);
               throw InvariantBroken("a choice without a name");
             }};
   }
@@ -214,10 +210,7 @@ Field<P> lift(const Field<Inner>& field, Access access) {
           field.help,
           field.domain,
           [field, access](P& p, const Scalar& v) { return field.set(std::invoke(access, p), v); },
-          [field, access](const P& p) {
-            P copy = p;
-            return field.get(std::invoke(access, copy));
-          }};
+          [field, access](const P& p) { return field.get(std::invoke(access, p)); }};
 }
 /// Lifts all fields and puts `prefix` before their names.
 template <class P, class Inner, class Access>
@@ -229,6 +222,28 @@ Fields<P> lift_all(const Fields<Inner>& fields, Access access, const std::string
   }
   return all;
 }
+
+/// Turns fields of an optional Inner into fields of P. Setting one makes the Inner; without an
+/// Inner they have its defaults.
+template <class P, class Inner>
+Fields<P> lift_optional(const Fields<Inner>& fields, std::optional<Inner> P::*inner,
+                        const std::string& prefix = "") {
+  Fields<P> all;
+  for (const auto& field : fields)
+    all.push_back({prefix + field.name, field.unit, field.help, field.domain,
+                   [field, inner](P& p, const Scalar& v) {
+                     return field.set(p.*inner ? *(p.*inner) : (p.*inner).emplace(), v);
+                   },
+                   [field, inner](const P& p) { return field.get((p.*inner).value_or(Inner{})); }});
+  return all;
+}
+
+/// Access to the P in a std::any.
+template <class P>
+struct AnyAs {
+  P& operator()(std::any& any) const { return std::any_cast<P&>(any); }
+  const P& operator()(const std::any& any) const { return std::any_cast<const P&>(any); }
+};
 
 /// The fields with these names, in this order. Throws InvariantBroken for an unknown name.
 template <class P>

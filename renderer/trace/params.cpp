@@ -45,11 +45,11 @@ base::Field<Area> area_field() {
 
 base::Fields<Params> sampling_fields() {
   using D = base::Declare<Params>;
-  const auto samples = [](Params & p) -> auto& { return p.sampling.pixel_samples; };
-  const auto adaptive = [](Params & p) -> auto& { return p.sampling.adaptive; };
-  const auto lens = [](Params & p) -> auto& { return p.sampling.lens; };
-  const auto shutter = [](Params & p) -> auto& { return p.sampling.shutter; };
-  const auto seed = [](Params & p) -> auto& { return p.sampling.seed; };
+  const auto samples = [](auto& p) -> auto& { return p.sampling.pixel_samples; };
+  const auto adaptive = [](auto& p) -> auto& { return p.sampling.adaptive; };
+  const auto lens = [](auto& p) -> auto& { return p.sampling.lens; };
+  const auto shutter = [](auto& p) -> auto& { return p.sampling.shutter; };
+  const auto seed = [](auto& p) -> auto& { return p.sampling.seed; };
   return {D::whole("pixel_samples", samples, 1, MAX_PIXEL_SAMPLES, "",
                    "samples of a pixel; with adaptive, the most"),
           D::number("adaptive", adaptive, 0, 1, "",
@@ -63,8 +63,8 @@ base::Fields<Params> sampling_fields() {
 
 base::Fields<Params> param_fields() {
   using D = base::Declare<Params>;
-  const auto depth = [](Params & p) -> auto& { return p.limits.depth; };
-  const auto min_influence = [](Params & p) -> auto& { return p.limits.min_influence; };
+  const auto depth = [](auto& p) -> auto& { return p.limits.depth; };
+  const auto min_influence = [](auto& p) -> auto& { return p.limits.min_influence; };
   base::Fields<Params> fields = {
       D::whole("width", &Params::width, 1, MAX_SIDE, "pixels", "width of the image"),
       D::whole("height", &Params::height, 1, MAX_SIDE, "pixels", "height of the image"),

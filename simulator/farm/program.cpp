@@ -113,9 +113,8 @@ base::Fields<Params> farm_fields() {
 
 base::Fields<ProgramParams> make_fields() {
   using P = ProgramParams;
-  const auto image = [](P & p) -> auto& { return p.farm.image; };
-  const auto snapshot_times = [](P & p) -> auto& { return p.farm.snapshot_times; };
-  const auto data = [](P & p) -> auto& { return p.data ? *p.data : p.data.emplace(); };
+  const auto image = [](auto& p) -> auto& { return p.farm.image; };
+  const auto snapshot_times = [](auto& p) -> auto& { return p.farm.snapshot_times; };
   return base::join(
       base::lift_all<P>(memory_fields(), &P::farm, "machine."),
       {base::lift_all<P>(ray_tracing::scene_fields(), &P::scene),
@@ -126,7 +125,7 @@ base::Fields<ProgramParams> make_fields() {
        // Last, so that "order" alone names the program's own field.
        base::lift_all<P>(base::Fields<Params>{ray_tracing::pixel_order_field(&Params::pixels)},
                          &P::farm, "image."),
-       base::lift_all<P>(ray_tracing::data_fields(), data)});
+       base::lift_optional<P>(ray_tracing::data_fields(), &P::data)});
 }
 
 base::Fields<Limits> limit_fields() {
@@ -146,8 +145,8 @@ base::Fields<Limits> limit_fields() {
 std::vector<programs::RecordList> make_lists() {
   using P = ProgramParams;
   return ray_tracing::make_lists<P>(
-      limit_fields(), [](P & p) -> auto& { return p.farm.stages; },
-      [](P & p) -> auto& { return p.farm.script; });
+      limit_fields(), [](auto& p) -> auto& { return p.farm.stages; },
+      [](auto& p) -> auto& { return p.farm.script; });
 }
 
 Params make_params(const Setup& setup, const ProgramParams& params) {

@@ -105,10 +105,9 @@ base::Fields<Params> machine_fields() {
 base::Fields<ProgramParams> make_fields() {
   using P = ProgramParams;
   using D = base::Declare<P>;
-  const auto image = [](P & p) -> auto& { return p.iirra.image; };
-  const auto snapshot_times = [](P & p) -> auto& { return p.iirra.snapshot_times; };
-  const auto memory = [](P & p) -> auto& { return p.iirra.memory; };
-  const auto data = [](P & p) -> auto& { return p.data ? *p.data : p.data.emplace(); };
+  const auto image = [](auto& p) -> auto& { return p.iirra.image; };
+  const auto snapshot_times = [](auto& p) -> auto& { return p.iirra.snapshot_times; };
+  const auto memory = [](auto& p) -> auto& { return p.iirra.memory; };
   return base::join(
       base::Fields<P>{D::whole("machine.worker_memory_bytes", memory, 1, 0x1p40, "bytes",
                                "memory of a worker; else the model's")},
@@ -120,7 +119,7 @@ base::Fields<ProgramParams> make_fields() {
        // Last, so that "order" alone names the program's own field.
        base::lift_all<P>(base::Fields<Params>{ray_tracing::pixel_order_field(&Params::pixels)},
                          &P::iirra, "image."),
-       base::lift_all<P>(ray_tracing::data_fields(), data)});
+       base::lift_optional<P>(ray_tracing::data_fields(), &P::data)});
 }
 
 base::Fields<Limits> limit_fields() {
@@ -195,8 +194,8 @@ programs::Program make_iirra() {
        .check = &check_program,
        .describe = [](const P& params) { return ray_tracing::describe(params.scene); },
        .lists = ray_tracing::make_lists<P>(
-           limit_fields(), [](P & p) -> auto& { return p.iirra.stages; },
-           [](P & p) -> auto& { return p.iirra.script; })});
+           limit_fields(), [](auto& p) -> auto& { return p.iirra.stages; },
+           [](auto& p) -> auto& { return p.iirra.script; })});
   program.processors = "workers";
   program.services = SERVICES;
   program.shows_parameters = false;

@@ -10,8 +10,8 @@ using R = RoomParams;
 using D = base::Declare<R>;
 
 base::Fields<R> solution_fields() {
-  const auto mesh = [](R & r) -> auto& { return r.light.mesh; };
-  const auto solve = [](R & r) -> auto& { return r.light.solve; };
+  const auto mesh = [](auto& r) -> auto& { return r.light.mesh; };
+  const auto solve = [](auto& r) -> auto& { return r.light.solve; };
   return base::join(
       base::Fields<R>{D::file("scene", &R::scene, "the room: .room, .nff or .obj", true)},
       {base::lift_all<R>(radiosity::mesh_fields(), mesh),
@@ -21,7 +21,7 @@ base::Fields<R> solution_fields() {
 
 base::Fields<R> view_fields() {
   static const base::Names<bool> AMBIENT = {{"added", true}, {"left-out", false}};
-  const auto ambient = [](R & r) -> auto& { return r.light.ambient; };
+  const auto ambient = [](auto& r) -> auto& { return r.light.ambient; };
   const auto twist = base::select(radiosity::reconstruction_fields(), {"twist"});
   const auto picture =
       base::select(radiosity::picture_fields(), {"width", "height", "pixel_samples"});

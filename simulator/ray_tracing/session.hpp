@@ -60,7 +60,6 @@ template <class Limits>
 base::Fields<OrderRecord<Limits>> order_fields(const base::Fields<Limits>& limit_fields) {
   using Record = OrderRecord<Limits>;
   using D = base::Declare<Record>;
-  const auto limits = [](Record & r) -> auto& { return r.limits ? *r.limits : r.limits.emplace(); };
   const auto set_save = [](Record& r, const base::Scalar& value) {
     const auto& name = std::get<std::string>(value);
     if (!is_picture_name(name)) return false;
@@ -86,7 +85,7 @@ base::Fields<OrderRecord<Limits>> order_fields(const base::Fields<Limits>& limit
            {.kind = base::Domain::Kind::text, .expected = "up to 40 letters, digits and dashes"},
            set_save,
            [](const Record& r) -> base::Scalar { return r.save; }}},
-      {base::lift_all<Record>(limit_fields, limits)});
+      {base::lift_optional<Record>(limit_fields, &Record::limits)});
 }
 
 /// Throws base::BadInput for a record that does not contain exactly one order.
@@ -116,10 +115,9 @@ programs::RecordList make_list(const std::string& key, const std::string& help,
   const auto find = [list](std::any & params) -> auto& {
     return std::invoke(list, std::any_cast<P&>(params));
   };
-  const auto record = [](std::any& any) -> Record& { return std::any_cast<Record&>(any); };
   return {key,
           help,
-          base::lift_all<std::any>(fields, record),
+          base::lift_all<std::any>(fields, base::AnyAs<Record>{}),
           [] { return std::any(Record{}); },
           [find](std::any& params) { find(params).clear(); },
           [find, append](std::any& params, const std::any& any) {

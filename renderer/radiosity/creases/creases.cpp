@@ -166,7 +166,7 @@ base::Field<Creases> creases_field() {
   const base::Names<Creases> names = {
       {"file", Creases::file}, {"auto", Creases::found}, {"none", Creases::none}};
   return base::Declare<Creases>::choice(
-      "creases", [](Creases & c) -> auto& { return c; }, names,
+      "creases", [](auto& c) -> auto& { return c; }, names,
       "lines at which patches end: the room's; these and the borders of penumbrae and lines within "
       "them that are found, and near lights smaller patches; none");
 }

@@ -207,7 +207,7 @@ base::Fields<Params> make_fields() {
         D::number("server_cache_percent", &Params::server_cache_percent, 0, 100, "%",
                   "items that the coordinator's cache has room for; 0: as many as the others"),
         D::whole(
-            "page_items", [](Params & p) -> auto& { return p.load.data.page_items; }, 1, 1e6, "",
+            "page_items", [](auto& p) -> auto& { return p.load.data.page_items; }, 1, 1e6, "",
             "items of a page, where there are pages"),
         D::whole("coordinator", &Params::coordinator, -1, 1e6, "",
                  "a processor; -1: the network's root"),
@@ -215,14 +215,14 @@ base::Fields<Params> make_fields() {
                   "requests are offered to all on the way to the coordinator, without WRQu, go to "
                   "it directly; or there are fixed pages without a coordinator"),
         D::choice(
-            "between_passes", [](Params & p) -> auto& { return p.load.together; }, BETWEEN_PASSES,
+            "between_passes", [](auto& p) -> auto& { return p.load.together; }, BETWEEN_PASSES,
             "all wait for the last one, or each goes on"),
         D::choice(
-            "coordinator_is", [](Params & p) -> auto& { return p.load.coordinator_too; },
+            "coordinator_is", [](auto& p) -> auto& { return p.load.coordinator_too; },
             COORDINATOR_IS,
             "working: it makes accesses as the others do, which it always does with pages"),
         seed_field<Params>(
-            [](Params & p) -> auto& { return p.load.seed; }, "seed of the accesses")}});
+            [](auto& p) -> auto& { return p.load.seed; }, "seed of the accesses")}});
 }
 
 // Inserts requests_at_coordinator after requests.

@@ -156,27 +156,24 @@ struct Declaration {
 template <class P, class R>
 Program make_program(const Declaration<P, R>& d) {
   Program program{d.name, d.help, d.uses, d.parts, {}, d.lists, {}, P{}, {}, {}};
-  const auto params = [](std::any& any) -> P& { return std::any_cast<P&>(any); };
-  const auto const_params = [](const std::any& any) -> const P& {
-    return std::any_cast<const P&>(any);
-  };
+  constexpr base::AnyAs<P> params;
   program.parameters = base::lift_all<std::any>(d.fields, params);
   for (const auto& c : d.columns) program.columns.push_back({c.name, c.help});
-  program.run = [run = d.run, columns = d.columns, const_params](const Setup& setup,
-                                                                 const std::any& any) {
-    auto found = run(setup, const_params(any));
+  program.run = [run = d.run, columns = d.columns, params](const Setup& setup,
+                                                           const std::any& any) {
+    auto found = run(setup, params(any));
     Outcome<Row> outcome;
     for (const auto& row : found.rows) outcome.rows.push_back(base::make_row(columns, row));
     static_cast<Extras&>(outcome) = std::move(found);
     return outcome;
   };
   if (d.check)
-    program.check = [check = d.check, const_params](const Setup& setup, const std::any& any) {
-      check(setup, const_params(any));
+    program.check = [check = d.check, params](const Setup& setup, const std::any& any) {
+      check(setup, params(any));
     };
   if (d.describe)
-    program.describe = [describe = d.describe, const_params](const std::any& any) {
-      return describe(const_params(any));
+    program.describe = [describe = d.describe, params](const std::any& any) {
+      return describe(params(any));
     };
   return program;
 }

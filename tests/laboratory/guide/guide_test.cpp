@@ -108,8 +108,7 @@ TEST(Guide, HelpOnAKeySaysWhatItMayBe) {
   programs::Program painter;
   painter.name = "painter";
   painter.help = "paints";
-  painter.parameters = base::lift_all<std::any>(
-      fields, [](std::any& params) -> P& { return std::any_cast<P&>(params); });
+  painter.parameters = base::lift_all<std::any>(fields, base::AnyAs<P>{});
   painter.defaults = P();
   const auto line = [](const std::string& key, const std::string& text) {
     return "    " + key + std::string(29 - key.size(), ' ') + text + "\n";
