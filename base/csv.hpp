@@ -11,20 +11,22 @@ struct CsvCell {
   bool is_quoted = false;
 };
 
-/// Reads a text that must outlive the reader. Lines that start with # are comments; blanks around
-/// bare cells are dropped. "\r\n" and a byte order mark are allowed, line ends in quoted cells too.
-/// Every error is a BadInput "name:line: ...".
+/// Reads a text that must outlive the reader. Lines that start with # are comments. Blanks around
+/// unquoted cells are dropped. The text may contain "\r\n" and a byte order mark, and quoted cells
+/// may contain line ends. Every error is a BadInput "name:line: ...".
 class CsvReader {
  public:
   CsvReader(std::string_view text, std::string_view name);
 
-  /// The cells of the next record; none at the text's end, one empty bare cell for a blank line.
+  /// Returns the cells of the next record, or none at the end of the text. A blank line is one
+  /// empty unquoted cell.
   std::vector<CsvCell> take();
-  /// Skips blank records and takes the column names: unique and not empty.
+  /// Skips blank records, then returns the column names of the next record. Throws BadInput unless
+  /// they are unique and not empty.
   std::vector<std::string> take_header();
-  /// The first line of the last record taken, counted from 1.
+  /// The first line of the record read last, counted from 1.
   int line() const { return record_line_; }
-  /// Throws BadInput about the last record taken.
+  /// Throws BadInput about the record read last.
   [[noreturn]] void fail(std::string_view what) const { fail_at(record_line_, what); }
 
   /// Throws BadInput about the given line.
@@ -43,10 +45,10 @@ class CsvReader {
   int record_line_ = 1;
 };
 
-/// True if a record is a blank line.
+/// True if the record stands for a blank line.
 bool is_blank(const std::vector<CsvCell>& record);
 
-/// Spells a text as a cell that CsvReader restores, in quotes where it needs them.
+/// Spells a text as a cell that CsvReader restores, quoted only if necessary.
 std::string quote_csv(std::string_view text);
 
 /// One line of cells, separated by commas, with a line end.

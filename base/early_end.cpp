@@ -12,10 +12,10 @@ namespace base {
 namespace {
 
 std::atomic<bool> is_ending = false;
-static_assert(std::atomic<bool>::is_always_lock_free);  // a signal handler sets it
+static_assert(std::atomic<bool>::is_always_lock_free);  // because a signal handler sets it
 
-std::shared_mutex sections;  // shared by the threads in sections
-thread_local int depth = 0;  // nested sections of this thread
+std::shared_mutex sections;  // held shared by every thread in an Undivided section
+thread_local int depth = 0;  // nesting depth of this thread's sections
 
 std::mutex list_mutex;
 std::list<std::function<void()>> undos;
@@ -51,7 +51,7 @@ void undo_all() {
   sections.lock();
   for (const auto& undo : undos | std::views::reverse) try {
       undo();
-    } catch (const std::exception&) {  // go on with the others
+    } catch (const std::exception&) {  // one failed Undo must not prevent the remaining ones
     }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Clean-up when a signal ends the program: removes half-written files and folders, ends child
-// processes. Also blocks signals for a while.
+// Clean-up when a signal ends the program: removes half-written files and folders, and ends child
+// processes. Also blocks signals temporarily.
 #include <signal.h>
 
 #include <functional>
@@ -9,9 +9,9 @@
 
 namespace base {
 
-/// A section that the program's early end waits for. It makes a resource together with its Undo.
-/// The constructor does not return if the program is about to end. Sections are short and may be
-/// nested.
+/// A critical section that delays an early end of the program. Code in it creates a resource
+/// together with the Undo that removes it. Once an early end is requested, the constructor never
+/// returns. Sections must be short and may be nested.
 class Undivided {
  public:
   Undivided();
@@ -20,10 +20,10 @@ class Undivided {
   Undivided& operator=(const Undivided&) = delete;
 };
 
-/// An action that runs if the program ends early while this object lives.
+/// An action that runs if a signal ends the program during this object's lifetime.
 class Undo {
  public:
-  /// `undo` runs in another thread while no thread is in a section; its exceptions are dropped.
+  /// `undo` runs in another thread while no thread is in a section; its exceptions are ignored.
   explicit Undo(std::function<void()> undo);
   ~Undo();
   Undo(const Undo&) = delete;
@@ -33,15 +33,15 @@ class Undo {
   std::list<std::function<void()>>::iterator place_;
 };
 
-/// From now on, no thread can enter a section. A signal handler may call this function.
+/// Lets no thread enter a section any longer. Safe to call in a signal handler.
 void request_early_end() noexcept;
 
-/// Waits for the threads in sections, then runs every Undo, newest first. The caller ends the
-/// program.
+/// Waits until no thread is in a section, then runs every Undo, newest first. The caller must end
+/// the program afterwards.
 void undo_all();
 
-/// Blocks these signals in the thread that made the object, as long as the object lives. Threads
-/// and child processes that this thread starts meanwhile inherit the block.
+/// Blocks these signals in the constructing thread during the object's lifetime. Threads and child
+/// processes started meanwhile by this thread inherit the block.
 class HeldSignals {
  public:
   explicit HeldSignals(std::span<const int> signals);

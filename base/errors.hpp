@@ -1,5 +1,5 @@
 #pragma once
-// Errors that any module may throw. Simulated faults, the third kind, are in
+// Exceptions for bad input and broken invariants. Exceptions for simulated faults are in
 // simulator/machine/faults.hpp.
 #include <fmt/format.h>
 
@@ -10,13 +10,13 @@
 
 namespace base {
 
-/// Bad input, rejected where it enters and before anything runs. The text names the file, line or
-/// key, the value found and the value expected.
+/// Bad input, rejected on entry, before anything runs. The text names the file, line or key, the
+/// value found and the value expected.
 struct BadInput : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A broken invariant: a defect of tlab. The text holds both values.
+/// A broken invariant, which is a defect of tlab. The text holds the values found and expected.
 struct InvariantBroken : std::logic_error {
   using std::logic_error::logic_error;
 };
@@ -28,14 +28,14 @@ template <class... Args>
   throw BadInput(fmt::format("{}: {}", place, fmt::format(message, std::forward<Args>(args)...)));
 }
 
-/// Throws as `refuse` does unless `holds`.
+/// Throws BadInput "place: message" unless `holds` is true.
 template <class... Args>
 void require(bool holds, std::string_view place, fmt::format_string<Args...> message,
              Args&&... args) {
   if (!holds) refuse(place, message, std::forward<Args>(args)...);
 }
 
-/// Throws InvariantBroken, with both values, unless they are equal.
+/// Throws InvariantBroken with both values unless they are equal.
 template <class A, class B>
 void check_equal(const char* what, const A& found, const B& expected) {
   if (!(found == expected))

@@ -1,7 +1,8 @@
 #pragma once
-// Parameters and measurements, each declared once. A struct with defaults holds the parameters, and
-// a list of fields gives each one a name, a domain and a help text. The experiment file, command
-// line, help, manual and table of results read that list. Columns do the same for measurements.
+// Parameters and measurements, each declared once. Parameters are the members of a struct with
+// defaults. A list of fields gives each parameter a name, a domain and a help text. The experiment
+// file, command line, help, manual and table of results read this list. Columns declare
+// measurements in the same way.
 #include <algorithm>
 #include <any>
 
@@ -22,58 +23,60 @@
 
 namespace base {
 
-/// A file or a generator such as "tree:7", as the user spells it, and the path of the file ("" if
-/// there is none).
+/// A file or a generator such as "tree:7", as spelled by the user. `path` is the path of the file,
+/// or "" for a generator.
 struct Source {
   std::string text, path;
   bool operator==(const Source&) const = default;
 };
 
-/// A value from a file or a command line. Empty: no value was given.
+/// A value from a file or a command line. Empty if no value was given.
 using Scalar = std::variant<std::monostate, bool, std::int64_t, double, std::string,
                             std::vector<double>, Source>;
 
-/// Text for readers; "none" if no value was given.
+/// The value as text for readers; "none" for an empty value.
 std::string to_text(const Scalar& value);
 
-/// A cell of a table. Empty: there is no value.
+/// A cell of a table; may be empty.
 using Cell = std::variant<std::monostate, std::int64_t, double, std::string>;
 
 /// The values that a field may hold.
 struct Domain {
   enum class Kind {
-    flag,    ///< true or false, or 1 or 0
-    whole,   ///< a whole number from low to high
-    number,  ///< a number from low to high
+    flag,    ///< true, false, 1 or 0
+    whole,   ///< an integer from `low` to `high`
+    number,  ///< a number from `low` to `high`
     choice,  ///< one of `choices`
     text,
-    list,   ///< numbers
-    file,   ///< the name of a file
-    source  ///< the name of a file (with an extension) or of a generator
+    list,   ///< a list of numbers
+    file,   ///< a file name
+    source  ///< a file name with an extension, or a generator
   };
   Kind kind = Kind::number;
   double low = 0, high = 0;
   std::vector<std::string> choices = {};
-  bool is_required = false;   ///< a file must be named
-  std::string expected = {};  ///< replaces the text of `describe`
+  bool is_required = false;   ///< a file name must be given
+  std::string expected = {};  ///< overrides the text that `describe` makes
 
-  /// The expected values in words: "a whole number from 0 to 16", "one of red, green".
+  /// Describes the expected values, as in "a whole number from 0 to 16" or "one of red, green".
   std::string describe() const;
-  /// True if a value is of the kind and in range.
+  /// True if the value is of this kind and in range.
   bool allows(const Scalar& value) const;
 };
 
-/// One member of P, or of something inside it.
+/// One parameter: a member of P, or part of a member.
 template <class P>
 struct Field {
-  std::string name;  ///< key, option and column
-  std::string unit;  ///< "bytes"; "" without a unit
+  std::string name;  ///< the key in files, the option and the column
+  std::string unit;  ///< such as "bytes"; "" without a unit
   std::string help;
   Domain domain;
-  std::function<bool(P&, const Scalar&)> set;  ///< false: refuses a value inside the domain
+  std::function<bool(P&, const Scalar&)> set;  ///< returns false to refuse a value inside the
+                                               ///< domain
   std::function<Scalar(const P&)> get;
 
-  /// Sets the member and returns "", or changes nothing and returns the expected values in words.
+  /// Sets the parameter and returns "". For a refused value, changes nothing and returns a
+  /// description of the expected values.
   std::string assign(P& params, const Scalar& value) const {
     return domain.allows(value) && set(params, value) ? "" : domain.describe();
   }
@@ -81,7 +84,7 @@ struct Field {
 template <class P>
 using Fields = std::vector<Field<P>>;
 
-/// Names of an enum's values, in the order of the help text.
+/// The names of an enum's values, in the order of the help text.
 template <class E>
 using Names = std::vector<std::pair<std::string, E>>;
 
@@ -97,7 +100,7 @@ constexpr bool is_optional = requires(T t) {
   t.has_value();
 };
 
-/// The number in a scalar of any numeric kind.
+/// The value of a numeric scalar, converted to double.
 double number_of(const Scalar& value);
 
 template <class T>
@@ -147,8 +150,8 @@ Field<P> make_field(const std::string& name, Access access, Domain domain, const
 }  // namespace detail
 
 /// Makes fields of P: `Declare<Params> d; d.whole("bytes", &Params::bytes, 1, 1e9, "bytes", "length
-/// of a message")`. `access` is a member of P, or a function `[](auto& p) -> auto& { ... }`.
-/// Numbers may be quantities or optional values; an optional one is empty unless it is given.
+/// of a message")`. `access` is a pointer to a member of P, or `[](auto& p) -> auto& { ... }`. A
+/// number may be a quantity or optional. An optional stays empty unless a value is given.
 template <class P>
 struct Declare {
   template <class Access>
@@ -179,7 +182,7 @@ struct Declare {
   static Field<P> source(const std::string& name, Access access, const std::string& help) {
     return detail::make_field<P>(name, access, {Domain::Kind::source}, "", help);
   }
-  /// A field for an enum, set by the names of its values.
+  /// A field for an enum, set by name.
   template <class Access, class E>
   static Field<P> choice(const std::string& name, Access access, const Names<E>& names,
                          const std::string& help) {
@@ -202,7 +205,7 @@ struct Declare {
   }
 };
 
-/// Turns a field of Inner into a field of P; `access` finds the Inner in a P.
+/// Turns a field of Inner into a field of P. `access` maps a P to its Inner.
 template <class P, class Inner, class Access>
 Field<P> lift(const Field<Inner>& field, Access access) {
   return {field.name,
@@ -212,7 +215,7 @@ Field<P> lift(const Field<Inner>& field, Access access) {
           [field, access](P& p, const Scalar& v) { return field.set(std::invoke(access, p), v); },
           [field, access](const P& p) { return field.get(std::invoke(access, p)); }};
 }
-/// Lifts all fields and puts `prefix` before their names.
+/// Lifts all fields and prefixes their names with `prefix`.
 template <class P, class Inner, class Access>
 Fields<P> lift_all(const Fields<Inner>& fields, Access access, const std::string& prefix = "") {
   Fields<P> all;
@@ -258,26 +261,26 @@ Fields<P> select(const Fields<P>& fields, std::initializer_list<std::string_view
   return chosen;
 }
 
-/// Concatenates lists.
 template <class T>
 std::vector<T> join(std::vector<T> first, const std::vector<std::vector<T>>& others) {
   for (const auto& more : others) first.insert(first.end(), more.begin(), more.end());
   return first;
 }
 
-/// One measurement of a result R, or a family of them: "stage{}_s" stands for stage1_s, stage2_s,
-/// ... A family without {} has one cell, or none if the result lacks the column.
+/// One measurement of a result R, or a family of measurements. The family "stage{}_s" stands for
+/// stage1_s, stage2_s and so on. A family without {} has one cell, or none if the result lacks the
+/// column.
 template <class R>
 struct Column {
-  std::string name;  ///< ends with its unit: "time_s"
+  std::string name;  ///< includes the unit: "time_s"
   std::string help;
-  std::function<std::vector<Cell>(const R&)> get;  ///< one cell; any number for a family
+  std::function<std::vector<Cell>(const R&)> get;  ///< returns one cell, or any number for a family
   bool is_family = false;
 };
 template <class R>
 using Columns = std::vector<Column<R>>;
 
-/// A number or text as a cell; empty for an empty optional and for infinite numbers and NaN.
+/// Converts a number or text to a cell. Empty optionals, infinities and NaN give an empty cell.
 template <class T>
 Cell to_cell(const T& value) {
   if constexpr (detail::is_optional<T>)
@@ -294,7 +297,8 @@ Cell to_cell(const T& value) {
     return std::string(value);
 }
 
-/// `access` is a member of R, or a function from const R& to a number or text, optional or not.
+/// `access` is a pointer to a member of R, or a function from const R&. It gives a number or text,
+/// or an optional of either.
 template <class R, class Access>
 Column<R> column(const std::string& name, Access access, const std::string& help) {
   return {name, help,
@@ -306,7 +310,7 @@ requires std::is_member_object_pointer_v<T R::*> Column<R> column(const std::str
                                                                   const std::string& help) {
   return column<R, T R::*>(name, member, help);
 }
-/// A column that is left empty here; other code fills it.
+/// A column whose cells stay empty here, to be filled by other code.
 template <class R>
 Column<R> empty_column(const std::string& name, const std::string& help) {
   return {name, help, [](const R&) { return std::vector<Cell>(1); }};
@@ -321,7 +325,7 @@ Columns<R> lift_columns(const Columns<Inner>& columns, Access access) {
   return all;
 }
 
-/// Columns that are present only if `has` is true of the result.
+/// Columns that exist only for results that satisfy `has`.
 template <class R, class Has>
 Columns<R> only_if(Has has, Columns<R> columns) {
   for (auto& c : columns) {
@@ -333,7 +337,7 @@ Columns<R> only_if(Has has, Columns<R> columns) {
   return columns;
 }
 
-/// A program's measurements as one row: names and cells in the order of its columns.
+/// The measurements of one run: names and cells in the order of the program's columns.
 using Row = std::vector<std::pair<std::string, Cell>>;
 template <class R>
 Row make_row(const Columns<R>& columns, const R& result) {

@@ -16,7 +16,7 @@ namespace {
 constexpr std::string_view NAME_CHARACTERS =
     "0123456789_.abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ";
 
-// Refuses unknown functions by name; muParser reports only an unexpected parenthesis.
+// Refuses unknown functions by name, because muParser only reports an unexpected parenthesis.
 void check_functions(const mu::Parser& parser, std::string_view text, const std::string& place) {
   std::vector<std::string> known;
   for (const auto& [name, function] : parser.GetFunDef()) known.push_back(name);
@@ -28,7 +28,7 @@ void check_functions(const mu::Parser& parser, std::string_view text, const std:
   }
 }
 
-// True if the text contains a single =, which muParser reads as an assignment.
+// True if the text contains a single =, which muParser would read as an assignment.
 bool has_assignment(const std::string& text) {
   for (auto at = text.find('='); at != std::string::npos; at = text.find('=', at + 1)) {
     const bool compares = at > 0 && std::string_view("<>!").find(text[at - 1]) != std::string::npos;
@@ -43,7 +43,7 @@ bool has_assignment(const std::string& text) {
 
 struct Formula::Parser {
   mu::Parser parser;
-  std::vector<double> values;  // the parser points to them
+  std::vector<double> values;  // muParser holds pointers to these
 };
 
 Formula::Formula(const std::string& text, std::string place)

@@ -28,7 +28,8 @@ namespace {
 
 namespace process = boost::process;
 
-// An unnamed temporary file, deleted with the object. A program reads or writes it at its own pace.
+// An unnamed temporary file, deleted by the destructor. Unlike a pipe, it cannot block the program
+// that reads or writes it.
 class Scratch {
  public:
   Scratch() : file_(std::tmpfile(), &std::fclose) { check(file_ != nullptr); }
@@ -56,19 +57,19 @@ class Scratch {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
-// Runs in the new process: ends it with the thread that waits for it, and restores the default
-// signal handlers.
+// Runs in the new process. Kills it when the parent's thread ends, and restores the default signal
+// handlers.
 void set_up_child(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);
   for (const int ours : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) signal(ours, SIG_DFL);
 }
 
-// Serialises the start of programs. Boost waits on a pipe until a program begins; a program started
-// meanwhile by another thread would inherit that pipe and keep Boost waiting until it ends.
+// Serialises program starts. Boost waits on a pipe until a program has started. A program started
+// meanwhile by another thread would inherit this pipe, and Boost would wait until it ends.
 std::mutex starts;
 
-// A child process that ends with this object, and when the program ends early.
+// A child process, terminated by the destructor or by an early end of tlab.
 class Child {
  public:
   template <class... Settings>
@@ -92,7 +93,7 @@ class Child {
 
  private:
   std::optional<Undo> undo_;
-  process::child child_;  // its destructor terminates a process that still runs
+  process::child child_;  // its destructor terminates a running process
 };
 
 }  // namespace

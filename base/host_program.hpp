@@ -6,17 +6,19 @@
 namespace base {
 
 struct HostProgram {
-  std::string name;                    ///< found along PATH
-  std::vector<std::string> arguments;  ///< passed unchanged, without a shell
+  std::string name;                    ///< searched for in PATH
+  std::vector<std::string> arguments;  ///< passed literally, without a shell
   std::string input = {};              ///< text for its standard input
-  std::string purpose;                 ///< begins error messages: "topology ring:4"
-  std::string remedy;                  ///< advice if it is not installed: "install graphviz"
-  bool shows_output = false;           ///< prints to tlab's standard output; "" is returned
+  std::string purpose;                 ///< first words of error messages: "topology ring:4"
+  std::string remedy;                  ///< advice if the program is not installed: "install
+                                       ///< graphviz"
+  bool shows_output = false;           ///< true: the program writes to tlab's standard output, and
+                                       ///< run_program returns ""
 };
 
 /// Runs the program to its end and returns its standard output. If tlab ends first, for any reason,
-/// the program ends too. Throws std::runtime_error: with the remedy if it is not installed, with
-/// its standard error if it fails.
+/// the program ends too. Throws std::runtime_error with the remedy if the program is not installed,
+/// or with its standard error if it fails.
 std::string run_program(const HostProgram& program);
 
 }  // namespace base

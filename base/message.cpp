@@ -13,12 +13,13 @@ namespace base {
 
 namespace {
 
-// The length in bytes of the text's first character; 0 if it is not printable UTF-8.
+// Length in bytes of the text's first character; 0 if it is not printable UTF-8.
 std::size_t measure_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const bool is_control = byte(0) < 0x20 || byte(0) == 0x7f;
   const auto length = measure_utf8(text);
-  const bool is_later_control = length == 2 && byte(0) == 0xc2 && byte(1) < 0xa0;  // C1
+  const bool is_later_control = length == 2 && byte(0) == 0xc2 && byte(1) < 0xa0;  // C1 control
+                                                                                   // characters
   return is_control || is_later_control ? 0 : length;
 }
 
@@ -61,7 +62,8 @@ std::string make_readable(std::string_view message) {
 }
 
 std::size_t count_edits(std::string_view a, std::string_view b) {
-  // Rows of edit distances from a prefix of `a` to every prefix of `b`; `back`: one letter shorter.
+  // Rows of the edit distance table, from a prefix of `a` to every prefix of `b`. `back` and
+  // `two_back` belong to prefixes of `a` that are one and two letters shorter.
   std::vector<std::size_t> two_back, back, row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
@@ -78,7 +80,7 @@ std::size_t count_edits(std::string_view a, std::string_view b) {
 
 std::optional<std::string> find_similar(std::string_view name,
                                         const std::vector<std::string>& known) {
-  constexpr std::size_t LONGEST = 200;  // bytes; a comparison takes O(length x length) time
+  constexpr std::size_t LONGEST = 200;  // in bytes, because a comparison takes quadratic time
   constexpr std::size_t SHORTEST_PART = 3;
   if (known.empty() || name.size() > LONGEST) return {};
   auto nearest = nearest_name(name, known);

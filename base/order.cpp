@@ -8,8 +8,10 @@ Order sort_by_needs(const std::vector<std::vector<std::size_t>>& needs) {
   enum class State { untouched, open, sorted };
   Order order;
   std::vector<State> states(needs.size(), State::untouched);
-  std::vector<std::size_t> next(needs.size(), 0);  // by index: the next of its needs to visit
-  std::vector<std::size_t> way;                    // open indices, each needed by the one before
+  std::vector<std::size_t> next(needs.size(), 0);  // for each index, the position in needs[index]
+                                                   // to visit next
+  std::vector<std::size_t> way;                    // depth-first stack; each index is needed by its
+                                                   // predecessor
   for (std::size_t first = 0; first < needs.size(); ++first) {
     if (states[first] == State::untouched) way.push_back(first);
     while (!way.empty()) {

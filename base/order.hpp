@@ -6,13 +6,14 @@
 namespace base {
 
 struct Order {
-  std::vector<std::size_t> sorted;  ///< every index, after the indices that it needs
-  std::vector<std::size_t> circle;  ///< a cycle if there is one: each needs the next, the last the
-                                    ///< first; `sorted` is then incomplete
+  std::vector<std::size_t> sorted;  ///< all indices; each follows the indices that it needs
+  std::vector<std::size_t> circle;  ///< a cycle, empty if there is none: each index needs the next,
+                                    ///< and the last needs the first. With a cycle, `sorted` is
+                                    ///< incomplete.
 };
 
-/// `needs` holds, for each index, the indices that it needs. Sorts depth first by ascending index,
-/// without recursion, so that any depth is possible.
+/// Sorts depth first, by ascending index. `needs[i]` lists the indices that i needs. The
+/// implementation does not recurse, so chains of any length are possible.
 Order sort_by_needs(const std::vector<std::vector<std::size_t>>& needs);
 
 }  // namespace base

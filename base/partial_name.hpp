@@ -1,7 +1,8 @@
 #pragma once
-// Hidden names for files and folders while they are written: ".NAME.partial-HOST-PID". Hosts may
-// share a folder, and each knows only its own processes. A "-" in the host's name is doubled;
-// otherwise "node" with process 12-3 would look like "node-12" with process 3.
+// Hidden names for files and folders that are still being written: ".NAME.partial-HOST-PID". The
+// host is part of the name because hosts may share a folder and know only their own processes. A
+// "-" in the host's name is doubled. Without that, process "12-3" of "node" would look like process
+// 3 of "node-12".
 #include <sys/types.h>
 
 #include <optional>
@@ -13,11 +14,12 @@ namespace base {
 /// This host's name.
 std::string host_name();
 
-/// The name that a process of a host uses: ".NAME.KIND-HOST-PID".
+/// The name made by a process of a host: ".NAME.KIND-HOST-PID".
 std::string make_partial_name(std::string_view name, std::string_view kind, pid_t process,
                               std::string_view host = host_name());
 
-/// The process id in a name of this kind if `host` made it. Text after the id and a "-" is ignored.
+/// The process id in a name of this kind that `host` made. Ignores a "-" after the id and all that
+/// follows.
 std::optional<pid_t> find_maker(std::string_view partial_name, std::string_view kind,
                                 std::string_view host = host_name());
 

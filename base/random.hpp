@@ -1,14 +1,15 @@
 #pragma once
-// Random numbers that depend on the seed alone, on any machine. The engines are the standard
-// library's; the distributions are our own, since the library's differ between implementations.
+// Reproducible random numbers: a seed gives the same numbers on every machine. The engines are
+// those of the standard library. The distributions are our own, because those of the library differ
+// between implementations.
 #include <cmath>
 #include <cstdint>
 #include <random>
 
 namespace base {
 
-/// A random number that depends only on the seed and the counter, so any order of calls gives the
-/// same numbers (SplitMix64, G. Steele et al. 2014).
+/// A counter-based random number: a function of seed and counter only, so the order of calls does
+/// not matter (SplitMix64, G. Steele et al. 2014).
 inline std::uint64_t random_at(std::uint64_t seed, std::uint64_t counter) {
   std::uint64_t z = seed + (counter + 1) * 0x9E3779B97F4A7C15u;
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
@@ -30,7 +31,7 @@ class Random {
   double exponential() { return -std::log(uniform()); }
   /// Uniform integer from 0 to n - 1.
   int below(int n) { return static_cast<int>(uniform() * n); }
-  /// Any processor of `processors` except `processor`.
+  /// A random processor from 0 to `processors` - 1, but not `processor`.
   int other_than(int processor, int processors) {
     return (processor + 1 + below(processors - 1)) % processors;
   }

@@ -8,8 +8,8 @@
 
 namespace base {
 
-/// Calls work(i) for every i from 0 to `count` - 1; the threads take indices one by one. After an
-/// exception, no thread takes another index, and the exception is rethrown.
+/// Calls work(i) for every i from 0 to `count` - 1 on `threads` threads, which claim indices one by
+/// one. After an exception, no further index is claimed, and the exception is rethrown.
 template <class Work>
 void share(int count, int threads, const Work& work) {
   std::atomic<int> next = 0;

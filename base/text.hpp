@@ -8,13 +8,14 @@
 
 namespace base {
 
-/// The text without leading and trailing blanks, tabs and line ends.
+/// The text without blanks, tabs and line ends at both ends.
 std::string_view trim(std::string_view text);
 
-/// The parts between separators, each trimmed; a text without a separator is one part.
+/// The trimmed parts between separators; the whole text if it has no separator.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
-/// Parses a whole text as a number, in any locale; none for any other text, also with blanks.
+/// Parses the whole text as a number, independent of the locale. Returns none for anything else,
+/// even for a number with surrounding blanks.
 template <class Number>
 std::optional<Number> parse_number(std::string_view text) {
   Number number{};
@@ -24,27 +25,30 @@ std::optional<Number> parse_number(std::string_view text) {
   return number;
 }
 
-/// The name among `known` (not empty) at the smallest edit distance from `name` (count_edits in
-/// base/message.hpp); the first of several.
+/// The name in `known` with the smallest edit distance from `name` (count_edits in
+/// base/message.hpp); the first if several are equally near. `known` must not be empty.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
-/// Quotes a word for messages: in single quotes, at most 40 bytes; bytes that are not printable
-/// ASCII become escapes such as "\x0a".
+/// Puts a word in single quotes for messages and shortens it to 40 bytes. Bytes that are not
+/// printable ASCII become escapes such as "\x0a".
 std::string quote(std::string_view word);
 
-/// The length in bytes of the UTF-8 character at the start of the text (not empty); 0 without one.
+/// Length in bytes of the UTF-8 character at the start of a text that is not empty; 0 if it starts
+/// with none.
 std::size_t measure_utf8(std::string_view text);
 /// True if the text is valid UTF-8, as JSON and TOML require.
 bool is_utf8(std::string_view text);
 
-/// Puts a text on one line: replaces control characters, which could also command a terminal.
+/// Replaces control characters, including line ends. The result is one line and cannot control a
+/// terminal.
 std::string blank_controls(std::string_view text, char instead = ' ');
 
-/// Escapes a text for elements and quoted attributes of XML and HTML. Control characters other than
-/// line ends, tabs and DEL become U+FFFD, since XML cannot hold them.
+/// Escapes a text for elements and quoted attributes of XML and HTML. Control characters that XML
+/// cannot hold become U+FFFD, and so does DEL. Line ends and tabs stay.
 std::string escape_xml(std::string_view text);
 
-/// The first sentence of a file's leading comment, in lines with # or //; "" without a comment.
+/// The first sentence of the comment at the start of a file, from lines with # or //; "" without a
+/// comment.
 std::string first_comment(std::string_view text);
 
 }  // namespace base

@@ -15,7 +15,7 @@ namespace base {
 
 namespace {
 
-// The length of the quoted string, single-line or multi-line, at the start of the text.
+// Length of the quoted string at the start of the text, which may span several lines.
 std::size_t measure_string(std::string_view text) {
   const char mark = text[0];
   const bool has_lines = text.substr(1, 2) == std::string_view{mark == '"' ? "\"\"" : "''"};
@@ -26,7 +26,7 @@ std::size_t measure_string(std::string_view text) {
     at += mark == '"' && text[at] == '\\' ? 2 : 1;
   }
   at = std::min(at + end.size(), text.size());
-  // Up to two quote marks right before the closing three belong to the string.
+  // Up to two quote marks directly before the closing three belong to the string.
   for (int i = 0; i < 2 && has_lines && at < text.size() && text[at] == mark; ++i) ++at;
   return at;
 }
@@ -36,8 +36,9 @@ bool continues_key(char c) {
   return std::isalnum(byte) || c == '_' || c == '-' || c == ' ' || c == '\t';
 }
 
-// toml++ makes a table for each part of a key and destroys nested tables by recursion. Outside
-// strings and comments, its behaviour is undefined for bytes beyond ASCII.
+// Limits the number of parts in a key, because toml++ makes nested tables for them and destroys
+// these by recursion. Refuses bytes beyond ASCII outside strings and comments, where the behaviour
+// of toml++ is undefined.
 void check_keys(std::string_view text, std::string_view origin) {
   constexpr std::string_view MARK = "\xef\xbb\xbf";  // UTF-8 byte order mark
   if (text.starts_with(MARK)) text.remove_prefix(MARK.size());
@@ -60,8 +61,8 @@ void check_keys(std::string_view text, std::string_view origin) {
   }
 }
 
-// Refuses values that toml++ writes wrongly: it leaves such keys unquoted, and it takes the
-// absolute value of the smallest 64-bit integer.
+// Refuses values that toml++ writes wrongly: certain keys, which it does not quote, and the
+// smallest 64-bit integer, whose sign it loses.
 void check_nodes(const toml::node& node, std::string_view origin) {
   if (const auto* list = node.as_array())
     for (const auto& entry : *list) check_nodes(entry, origin);
@@ -79,7 +80,7 @@ void check_nodes(const toml::node& node, std::string_view origin) {
   }
 }
 
-// True if the node contains a string with several lines.
+// True if the node contains a multi-line string.
 bool has_lines(const toml::node& node) {
   if (const auto* text = node.as_string()) return text->get().find('\n') != std::string::npos;
   if (const auto* list = node.as_array()) return std::ranges::any_of(*list, has_lines);
@@ -102,7 +103,7 @@ toml::table parse_toml(std::string_view text, std::string_view origin) {
 }
 
 std::string to_toml(const toml::node& node) {
-  // toml++ writes 17 digits: 0.10000000000000001.
+  // toml++ would write 17 digits: 0.10000000000000001.
   if (const auto number = node.value_exact<double>(); number && std::isfinite(*number)) {
     const auto text = fmt::format("{}", *number);
     return text.find_first_of(".e") == text.npos ? text + ".0" : text;
@@ -111,7 +112,7 @@ std::string to_toml(const toml::node& node) {
   auto flags = toml::toml_formatter::default_flags;
   flags &= ~(allow_binary_integers | allow_octal_integers | allow_hexadecimal_integers);
   // toml++ writes multi-line strings between triple quotes without a check. An empty first line
-  // would be lost, and triple quotes inside would end the string.
+  // would be lost, and triple quotes inside the string would end it.
   if (has_lines(node)) flags &= ~(allow_multi_line_strings | allow_literal_strings);
   std::ostringstream text;
   text << toml::toml_formatter(node, flags);

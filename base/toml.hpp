@@ -7,15 +7,15 @@
 
 namespace base {
 
-/// Limit on the parts of a key such as a.b.c, on a line or in a section's name.
+/// Maximum number of parts in a key such as a.b.c, or in a section's name.
 constexpr int MAX_KEY_PARTS = 16;
 
 /// Throws BadInput "origin:line: ..." for malformed TOML and for a key of more than MAX_KEY_PARTS
-/// parts. Also refuses a key with a single quote, a tab or a line end, and the smallest 64-bit
-/// integer.
+/// parts. Also refuses the smallest 64-bit integer, and keys with a single quote, a tab or a line
+/// end.
 toml::table parse_toml(std::string_view text, std::string_view origin);
 
-/// Writes a value as TOML, integers in decimal; parse_toml restores a table from its text.
+/// Writes a value as TOML, with integers in decimal. parse_toml restores a table from this text.
 std::string to_toml(const toml::node& node);
 
 }  // namespace base

@@ -25,7 +25,7 @@ using Write = std::function<void(std::ostream&)>;
                           path.string() + ": cannot be written");
 }
 
-// A unique name beside `path`, not too long for the file system if `path` is not.
+// A unique name beside `path`. It fits the file system's limit on lengths if `path` fits.
 fs::path partial_of(const fs::path& path) {
   static std::atomic<int> count = 0;
   constexpr std::size_t LONGEST = 100;
@@ -58,7 +58,7 @@ bool make_empty(const fs::path& path) {
   return file >= 0 && close(file) == 0;
 }
 
-// A new file beside `path`; it is deleted with this object unless it has been renamed.
+// A new file beside `path`. The destructor deletes it unless it has been renamed.
 class PartialFile {
  public:
   explicit PartialFile(const fs::path& path)
@@ -81,9 +81,9 @@ class PartialFile {
     const Undivided section;
     if (renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) == 0)
       return is_renamed_ = true;
-    // Add a second name; the destructor removes the first one.
+    // Without renameat2, add a second name by a hard link. The destructor removes the first name.
     if (is_unable(errno) && link(partial_.c_str(), path_.c_str()) == 0) return true;
-    // Without hard links: an empty file reserves the name until the rename replaces it.
+    // Without hard links, reserve the name with an empty file, then rename over it.
     if (is_unable(errno) && make_empty(path_)) {
       rename();
       return true;
@@ -104,7 +104,8 @@ class PartialFile {
   const Undo undo_;
 };
 
-// Flushes the file to disk. Some file systems report a full disk only here; some do not support it.
+// Flushes the file to disk, because some file systems report a full disk only then. Ignores the
+// error if the file system cannot flush.
 void sync_file(const fs::path& file, const fs::path& path) {
   const int number = open(file.c_str(), O_RDONLY | O_CLOEXEC);
   const int error = number < 0 || fsync(number) != 0 ? errno : 0;
@@ -154,7 +155,8 @@ void check_can_save(const fs::path& path) {
 }
 
 std::string read_text(const fs::path& path, std::size_t most) {
-  const int earlier = std::exchange(errno, 0);  // kept for a caller that is writing a file
+  const int earlier = std::exchange(errno, 0);  // restored at the end, for a caller that checks
+                                                // errno itself
   std::ifstream in(path, std::ios::binary);
   std::string text, part(1 << 16, '\0');
   while (in && text.size() <= most) {

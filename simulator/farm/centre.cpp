@@ -10,7 +10,7 @@ using namespace occam;
 void interaction(ray_tracing::Orders<Limits>& orders, const Progress& progress,
                  Channel<Command>& into_coordination) {
   out(into_coordination, Command{Begin{}});
-  // A second Begin blocks until the coordination has deposited the initial rays.
+  // The second Begin blocks until the coordination process has stored the initial rays.
   if (orders.has_any()) out(into_coordination, Command{Begin{}});
   for (bool has_left = false; !has_left;) {
     const auto what = orders[orders.next(progress.begun)].what;
@@ -19,7 +19,7 @@ void interaction(ray_tracing::Orders<Limits>& orders, const Progress& progress,
   }
 }
 
-// Figure 4.16.
+// The process of figure 4.16.
 void RayDatabase::run(Channel<DatabaseRequest>& from_coord, Channel<DatabaseReply>& into_coord) {
   machine::Memory& memory = this_process().processor().memory();
   DatabaseRequest request;
@@ -56,7 +56,7 @@ void RayDatabase::run(Channel<DatabaseRequest>& from_coord, Channel<DatabaseRepl
   }
 }
 
-// Figure 4.17.
+// The process of figure 4.17.
 void Visualisation::run(Channel<Answer>& inp) {
   Answer answer;
   for (bool active = true; turn(active);) {

@@ -15,7 +15,7 @@ void check_area(renderer::Params image, const renderer::Area& area) {
   check(image);
 }
 
-// Rays of a block bypass the ray database, so stages and orders cannot choose among them.
+// Stages and orders select rays in the ray database, which the rays of blocks do not use.
 void check_block(const Params& params) {
   if (!params.block) return;
   const Block& block = *params.block;
@@ -26,7 +26,7 @@ void check_block(const Params& params) {
     base::refuse("farm.task", "found a block, expected ray: stages and orders choose among rays");
 }
 
-// Quadrants and rows of pixels have no cells of different sizes.
+// The orders of pixels by quadrants and rows have no cells of different sizes.
 void check_order(const Params& params) {
   if (params.pixels == PixelOrder::cells) return;
   constexpr auto EXPECTED = "found {}, expected {}: image.order is not cells";

@@ -22,8 +22,8 @@ void wait_for(Channel<Command>& from_interaction) {
   while (!std::holds_alternative<Content>(command.content));
 }
 
-// Sends the scene to all workers and waits for their acknowledgements. Expects no task in the farm
-// and the sender's signal still unread.
+// Sends the scene to all workers and waits for their acknowledgements. No task may be in the farm,
+// and the sender's signal must be unread.
 void send_scene(CoordinationChannels to, SceneMessages load) {
   if (load.bytes == 0) return;
   for (std::uint64_t sent = 0; sent < load.bytes; sent += load.message) {
@@ -40,7 +40,7 @@ void send_scene(CoordinationChannels to, SceneMessages load) {
   for (std::size_t i = 0; i < load.workers; ++i) in(to.from_workers, acknowledgement);
 }
 
-// Stops all processes of the farm in the order of the wires. Expects the farm to be empty.
+// Stops all processes of the farm in the order of the channels. The farm must be empty.
 void stop_all(CoordinationChannels to, bool sender_is_ready) {
   if (!sender_is_ready) in(to.from_sender);
   out(to.into_sender, Task{});
@@ -52,7 +52,7 @@ void stop_all(CoordinationChannels to, bool sender_is_ready) {
 
 enum class Mode { null, interactive, non_interactive, aborted, ended };
 
-// State and guards of the coordination process, with the variable names of figure 4.15.
+// State and guards of the coordination process. Names of variables follow figure 4.15.
 class Coordinator {
  public:
   Coordinator(const CoordinationSetup& setup, CoordinationChannels channels, Progress& progress)
@@ -79,8 +79,9 @@ class Coordinator {
   }
 
  private:
-  // Figure 4.15 plus two modes that it omits. In null mode no ray is left within the limits and the
-  // process waits for an order. In aborted mode it takes no new rays.
+  // The loop of figure 4.15 in a given mode. The figure omits two modes: in null mode, no ray
+  // within the limits is left and the process waits for an order. In aborted mode, it takes no new
+  // rays.
   void serve(Mode mode) {
     rays_db_is_empty_ = mode == Mode::aborted;
     Command user_message;
@@ -110,7 +111,7 @@ class Coordinator {
     }
   }
 
-  // Obeys one order. An order with an effect first keeps the picture as it was.
+  // Executes an order. If the order has an effect, saves the present picture first.
   void obey(const Command& command) {
     const auto heed = [&](const std::string& why_without_effect, auto action) {
       const bool is_over = mode_ == Mode::aborted;
@@ -153,7 +154,7 @@ class Coordinator {
         [&](Leave) { quitting_ = true; });
   }
 
-  // A ray stores its order in 8 bits; 0 (none) also stands for order 256 and later.
+  // The number stored in a ray, which has 8 bits. 0 stands for no order and for orders from 256 on.
   std::uint8_t number_of_order() const {
     const bool fits = progress_.orders <= std::numeric_limits<std::uint8_t>::max();
     return fits ? static_cast<std::uint8_t>(progress_.orders) : std::uint8_t{0};
@@ -206,7 +207,7 @@ class Coordinator {
       for (const auto& child : shaded_.rays) deposit(child);
   }
 
-  // Makes the child rays at the hit point and, with adaptive sampling, evaluates the contribution.
+  // Makes the child rays at the hit point. With adaptive sampling, also evaluates the contribution.
   void shade(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
     setup_.cost(shaded_, scratch_,
                 [&setup = setup_, is_adaptive = ledger_.has_value(), ray, hit](
@@ -218,7 +219,7 @@ class Coordinator {
                 });
   }
 
-  // Deposits the primary ray of another sample of the same pixel as `ray`.
+  // Stores the primary ray of another sample of the pixel that `ray` belongs to.
   void deposit_sample(const renderer::Ray& ray, int pass) {
     auto primary = make_primary_of(ray.sample, pass);
     primary.is_urgent = ray.is_urgent;
@@ -232,15 +233,15 @@ class Coordinator {
                         static_cast<int>(pixel / width), pass);
   }
 
-  // Adaptive sampling: after a pixel's first sample, requests its corners.
+  // Adaptive sampling: after a pixel's first sample, requests probes at its corners.
   void note_sample(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
     const std::size_t held = ledger_->samples_held();
     ledger_->note(ray, hit, shaded_.contribution, shaded_.rays.size());
     if (ray.level == 1 && ray.pass == 0)
       for (const auto& [x, y] : ledger_->ask_corners(ray.sample)) {
         auto probe = make_probe(setup_.scene.view, setup_.params, x, y);
-        probe.pass = 1;             // behind all first samples
-        probe.sample = ray.sample;  // gives it the cell and the limits of that sample
+        probe.pass = 1;             // after all first samples
+        probe.sample = ray.sample;  // determines the probe's cell and limits
         probe.order = ray.order;
         deposit(probe);
       }
@@ -262,7 +263,8 @@ class Coordinator {
     send_finished();
   }
 
-  // Corrects sums on the display, which weights samples equally; the final estimate may not.
+  // Sends final sums to the display, which gives all samples equal weights although the final
+  // estimate may not.
   void send_finished() {
     for (const FinishedPixel& finished : ledger_->take_finished()) {
       this_process().charge(setup_.message.made);
@@ -270,7 +272,7 @@ class Coordinator {
     }
   }
 
-  // Adjusts the memory for the ledger's samples, which numbered `before`.
+  // Adjusts the allocated memory to the number of samples in the ledger, which was `before`.
   void account(std::size_t before) {
     auto& memory = this_process().processor().memory();
     const std::size_t now = ledger_->samples_held();
@@ -287,8 +289,8 @@ class Coordinator {
     rays_db_is_empty_ = false;
   }
 
-  // CellOrder::adaptive: compares a sample's object with those of known samples one cell away, and
-  // deposits primary rays for the cells into which its cell divides.
+  // For CellOrder::adaptive: compares the object hit by a sample with those of known samples one
+  // cell away. Stores primary rays for the cells into which the sample's cell divides.
   void divide(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
     const auto object = hit ? hit->object : renderer::NO_OBJECT;
     seen_[ray.sample] = object;
@@ -315,7 +317,7 @@ class Coordinator {
     rays_db_is_empty_ = false;
   }
 
-  // Called when no ray of the phase is left: sets the next limits or ends the phase.
+  // Called when the phase has no rays left. Sets the next limits or ends the phase.
   void next_stage() {
     if (mode_ == Mode::interactive && stage_ + 1 < setup_.stages.size()) {
       ++stage_;
@@ -337,10 +339,11 @@ class Coordinator {
     renderer::Rgb contribution;
   };
   Shaded shaded_, scratch_;
-  std::optional<Ledger> ledger_;  // with adaptive sampling
+  std::optional<Ledger> ledger_;  // only with adaptive sampling
   Progress& progress_;
-  Limits limits_;                                          // in force
-  std::unordered_map<std::uint32_t, std::uint32_t> seen_;  // object at each sample, for divide()
+  Limits limits_;                                          // present limits
+  std::unordered_map<std::uint32_t, std::uint32_t> seen_;  // object hit by each sample, for
+                                                           // divide()
 };
 
 }  // namespace

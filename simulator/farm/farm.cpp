@@ -13,8 +13,8 @@ using ray_tracing::PixelOrder;
 
 namespace {
 
-// Coordinator, ray database and display, each on its own processor. The coordinator has links to
-// the other two.
+// Processors of the coordinator, the ray database and the display. The coordinator has a link to
+// each of the other two.
 struct CentralProcessors {
   machine::Processor &coordinator, &database, &display;
 };
@@ -30,7 +30,7 @@ CentralProcessors add_central_processors(machine::Machine& machine, const Params
   return on;
 }
 
-// Cells start at the first rendered pixel.
+// Makes the cells, which start at the first rendered pixel.
 Cells make_cells(const Params& params) {
   const renderer::Area area = get_area(params.image);
   Cells cells{params.image.width, params.max_cell, area.x, area.y, params.order};
@@ -54,7 +54,7 @@ machine::Cycles cost_of_judging(const machine::Model& model) {
   return machine::OperationCosts(model, "central", NAMES)(std::array<std::uint64_t, 1>{1});
 }
 
-// Bytes of the scene on the display: surfaces with textures, and lights (4.3.6.6); with a preview
+// Bytes of scene data on the display: surfaces with textures, and lights (4.3.6.6). A preview needs
 // the whole scene.
 std::uint64_t display_bytes(const machine::Model& model, const renderer::Scene& scene,
                             const Params& params) {
@@ -71,8 +71,8 @@ machine::Cycles cost_of_preview(const machine::Model& model, const renderer::Pre
              std::array{counts.vertices, counts.pixels_tested, counts.pixels_drawn});
 }
 
-// Refuses a memory too small for the initial rays at once: the coordination deposits all of them
-// before it takes the first.
+// Refuses a database memory that is too small for all initial rays. The coordination process stores
+// all of them before it takes the first.
 void check_initial_rays(Processor& database, const Params& params, std::uint64_t ray) {
   const renderer::Area area = get_area(params.image);
   const bool is_adaptive =
@@ -103,13 +103,13 @@ std::string describe_phase(const Progress& progress) {
 // The three central processors with their processes, data and channels (figures 4.9 to 4.11).
 class Centre {
  public:
-  /// `tasks`: cost of the workers' tasks.
+  /// `tasks` is the cost of the workers' tasks.
   Centre(machine::Machine& machine, const renderer::Scene& scene, const Params& params,
          const kernels::KernelCost& tasks);
   Centre(const Centre&) = delete;
 
   machine::Processor& coordinator() { return on_.coordinator; }
-  // Starts the processes, with a coordination of rays or of blocks.
+  // Starts the processes; coordination distributes rays or blocks.
   void start(Wires& wires, const Workers& workers) {
     const Way first = start_sender(wires, on_.coordinator, *workers.from_left[workers.root]);
     const CoordinationChannels channels{
@@ -125,7 +125,7 @@ class Centre {
       else
         coordination(make_ray_setup(n), channels, progress_);
     });
-    // Each is alone on its processor, so the priority does not matter.
+    // Each process has a processor of its own, so priority is irrelevant.
     kernels::start(on_.database, "ray.database", Priority::high,
                    [this] { rays_.run(into_database_, from_database_); });
     kernels::start(on_.display, "visualisation", Priority::high, [this] {
@@ -134,15 +134,15 @@ class Centre {
     });
   }
 
-  // Shows the run and takes the user's orders.
+  // The live view of the run, which also accepts the user's orders.
   observe::ControlPanel make_view();
 
-  // Costs of the kernels that run here: shading and display.
+  // Costs of the central kernels: shading and display.
   std::pair<const kernels::KernelCost*, const kernels::KernelCost*> kernels() const {
     return {&shading_, &visualisation_.cost};
   }
 
-  // The result without the workers' part.
+  // The result of the central processes; the workers' part is added later.
   Result take_result(machine::End end) {
     if (end == machine::End::done && !progress_.is_aborted)
       base::check_equal("rays left in the database", rays_.stores.size(), std::size_t{0});
@@ -165,7 +165,7 @@ class Centre {
   }
 
  private:
-  // Draws the preview before the first ray; needs the scene's objects on the display.
+  // Draws the preview before the first ray. The display must hold the scene's objects.
   void draw_preview(renderer::PreviewStep step) {
     const auto preview = make_preview(scene_, params_.image, step);
     occam::this_process().charge(cost_of_preview(machine_.model(), preview));
@@ -296,7 +296,7 @@ observe::ControlPanel make_view(Centre& centre, const Workers& workers) {
   return view;
 }
 
-// Allocates the worker's copy of the scene; workers that shade also hold textures.
+// Allocates the worker's copy of the scene. Workers that shade also hold textures.
 void load_scene(Processor& worker, const renderer::Scene& scene, bool shades) {
   const auto& model = worker.model();
   auto& memory = worker.memory();

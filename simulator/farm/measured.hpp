@@ -1,6 +1,5 @@
 #pragma once
-// Measurements of a farm run, their columns, and the resources that limit the farm: those that are
-// busy while others wait.
+// Measurements of a farm run, their columns, and the bottlenecks of the farm.
 #include "simulator/farm/shared_farm.hpp"
 #include "simulator/ray_tracing/busy.hpp"
 
@@ -8,15 +7,15 @@ namespace farm {
 
 using programs::Load;
 
-/// Resources that can limit the farm, such as "worker1 (routing)", busiest first:
-/// - "workers": mean load of their CPUs, with the share spent on routing;
-/// - "workerN (routing)": high-priority routers of the worker that routes most;
-/// - "coordination": share of time in which the process did not wait for workers. It waits for the
-///   ray database and the display, so it can be the limit while its CPU is idle;
+/// Possible bottlenecks of the farm with their loads, busiest first:
+/// - "workers": mean load of their CPUs, with the fraction spent on routing;
+/// - "workerN (routing)": high-priority routers of the worker with the most routing;
+/// - "coordination": fraction of time in which this process did not wait for workers. While it
+///   waits for the ray database or the display, it is a bottleneck even though its CPU is idle;
 /// - "database", "display": their CPUs, if they have processors of their own;
 /// - "link A>B": the busiest direction of a link;
-/// - "tasks": share of the time after the last task was handed out, when workers fall idle.
-/// Empty for a run cut short before its first task.
+/// - "tasks": fraction of time after the last task was sent, when workers become idle.
+/// Empty for a run that was cut short before its first task.
 std::vector<Load> find_loads(const Result& result);
 
 struct Measured {
@@ -26,7 +25,7 @@ struct Measured {
   ray_tracing::DataFigures data;
   ray_tracing::Busy busy;
   snapshots::Figures growth = {};
-  std::vector<Load> loads;  ///< resources of the farm, busiest first
+  std::vector<Load> loads;  ///< possible bottlenecks, busiest first
 };
 
 base::Columns<Measured> make_columns();

@@ -1,5 +1,5 @@
 #pragma once
-// Messages between the farm's processes: protocols of the channels in figure 4.9.
+// Messages between the farm's processes: the protocols of the channels in figure 4.9.
 #include <memory>
 #include <optional>
 #include <variant>
@@ -20,8 +20,9 @@ using ray_tracing::NonInteractive;
 using ray_tracing::Save;
 
 constexpr std::uint32_t TAG_BYTES = 4;      ///< a message without contents: one word
-constexpr std::uint32_t LIMITS_BYTES = 32;  ///< the parameters of increasing realism: 8 words
-constexpr std::uint32_t BLOCK_BYTES = TAG_BYTES + 4 * 4;  ///< task: a block's position and size
+constexpr std::uint32_t LIMITS_BYTES = 32;  ///< parameters of increasing realism: 8 words
+constexpr std::uint32_t BLOCK_BYTES = TAG_BYTES + 4 * 4;  ///< a task with a block's position and
+                                                          ///< size
 
 constexpr std::uint32_t FINISHED_BYTES = TAG_BYTES + 4 + 3 * 8;  ///< a pixel and three sums
 
@@ -30,22 +31,23 @@ inline std::uint32_t bytes_of(const Limits& limits) {
   return LIMITS_BYTES + (limits.weights ? WEIGHTS_BYTES : 0);
 }
 
-/// Ends the process that receives it, once it has passed the message on.
+/// Ends the process that receives it, after the process has forwarded it.
 struct Stop {
   bool operator==(const Stop&) const = default;
 };
 
-/// A part of the scene for every worker, or a part of surfaces and lights for the display.
+/// Part of the scene for every worker, or part of surfaces and lights for the display.
 struct SceneData {
-  bool is_last = false;  ///< the receiver acknowledges it
+  bool is_last = false;  ///< the receiver must acknowledge it
 };
 
-/// The size of a task that is a block of pixels.
+/// The size of a block of pixels, if tasks are blocks.
 struct Block {
-  int width = 0, height = 0;  ///< pixels
+  int width = 0, height = 0;  ///< in pixels
 };
 
-/// Coordination -> workers: a ray or a block of pixels. Messages for all workers go every way.
+/// Coordination -> workers: a ray or a block of pixels. Messages for all workers are copied to
+/// every branch of the tree.
 struct Task {
   std::variant<Stop, SceneData, renderer::Ray, renderer::Area> content;
   std::uint32_t size = TAG_BYTES;
@@ -54,15 +56,15 @@ struct Task {
   bool is_for_all() const { return stop() || std::holds_alternative<SceneData>(content); }
 };
 
-/// A ray and its first hit.
+/// A ray and its first intersection.
 struct Intersection {
   renderer::Ray ray;
   std::optional<renderer::Hit> hit;
 };
 using RenderedBlock = std::shared_ptr<const renderer::Block>;
 struct SceneReceived {};
-struct KeepImage {   ///< to visualisation only: records the current picture
-  std::string name;  ///< file name; counts as one word in the message
+struct KeepImage {   ///< to visualisation only: saves the present picture
+  std::string name;  ///< file name; counts as one word of the message
 };
 
 /// Workers -> coordination -> visualisation.
@@ -76,13 +78,14 @@ struct Answer {
 };
 
 // Messages to and from the ray database, and to the display, use occam's variant protocols (figures
-// 4.16 and 4.17: `add.ray; ray.mess`): sizes exclude the tag. (Stop and KeepImage to the display
-// have one word of contents.)
+// 4.16 and 4.17: `add.ray; ray.mess`), so sizes do not include the tag. Stop and KeepImage count
+// one word of contents.
 
-struct AskInteractive {};  ///< a ray in interactive mode, RMI (figure 4.16: ask.interact.mode.ray)
-struct AskAny {};          ///< for any ray (ask.any.ray)
+struct AskInteractive {};  ///< requests a ray in interactive mode, RMI (figure 4.16:
+                           ///< ask.interact.mode.ray)
+struct AskAny {};          ///< requests any ray (ask.any.ray)
 
-/// Limits, with the number of the user's order that set them (0: none).
+/// New limits, and the number of the user's order that set them (0 for none).
 struct SetLimits {
   Limits limits;
   std::uint8_t order = 0;
@@ -95,17 +98,18 @@ struct DatabaseRequest {
   std::uint64_t bytes() const { return size; }
 };
 
-/// Ray database -> coordination: a ray; none if no such ray is stored (`error; DB.empty`).
+/// Ray database -> coordination: a ray, or nothing if no suitable ray is stored (`error;
+/// DB.empty`).
 struct DatabaseReply {
   std::optional<renderer::Ray> ray;
   std::uint32_t size = TAG_BYTES;
   std::uint64_t bytes() const { return size; }
 };
 
-struct Begin {};           ///< deposit the initial rays, start the interactive phase
+struct Begin {};           ///< store the initial rays and start the interactive phase
 using ray_tracing::Leave;  ///< end when the image is complete
 
-/// Interaction -> coordination: the user's orders.
+/// Interaction -> coordination: an order of the user.
 struct Command {
   std::variant<Begin, NonInteractive, Interactive, Abort, Leave, Save, Limits> content;
   std::uint64_t bytes() const {

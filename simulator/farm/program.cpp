@@ -12,7 +12,7 @@ using programs::Setup;
 
 namespace {
 
-// Parses `ray`, or a block of pixels as `block:WxH`.
+// Parses a task: `ray`, or `block:WxH` for a block of pixels.
 bool set_task(std::optional<Block>& task, const base::Scalar& value) {
   const auto& text = std::get<std::string>(value);
   if (text == "ray") {
@@ -49,7 +49,7 @@ base::Fields<Params> memory_fields() {
                    "memory of the ray database and of the display; else the model's")};
 }
 
-// Field of the weights in P's `member`.
+// A field for weights, which sets `member` of P.
 template <class P, class Member>
 base::Field<P> weights_field(Member member, const std::string& help) {
   const auto set = [member](P& p, const base::Scalar& value) {
@@ -122,7 +122,7 @@ base::Fields<ProgramParams> make_fields() {
        base::lift_all<P>(cell_fields(), &P::farm, "farm."),
        base::lift_all<P>(farm_fields(), &P::farm, "farm."),
        base::lift_all<P>(ray_tracing::snapshot_fields(), snapshot_times, "farm."),
-       // Last, so that "order" alone names the program's own field.
+       // At the end, so that "order" without a section refers to the program's own field.
        base::lift_all<P>(base::Fields<Params>{ray_tracing::pixel_order_field(&Params::pixels)},
                          &P::farm, "image."),
        base::lift_optional<P>(ray_tracing::data_fields(), &P::data)});

@@ -1,16 +1,16 @@
 #pragma once
-// The farm as an experiment program.
+// Declaration of the farm as a program for experiments.
 #include "simulator/farm/shared_farm.hpp"
 
 namespace farm {
 
 struct ProgramParams {
-  Params farm;                       ///< [image], [farm], [[stage]], [[order]]
-  std::optional<SharedParams> data;  ///< set if any key of [data] is given
+  Params farm;                       ///< the keys of [image], [farm], [[stage]], [[order]]
+  std::optional<SharedParams> data;  ///< set if any key of [data] is present
   ray_tracing::SceneChoice scene;
 };
 
-/// The program "farm". With Setup::cycles_per_host_s, costs are timed, also during checks.
+/// Makes the program "farm". With Setup::cycles_per_host_s, costs are timed, even during checks.
 programs::Program make_farm();
 
 }  // namespace farm

@@ -1,5 +1,5 @@
 #pragma once
-// Progress of the farm's coordination, in the user's time.
+// Progress of the farm's coordination process, in the user's time.
 #include <optional>
 #include <string>
 #include <utility>
@@ -10,7 +10,7 @@
 
 namespace farm {
 
-/// Progress of a coordination. Always up to date, so that a run can be cut short.
+/// Progress of the coordination process. Always up to date, so that a run can be cut short.
 struct Progress {
   enum class Phase { setup, interactive, non_interactive, ended };
 
@@ -18,36 +18,36 @@ struct Progress {
 
   const machine::Machine& observed;
   Phase phase = Phase::setup;
-  bool is_null = false;  ///< no ray is left within the limits; the user may still give orders
+  bool is_null = false;  ///< no ray within the limits is left, but the user may still give orders
   renderer::RayCounts rays;
   machine::Seconds begun, interactive_since, ended;
-  double interactive_s = 0;    ///< excludes the time since `interactive_since`
-  machine::Seconds last_task;  ///< time of the last task handed out
-  std::uint64_t tasks = 0;     ///< handed out
+  double interactive_s = 0;    ///< without the time since `interactive_since`
+  machine::Seconds last_task;  ///< date at which the last task was sent
+  std::uint64_t tasks = 0;     ///< number of tasks sent
   std::size_t peak_tasks_in_farm = 0;
-  std::size_t orders = 0;  ///< orders received from the user
-  /// Time of each order, and of the first pixel changed by a ray that it admitted.
+  std::size_t orders = 0;  ///< number of orders received from the user
+  /// For each order: its date, and the date of the first pixel changed by a ray that it admitted.
   std::vector<std::pair<machine::Seconds, std::optional<machine::Seconds>>> orders_shown;
   bool is_aborted = false;         ///< by the user
-  std::vector<std::string> notes;  ///< orders without effect, with the reason
-  observe::Use before, after;      ///< use of the machine until `begun` and until `ended`
+  std::vector<std::string> notes;  ///< orders without effect, with reasons
+  observe::Use before, after;      ///< use of the machine up to `begun` and up to `ended`
 
-  /// Time since the first task was ready, as the user counts it.
+  /// The user's time: time since the first task was ready.
   double since_begun_s() const { return (machine::this_process().now() - begun).value; }
 
-  // Called by the process: begin() with the first task ready, note_task() for each task,
-  // end_interactive() after that phase, end() with the image complete.
+  // Called by the coordination process: begin() when the first task is ready, note_task() for each
+  // task, end_interactive() after the interactive phase, end() when the image is complete.
   void begin();
   void note_task(std::size_t in_farm);
-  /// Counts an order and returns whether to obey it: false after the end, or if
-  /// `why_without_effect` gives a reason.
+  /// Counts an order. Returns true if it shall be executed: false after the end, or if
+  /// `why_without_effect` is not empty.
   bool note_order(const std::string& why_without_effect = {});
-  /// Notes that a ray admitted by `order` changed the picture.
+  /// Records that a ray admitted by `order` changed the picture.
   void note_changed(std::uint8_t order);
   void end_interactive();
-  void begin_interactive();  ///< the user returned to this phase
+  void begin_interactive();  ///< the user returned to the interactive phase
   void end();
-  /// Closes a run that was cut short: events still missing get the current time.
+  /// Ends the record of a run that was cut short: missing dates become the present date.
   void cut();
 };
 

@@ -15,7 +15,7 @@ using shared_memory::DataManager;
 
 namespace {
 
-// Second level of the farm processes' addresses, and their messages.
+// The farm's process number in addresses, and its messages.
 constexpr int FARM_PROCESS = shared_memory::FIRST_FREE_PROCESS;
 struct FarmMessage : network::Contents {
   explicit FarmMessage(std::variant<Stop, renderer::Area, renderer::Block> content)
@@ -23,7 +23,7 @@ struct FarmMessage : network::Contents {
   std::variant<Stop, renderer::Area, renderer::Block> content;
 };
 
-// Blocks assigned to a worker at a time: one in work, one in advance.
+// Number of blocks assigned to a worker at a time: one to render and one in advance.
 constexpr int BLOCKS_OF_WORKER = 2;
 
 void send(DataManager& manager, Address to, FarmMessage contents, std::uint64_t bytes) {
@@ -37,7 +37,7 @@ const FarmMessage& read(const Message& message) {
   return static_cast<const FarmMessage&>(*message.contents);
 }
 
-// Bytes of a rendered block.
+// Length of the message with a rendered block, in bytes.
 std::uint64_t block_bytes(std::uint32_t pixel_bytes, const renderer::Area& area) {
   return BLOCK_BYTES + std::uint64_t{pixel_bytes} * static_cast<std::uint64_t>(area.width) *
                            static_cast<std::uint64_t>(area.height);
@@ -53,7 +53,7 @@ void check_farm(const Params& params) {
                  params.scene_message);
 }
 
-// Adds the coordinator as processor 0; the workers' numbers increase by one.
+// Adds the coordinator as processor 0. Workers' numbers increase by one.
 topologies::Topology join_coordinator(const topologies::Topology& workers) {
   topologies::Topology joined;
   joined.name = workers.name;
@@ -70,7 +70,8 @@ topologies::Topology join_coordinator(const topologies::Topology& workers) {
   return joined;
 }
 
-// Buffers hold all messages under way: for each worker a request or its reply, and its blocks.
+// Parameters of the network. Buffers suffice for all messages in transit: for each worker a request
+// or its reply, and its blocks.
 network::Params make_network_params(const machine::Model& model, const Params& farm,
                                     const SharedParams& data,
                                     const shared_memory::Catalogue& catalogue,
@@ -119,7 +120,7 @@ class SharedFarm {
     memory_.emplace(machine_, *network_, items_.catalogue(), data_params_);
   }
 
-  /// `asked`: the workers' topology before one link was given up.
+  /// `asked` is the workers' topology before a link was removed for the coordinator.
   SharedResult run(const topologies::Topology& asked) {
     start();
     SharedResult result;
@@ -144,8 +145,8 @@ class SharedFarm {
     }
   }
 
-  // Hands out blocks, adds results to the image and serves data in between. (An idle process blocks
-  // on messages here; it does not poll every idle_period.)
+  // Distributes blocks, adds results to the image, and serves data in between. An idle process
+  // blocks until a message arrives; it does not poll every idle_period.
   void coordinate(DataManager& manager) {
     progress_.begin();
     const auto blocks = make_blocks(params_.image, *params_.block);
@@ -177,7 +178,7 @@ class SharedFarm {
     send(manager, network::make_global(FARM_PROCESS), FarmMessage(Stop{}), TAG_BYTES);
   }
 
-  // Renders blocks until Stop arrives.
+  // Renders blocks until it receives Stop.
   void work(DataManager& manager) {
     for (bool active = true; active;) {
       const Message message = manager.serve_at_once();
@@ -191,7 +192,7 @@ class SharedFarm {
     }
   }
 
-  // The block's sums occupy the worker's memory while it renders.
+  // Renders a block, whose sums occupy the worker's memory meanwhile.
   renderer::Block render(DataManager& manager, const renderer::Area& area) {
     return kernels::with_memory(block_bytes(pixel_bytes_, area), "a block of pixels", [&] {
       const double scale = block_cost_.eval_scale(
@@ -250,12 +251,12 @@ class SharedFarm {
   std::optional<shared_memory::VirtualMemory> memory_;
   const std::uint32_t pixel_bytes_;
   kernels::KernelCost display_cost_, block_cost_;
-  machine::Cycles charged_{};  // for all blocks of all workers
+  machine::Cycles charged_{};  // total for all blocks
   FrameBuffer picture_, scratch_;
   snapshots::Recorder recorder_;
   renderer::BlockBuffer block_scratch_;
   Progress progress_;
-  std::map<int, std::uint64_t> done_;  // tasks, by processor
+  std::map<int, std::uint64_t> done_;  // number of tasks, by processor
 };
 
 }  // namespace

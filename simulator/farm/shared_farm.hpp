@@ -1,7 +1,7 @@
 #pragma once
-// Farm of blocks of pixels on processors that each hold a part of the scene. Routers carry all
-// messages; data managers read the scene (5.1.2). Processor 0 coordinates, displays and serves
-// data. It joins the root of the workers' topology, processors 1 to n.
+// Farm of blocks of pixels with a distributed scene. Routers carry all messages, and data managers
+// fetch scene data (5.1.2). Processor 0 coordinates, displays and serves data. It is linked to the
+// root of the workers' topology, whose processors become 1 to n.
 #include "simulator/farm/farm.hpp"
 #include "simulator/ray_tracing/data.hpp"
 
@@ -14,17 +14,16 @@ struct SharedResult {
   ray_tracing::SharedUse shared;
 };
 
-/// Throws base::BadInput naming the field, what was found and what was expected. Refuses farm
-/// parameters that have no meaning here.
+/// Throws base::BadInput that names the field, the value found and the values expected. Refuses
+/// parameters of the farm that have no meaning here.
 void check(const machine::Model& model, const ray_tracing::SceneSize& scene, const Params& farm,
            const SharedParams& data);
-/// Checks only that the farm's task is a block.
+/// Checks only that tasks are blocks.
 void check_task(const Params& farm);
 
-/// Workers have farm.worker_memory; the coordinator, also display and server, has
-/// farm.database_memory. The result has no processors "database" and "display". Throws
-/// base::BadInput as `check` and run_farm do, or if caches and buffers exceed the memory; and
-/// machine::Fault.
+/// Runs the farm. Workers have farm.worker_memory bytes; processor 0 has farm.database_memory. The
+/// result has no processors "database" and "display". Throws base::BadInput as `check` and run_farm
+/// do, or if caches and buffers exceed the memory. Also throws machine::Fault.
 SharedResult run_shared_farm(const machine::Model& model, const topologies::Topology& workers,
                              const renderer::Scene& scene, const Params& farm,
                              const SharedParams& data);

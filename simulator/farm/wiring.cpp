@@ -20,7 +20,7 @@ Channel<Message>& soft(std::deque<Channel<Message>>& pool, const Processor& on, 
   return pool.emplace_back(fmt::format("{}.{}", on.name(), name));
 }
 
-// A channel on the link between two processors.
+// Makes a channel on the link between two processors.
 template <class Message>
 Channel<Message>* hard(std::deque<Channel<Message>>& pool, Machine& machine, Processor& from,
                        Processor& to, const char* name) {
@@ -32,7 +32,7 @@ Channel<Message>* hard(std::deque<Channel<Message>>& pool, Machine& machine, Pro
 topologies::Topology free_root_port(topologies::Topology topology) {
   const auto all = topologies::neighbours(topology)[topology.root];
   if (topologies::free_port(topology, topology.root) >= 0) return topology;
-  // Doubled links come last and are given up first, since their twin still joins the processors.
+  // Parallel links come last and are tried first, because a second link still joins the processors.
   auto around = all;
   std::ranges::stable_partition(around, [&](const auto& n) {
     return std::ranges::count(all, n.processor, &topologies::Neighbour::processor) == 1;

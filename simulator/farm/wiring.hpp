@@ -11,40 +11,40 @@ namespace farm {
 struct Kernel;
 struct Params;
 
-/// The farm's channels by message type. Deques keep references valid.
+/// The farm's channels by message type, in deques so that references stay valid.
 struct Wires {
   std::deque<Channel<Signal>> signals;
   std::deque<Channel<Task>> tasks;
   std::deque<Channel<Answer>> results;
 };
 
-/// One way out of a data router: its sender signals that it is free, then takes a message.
+/// A way out of a data router. Its sender signals that it is free, then takes a message.
 struct Way {
   Channel<Signal>& free;
   Channel<Task>& into;
 };
 
-/// Starts a sender that feeds `destination`.
+/// Starts a sender process for `destination`.
 Way start_sender(Wires& wires, machine::Processor& on, Channel<Task>& destination);
 
-/// Worker processors joined by the topology, and the channels along its spanning tree.
+/// The workers' processors, joined by the topology, and the channels along its spanning tree.
 struct Workers {
-  topologies::Topology topology;  ///< as wired
+  topologies::Topology topology;  ///< the topology as wired
   std::size_t root = 0;
-  double mean_depth = 0;  ///< links from the coordinator to a worker, on average
+  double mean_depth = 0;  ///< mean distance from the coordinator in links
   std::vector<machine::Processor*> processors;
   std::vector<std::vector<int>> children;
-  std::vector<Channel<Task>*> from_left;  ///< tasks into each worker
-  std::vector<Channel<Answer>*> results;  ///< out of each worker
+  std::vector<Channel<Task>*> from_left;  ///< tasks into each worker, by worker
+  std::vector<Channel<Answer>*> results;  ///< results out of each worker, by worker
 };
 
-/// Frees a port at the root for the coordinator. A root with four links (a torus) gives up one of
-/// several links to one neighbour, else the link on its highest port that is not a bridge. Throws
-/// base::BadInput if there is none.
+/// Frees a port of the root for the coordinator. If the root has four links (as in a torus),
+/// removes one. Prefers a link parallel to another, then the one on the highest port that is not a
+/// bridge. Throws base::BadInput if all links are bridges.
 topologies::Topology free_root_port(topologies::Topology topology);
 
-/// Adds and joins the workers' processors, each with its program loaded. The coordinator's link
-/// uses the root's free port.
+/// Adds and links the workers' processors and loads their programs. The coordinator is linked to
+/// the root's free port.
 Workers wire_workers(Wires& wires, machine::Machine& machine, const topologies::Topology& topology,
                      machine::Processor& coordinator, const Params& params);
 

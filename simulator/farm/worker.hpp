@@ -1,6 +1,6 @@
 #pragma once
-// Processes of a worker (thesis, 4.3.6.2). At high priority: a data router with a sender for each
-// way out, and a results router ("gatherer"). At low priority: the application.
+// Processes of a worker (thesis, 4.3.6.2). High priority: a data router with a sender for each way
+// out, and a results router ("gatherer"). Low priority: the application.
 #include <span>
 #include <vector>
 
@@ -8,16 +8,16 @@
 
 namespace farm {
 
-/// Buffers one way out, so that the router does not block on it: signals that it is free, takes a
-/// message and passes it on (figure 4.13).
+/// Buffers one message for a way out, so that the router does not block. Signals that it is free,
+/// takes a message and forwards it (figure 4.13).
 void sender(Channel<Signal>& sender_to_main, Channel<Task>& from_main, Channel<Task>& destination);
 
-/// Passes each task to a free sender, in fair turns (figure 4.14), and messages for all workers to
-/// every sender.
+/// Forwards each task to a free sender, chosen in rotation (figure 4.14). Sends messages for all
+/// workers to every sender.
 void data_router(Channel<Task>& from_left, std::span<Channel<Signal>* const> from_sender,
                  std::span<Channel<Task>* const> into_sender);
 
-/// Merges results of the application and of the workers behind into one channel towards the
+/// Merges the results of the application and of the child workers into one channel towards the
 /// coordinator (figure 4.12).
 void results_router(std::span<Channel<Answer>* const> inputs, Channel<Answer>& output);
 
@@ -28,12 +28,12 @@ struct Kernel {
   kernels::KernelCost ray, block;
   kernels::RecordBytes bytes;
   kernels::ByModel<kernels::MessageCosts> message;
-  std::map<int, std::uint64_t> done = {};  ///< tasks, by the processor's id
+  std::map<int, std::uint64_t> done = {};  ///< number of tasks, by id of the processor
   renderer::BlockBuffer scratch = {};
 };
 
-/// Finds each ray's first intersection, or renders blocks of pixels. The kernel really runs; the
-/// processor is charged for its work.
+/// Finds the first intersection of each ray, or renders blocks of pixels. The kernel really
+/// executes, and its work is charged to the processor.
 void application(Kernel& kernel, Channel<Task>& from_router, Channel<Answer>& results);
 
 }  // namespace farm

@@ -19,7 +19,8 @@ class NoBalance : public Balance {
   }
 };
 
-// A worker asks once, then waits for tasks or new limits: those asked remember it.
+// Base class of passive methods. A worker requests tasks once, then waits for tasks or new limits;
+// workers that cannot serve the request remember it.
 class Passive : public Balance {
  public:
   using Balance::Balance;
@@ -46,7 +47,7 @@ class Passive : public Balance {
   bool is_asking_ = false;
 
  private:
-  std::vector<int> wanting_;  // refused processors, in order of arrival
+  std::vector<int> wanting_;  // workers with unserved requests, in order of arrival
 };
 
 class AskNeighbours : public Passive {
@@ -74,8 +75,8 @@ class AskNeighbours : public Passive {
   std::size_t refusals_ = 0, next_ = 0;
 };
 
-// Every worker on the way may serve the request. Otherwise the coordinator forwards it to the
-// workers in turns, and the chosen worker remembers it.
+// Every worker on the route to the coordinator may serve the request. If none does, the coordinator
+// forwards it to a worker, chosen in rotation, which remembers it.
 class AskCoordinator : public Passive {
  public:
   using Passive::Passive;
@@ -93,7 +94,8 @@ class AskCoordinator : public Passive {
   }
 };
 
-// A request that returns to its asker is sent once more, to the next in the ring, which keeps it.
+// If a request returns to its sender unserved, it is sent once more to the next worker in the ring,
+// which remembers it.
 class AskRing : public Passive {
  public:
   using Passive::Passive;
@@ -118,7 +120,8 @@ class AskRing : public Passive {
   void pass(const TaskRequest& request) { giver_.send_to({peers_.next, TASK_PROCESS}, request); }
 };
 
-// Estimates the neighbours' loads: the load in their last message, plus tasks given since then.
+// Estimates the load of each neighbour: the load reported in its last message, plus the tasks given
+// to it since.
 class Distribution {
  public:
   Distribution(TaskGiver& giver, const Peers& peers) : giver_(giver) {
@@ -174,7 +177,7 @@ class Mixed : public AskNeighbours {
   Distribution distribution_;
 };
 
-// Each worker asks its parent for one task at a time, for itself or for its children.
+// Each worker requests one task at a time from its parent, for itself or for a child.
 class Green : public Balance {
  public:
   using Balance::Balance;
@@ -202,7 +205,7 @@ class Green : public Balance {
       }
   }
   bool is_asking_ = false;
-  std::map<int, int> demands_;  // by child: tasks requested and not yet given
+  std::map<int, int> demands_;  // by child: number of requested tasks not yet given
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
 // Load balancing between task managers (thesis, 5.1.3.1 and 6.2; H. Kuchen and A. Wagener, 1991). A
-// manager remembers each request that it cannot serve, and serves it once it has tasks to spare, so
-// nobody asks twice.
+// manager remembers each request that it cannot serve, and serves it when it has tasks to spare.
+// Workers therefore need not repeat requests.
 #include <memory>
 
 #include "simulator/iirra/messages.hpp"
@@ -10,31 +10,32 @@ namespace iirra {
 
 enum class BalanceMethod : std::uint8_t {
   none,
-  neighbours,   ///< passive: a worker without tasks asks its neighbours, one after another
-  coordinator,  ///< passive: it asks the coordinator and all processors on the way (InPathTo)
+  neighbours,   ///< passive: a worker without tasks asks one neighbour after another
+  coordinator,  ///< passive: such a worker asks the coordinator and all processors on the route
+                ///< (InPathTo)
   active,       ///< a worker with new tasks gives some to the neighbour with the lowest known load
-  mixed,        ///< active and neighbours combined
-  green,        ///< tasks come down a tree from the coordinator, by counted demands (Green, 1991)
+  mixed,        ///< combines active and neighbours
+  green,        ///< tasks are passed down a tree from the coordinator, on demand (Green, 1991)
   ring          ///< requests circulate in a ring of all workers (Badouel, 1990)
 };
 
-/// The other task managers as one of them sees them, by processor number.
+/// Processor numbers of the other task managers, as needed by one of them.
 struct Peers {
   int self = 0, coordinator = 0;
-  std::vector<int> neighbours;  ///< workers at the shortest distance
-  int next = 0;                 ///< in the ring of workers; self if alone
-  int parent = 0;               ///< in the spanning tree from the coordinator
+  std::vector<int> neighbours;  ///< workers at the minimum distance
+  int next = 0;                 ///< successor in the ring of workers; `self` if there is only one
+  int parent = 0;               ///< parent in the spanning tree from the coordinator
 };
 
-/// Interface of a worker to its load balancing.
+/// The worker's interface that its load balancing uses.
 class TaskGiver {
  public:
-  /// Number of active tasks, excluding the one in work.
+  /// Number of tasks waiting within the limits, without the one in work.
   virtual std::size_t load() const = 0;
-  /// Sends some tasks to `to`. Returns how many; 0 if there are none to spare.
+  /// Sends some tasks to `to`. Returns their number, 0 if there are none to spare.
   virtual std::size_t give(int to) = 0;
   virtual void send_to(network::Address to, IirraMessage::Content content) = 0;
-  /// Hands an offered message that this worker does not serve back to the router.
+  /// Returns an offered message to the router because this worker does not serve it.
   virtual void pass_on(const network::Message& message) = 0;
 
  protected:
@@ -47,13 +48,13 @@ class Balance {
   virtual ~Balance() = default;
   Balance(const Balance&) = delete;
 
-  /// Called when few tasks are left, or none.
+  /// Called when few or no tasks are left.
   virtual void ask() {}
   /// Called when the number of tasks has increased.
   virtual void created() {}
-  /// Called after each microtask: tasks bound to it can now be given away.
+  /// Called after each microtask, when the tasks that it blocked can be given away.
   virtual void worked() {}
-  /// Called with a request from another worker, in `message`.
+  /// Called when `message` contains a request of another worker.
   virtual void requested(const network::Message& message, const TaskRequest& request) = 0;
   virtual void refused(int /*by*/, std::size_t /*load*/) {}
   virtual void received(int /*from*/, std::size_t /*load*/) {}

@@ -74,7 +74,8 @@ void Coordinator::hand_out() {
   for (std::size_t i = 0; i < workers.size(); ++i) give_first(workers[i], std::move(first[i]));
 }
 
-// Fills each message with cells. A worker without cells gets one empty message.
+// Sends cells to a worker in as few messages as possible. A worker without cells gets an empty
+// message.
 void Coordinator::give_first(int worker, std::vector<SampledCell> cells) {
   const auto room = (shared_.longest - shared_.sizes.of(Tasks{})) / shared_.sizes.cell;
   for (std::size_t i = 0; i == 0 || i < cells.size();) {
@@ -87,8 +88,8 @@ void Coordinator::give_first(int worker, std::vector<SampledCell> cells) {
   }
 }
 
-// Workers measure the cells, dealt out in turns. Then the costliest cell left always goes to the
-// worker with the lowest load.
+// Lets the workers measure the cells, distributed in rotation. Then assigns the cells by descending
+// cost, each to the worker with the lowest total. Returns the worker of each cell.
 std::vector<int> Coordinator::measure_cells(const std::vector<SampledCell>& cells) {
   const auto& workers = shared_.places.workers;
   const auto room = (shared_.longest - shared_.sizes.of(CellTimes{})) / (shared_.sizes.cell + 4);
@@ -130,7 +131,7 @@ std::vector<int> Coordinator::measure_cells(const std::vector<SampledCell>& cell
   return worker_of;
 }
 
-// Green balancing: gives a child the next task of the pool.
+// For green balancing: gives a child the next task of the pool.
 void Coordinator::serve_demand(int child) {
   if (next_of_pool_ == pool_.size()) return;
   ++shared_.record.counts.moves;
@@ -147,7 +148,7 @@ void Coordinator::obey(const Message& message) {
       [&](const TaskRequest& request) {
         if (shared_.params.balance == BalanceMethod::green)
           return serve_demand(message.from.processor);
-        // Workers keep such requests in turns.
+        // Forward the request to a worker chosen in rotation, which remembers it.
         const auto& workers = shared_.places.workers;
         int to = request.asker;
         for (std::size_t tries = 0; to == request.asker && tries < workers.size(); ++tries)
@@ -167,7 +168,7 @@ void Coordinator::count(const Report& report) {
   if (parked_ + finished_pixels_ == shared_.pixels()) end_phase();
 }
 
-// Called when every cell is finished or beyond the limits.
+// Called when every cell is finished or parked beyond the limits.
 void Coordinator::end_phase() {
   if (finished_pixels_ == shared_.pixels()) {
     if (!is_last_ && stage_ + 1 < shared_.params.stages.size())

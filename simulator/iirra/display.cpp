@@ -28,8 +28,8 @@ void Display::run() {
   manager_.serve_for_ever();
 }
 
-// Polls the workers in turns, at most one round per screen frame. A round that begins after Finish
-// is the last: it shows everything.
+// Polls the workers in rotation, at most once per screen frame. A round that starts after Finish is
+// the last one and collects all remaining pictures.
 void Display::poll_all() {
   const auto next_frame =
       occam::read_timer() + occam::ticks(machine::Seconds{shared_.params.frame_s});
@@ -55,12 +55,12 @@ void Display::ask(int worker) {
   send(manager_, shared_.sizes, DISPLAY_PROCESS, {worker, TASK_PROCESS}, Poll{});
 }
 
-// Serves messages until at most `most` workers still have pictures to send.
+// Serves messages until at most `most` polled workers have pictures left to send.
 void Display::await_answers(std::size_t most) {
   while (asked_ > most) obey(manager_.serve_at_once());
 }
 
-// Reports to the coordinator that everything is shown, and waits for Stop.
+// Reports to the coordinator that all pictures are shown, and waits for Stop.
 void Display::finish() {
   send(manager_, shared_.sizes, DISPLAY_PROCESS, {shared_.places.coordinator, TASK_PROCESS},
        Finished{});
@@ -89,14 +89,14 @@ void Display::obey(const Message& message) {
       },
       [&](const Finish&) {
         is_finishing_ = true;
-        // Unpolled workers report finished pixels only after their pictures were shown.
+        // Without polling, workers report finished pixels only after their pictures were shown.
         if (!is_polled) finish();
       },
       [&](const Stop&) { is_stopped_ = true; },
       [&](const auto&) { throw base::InvariantBroken("a message that is not for a display"); });
 }
 
-// Draws the pixels unless they show a newer picture. Returns whether any colour changed.
+// Draws a block except where a newer picture is shown. Returns true if any colour has changed.
 bool Display::draw(const Painted& block, int width, Screen& screen, renderer::Work& work) {
   bool is_changed = false;
   auto from = block.rgb8.begin();
@@ -145,7 +145,7 @@ void Display::keep(const std::string& name) {
 }
 
 // Draws the upper and left borders of cells in white. Omits cells of fewer than four pixels a side,
-// since nothing of them would remain.
+// because the borders would hide them.
 std::vector<std::uint8_t> Display::draw_borders() const {
   auto rgb8 = screen_.rgb8;
   const int width = shared_.record.samples.width;

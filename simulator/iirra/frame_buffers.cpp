@@ -28,7 +28,7 @@ void FrameBuffers::paint(TaskCell& cell, const SampleTable& samples, int order) 
     memory().release(sizes.of(old));
     return true;
   });
-  // Splits a block longer than a message into strips of whole rows.
+  // Splits a block that is too long for a message into strips of whole rows.
   const auto row = 3 * static_cast<std::size_t>(painting.area.width);
   const auto room = shared_.longest - sizes.of(Picture{}) - sizes.of(Painted{});
   const int rows = static_cast<int>(room / std::max<std::size_t>(1, row));

@@ -1,5 +1,6 @@
 #pragma once
-// A worker's virtual frame buffers (thesis, 5.3): painted cells not yet sent to the display.
+// A worker's virtual frame buffers (thesis, 5.3): the painted cells that have not been sent to the
+// display.
 #include <deque>
 
 #include "simulator/iirra/shared.hpp"
@@ -10,10 +11,10 @@ class FrameBuffers {
  public:
   explicit FrameBuffers(Shared& shared) : shared_(shared) {}
 
-  /// Paints a cell from the colours of its samples and replaces its last painting. Charges time and
-  /// memory to this_process()'s processor.
+  /// Paints a cell from the colours of its samples and replaces its previous painting. Charges time
+  /// and allocates memory on the processor of this_process().
   void paint(TaskCell& cell, const SampleTable& samples, int order);
-  /// Removes and returns the oldest blocks that fit into one message.
+  /// Removes and returns the oldest blocks, as many as fit into one message.
   Picture take();
   bool empty() const { return blocks_.empty(); }
 

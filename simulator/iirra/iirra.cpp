@@ -14,13 +14,14 @@ namespace iirra {
 
 namespace {
 
-constexpr std::uint64_t LONGEST = 2048;  // longest message, bytes, unless a data record is longer
+constexpr std::uint64_t LONGEST = 2048;  // maximum message length in bytes, unless a data record is
+                                         // longer
 constexpr int DATA_BIT = 1 << shared_memory::DATA_PROCESS, TASK_BIT = 1 << TASK_PROCESS;
 constexpr int TASK_BITS = DATA_BIT | TASK_BIT;
 constexpr int DISPLAY_BITS = DATA_BIT | 1 << DISPLAY_PROCESS;
-constexpr int NO_PROCESS = 0;  // of the user's client, which receives no messages
+constexpr int NO_PROCESS = 0;  // the user's client receives no messages
 
-// For each worker, the workers at the shortest distance.
+// The workers at the minimum distance from worker `self`.
 std::vector<int> find_nearest(const network::Routing& routing, const std::vector<int>& workers,
                               int self) {
   std::vector<int> nearest;
@@ -37,7 +38,7 @@ std::vector<int> find_nearest(const network::Routing& routing, const std::vector
   return nearest;
 }
 
-// Parent of each processor in the tree of task requests.
+// By processor: the parent in the tree that carries task requests.
 std::vector<int> find_parents(const topologies::Topology& topology, const Places& places) {
   const auto tree = topologies::make_spanning_tree(topology, places.coordinator);
   base::require(tree.children[static_cast<std::size_t>(places.display)].empty(), "iirra.balance",
@@ -204,8 +205,8 @@ class Run {
                const std::optional<topologies::TreeLinks>& tree) {
     network::Params network;
     network.method = params_.method;
-    // Enough for one or two requests per worker and the display's polls. If a router overflows, the
-    // run ends with a fault that names it.
+    // Buffers for one or two requests per worker and for the polls of the display. If they
+    // overflow, the run ends with a fault that names the router.
     network.buffers = params_.buffers.value_or(static_cast<std::size_t>(topology_.processors) + 64);
     if (params_.data)
       shared_.longest =
@@ -226,7 +227,7 @@ class Run {
     }
   }
 
-  // A stopped processor loses its cells, so the run ends.
+  // Schedules the faults. A stopped processor loses its cells, so the run fails.
   void plan_faults() {
     programs::plan_faults(
         machine_, params_.faults, [this](int id) -> auto& {
@@ -277,11 +278,12 @@ class Run {
   const Params& params_;
   const topologies::Topology topology_;
   machine::Machine machine_;
-  std::vector<machine::Processor*> companions_;  // by processor; null if it has none
+  std::vector<machine::Processor*> companions_;  // by processor; null if it has no companion
   std::optional<shared_memory::SceneItems> items_;
   Shared shared_;
   std::optional<network::Network> network_;
-  std::optional<shared_memory::VirtualMemory> memory_;  // else whole_
+  std::optional<shared_memory::VirtualMemory> memory_;  // only if the scene is distributed;
+                                                        // otherwise whole_
   std::vector<std::unique_ptr<shared_memory::DataManager>> whole_;
   std::optional<Coordinator> coordinator_;
   std::optional<Display> display_;
@@ -295,7 +297,7 @@ void check_weights(const char* key, const Weights& w) {
                 "found weights that are all 0, expected one above 0 at least");
 }
 
-// `key`: "stage" or "order".
+// Checks limits. `key` is "stage" or "order".
 void check_limits(const std::string& key, const renderer::Params& image, const Limits& limits) {
   renderer::Params with_area = image;
   with_area.area = limits.area;

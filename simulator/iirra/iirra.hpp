@@ -1,8 +1,8 @@
 #pragma once
 // IIRRA, the system of the thesis's chapter 5. Each processor has a router and one sequential
 // process, which alternates between application, data manager and task manager (figure 5.4). In a
-// double node, application and task manager have a second processor. One processor coordinates and
-// serves data, one shows the picture, the others compute it.
+// double node, application and task manager run on a second processor. One processor coordinates
+// and serves data, one displays the picture, and all others compute it.
 #include "simulator/iirra/balance.hpp"
 #include "simulator/iirra/record.hpp"
 #include "simulator/observe/run_monitor.hpp"
@@ -15,41 +15,48 @@
 namespace iirra {
 
 using ray_tracing::Role;
-constexpr int SERVICES = 2;  ///< processors that do not compute: coordinator and display
+constexpr int SERVICES = 2;  ///< number of processors that do not compute: coordinator and display
 
-/// Distribution of the first cells among the workers.
+/// Initial distribution of cells to the workers.
 enum class Start : std::uint8_t {
-  scattered,  ///< one cell each per macro-cell of sqrt(workers) x sqrt(workers) cells (figure 5.24)
-  blocks,     ///< one part of the image each
-  subsampled  ///< balanced by the time for a sample of each cell (Badouel, 1990)
+  scattered,  ///< each worker gets one cell of every macro-cell of sqrt(workers) x sqrt(workers)
+              ///< cells (figure 5.24)
+  blocks,     ///< each worker gets one part of the image
+  subsampled  ///< balanced by the measured time for one sample of each cell (Badouel, 1990)
 };
 
 using Order = ray_tracing::Order<Limits>;
 
 struct Params {
   renderer::Params image;
-  std::vector<Limits> stages = std::vector<Limits>(1);  ///< applied one after another
-  std::vector<Order> script;                            ///< in order of time
-  int max_cell = 16;  ///< side of the first cells, pixels; a power of two from 2 to MAX_CELL
+  std::vector<Limits> stages = std::vector<Limits>(1);  ///< successive limits of the interactive
+                                                        ///< phase
+  std::vector<Order> script;                            ///< the user's orders, ascending in time
+  int max_cell = 16;  ///< side of the first cells in pixels, a power of two from 2 to MAX_CELL
   CellOrder order = CellOrder::bayer;
-  ray_tracing::PixelOrder pixels = ray_tracing::PixelOrder::cells;  ///< else replaces `order`
-  Weights weights;  ///< for stages and orders without weights of their own
+  ray_tracing::PixelOrder pixels = ray_tracing::PixelOrder::cells;  ///< values other than `cells`
+                                                                    ///< replace `order`
+  Weights weights;  ///< for stages and orders that have no weights
   Start start = Start::scattered;
   BalanceMethod balance = BalanceMethod::neighbours;
-  int reserve = 1;     ///< active tasks that a worker keeps; with fewer it requests tasks
-  bool is_far = true;  ///< display as far as possible from the coordinator; else beside it
-  /// A worker's data manager has its own processor, on the same memory (6.2).
+  int reserve = 1;     ///< number of tasks that a worker keeps; with fewer it requests tasks
+  bool is_far = true;  ///< places the display as far as possible from the coordinator, otherwise
+                       ///< next to it
+  /// Each worker's data manager has a processor of its own on the same memory (6.2).
   bool is_double = false;
-  bool is_polled = true;     ///< the display polls for pictures; else workers send them unasked
-  int polls = 4;             ///< most polls of the display that may be unanswered
-  bool has_borders = false;  ///< records each picture again, with its cells' borders
-  double frame_s = 0.04;     ///< shortest time between two polls of a worker, s
+  bool is_polled = true;     ///< the display polls for pictures; otherwise workers send them
+                             ///< unrequested
+  int polls = 4;             ///< maximum number of unanswered polls
+  bool has_borders = false;  ///< also records each picture with the borders of its cells
+  double frame_s = 0.04;     ///< minimum time between two polls of a worker in seconds
   std::uint64_t seed = 1;    ///< for the orders `random` and `adaptive`
   snapshots::Schedule snapshot_times;
   network::Method method = network::Method::green;
-  std::optional<std::size_t> buffers;             ///< per router; none: enough for all workers
-  std::optional<shared_memory::DataParams> data;  ///< none: every processor holds the whole scene
-  std::optional<std::uint64_t> memory;            ///< bytes per processor; none: the model's
+  std::optional<std::size_t> buffers;             ///< per router; by default enough for all workers
+  std::optional<shared_memory::DataParams> data;  ///< if absent, every processor holds the whole
+                                                  ///< scene
+  std::optional<std::uint64_t> memory;            ///< bytes per processor; by default those of the
+                                                  ///< model
   std::vector<programs::PlannedFault> faults;
   programs::OtherModels others;             ///< by processor number
   std::optional<double> cycles_per_host_s;  ///< as in farm::Params
@@ -58,35 +65,39 @@ struct Params {
 };
 constexpr int MAX_CELL = 512;
 
-/// Processors of each role.
+/// The processors of each role.
 struct Places {
   int coordinator = 0, display = 0;
-  std::vector<int> workers;  ///< ascending
+  std::vector<int> workers;  ///< in ascending order
 };
-/// Throws base::BadInput if the topology has fewer than three processors.
+/// Chooses the processors of each role. Throws base::BadInput if there are fewer than three.
 Places find_places(const topologies::Topology& topology, bool is_far);
 
-/// For each cell that tiles the area, row by row: its worker, as an index into `workers`.
+/// Assigns the cells of a tiled area, row by row. Returns each cell's worker as an index into
+/// `workers`.
 std::vector<int> assign(Start start, int columns, int rows, int workers);
-/// Cells of `side` pixels that tile an area, row by row; the last may extend beyond it.
+/// Tiles an area with cells of `side` pixels, row by row. The last cells may extend beyond the
+/// area.
 std::vector<SampledCell> make_cells(const renderer::Area& area, int side);
 
-/// Throws base::BadInput naming the key, what was found and what was expected.
+/// Throws base::BadInput that names the key, the value found and the values expected.
 void check(const Params& params, const topologies::Topology& topology);
 
 struct Result : Record {
   explicit Result(Record record) : Record(std::move(record)) {}
   int workers = 0;
-  double mean_depth = 0;  ///< links from the coordinator to a worker, on average
+  double mean_depth = 0;  ///< mean distance of workers from the coordinator, in
+                          ///< links
   std::optional<ray_tracing::SharedUse> shared;  ///< set if the scene is distributed
   network::RouterUse routers;
   machine::Cycles kernel_cycles{};
-  double kernels_s = 0;  ///< time of kernel_cycles, s
+  double kernels_s = 0;  ///< duration of kernel_cycles in seconds
 };
 
-/// `tree`: route of broadcasts; none: each sender has its own tree. Throws base::BadInput as
-/// check() does, or if buffers and caches exceed the memory. Throws machine::Fault as any run, and
-/// if a processor stops (its cells are lost) or a message cannot reach its receiver.
+/// Runs IIRRA. `tree` is the route of broadcasts; if absent, each sender has its own tree. Throws
+/// base::BadInput as check() does, or if buffers and caches exceed the memory. Throws
+/// machine::Fault also if a processor stops, which loses its cells, or if a message cannot reach
+/// its receiver.
 Result run_iirra(const machine::Model& model, const topologies::Topology& topology,
                  const topologies::RoutingTable& routes,
                  const std::optional<topologies::TreeLinks>& tree, const renderer::Scene& scene,

@@ -4,16 +4,17 @@
 
 namespace iirra {
 
-/// Shares of the workers' time not spent on the image's rays. With these rays they sum to 1.
+/// Fractions of the workers' time not spent on rays of the final image. Together with the time for
+/// these rays they sum to 1.
 struct Losses {
-  double idle = 0;      ///< without a task or waiting for the display
+  double idle = 0;      ///< without a task, or waiting for the display
   double data = 0;      ///< waiting for scene data
-  double repeated = 0;  ///< rays of samples beyond the image or computed by another worker too
+  double repeated = 0;  ///< rays of samples outside the image, or traced by several workers
   double routing = 0;   ///< high-priority processes
-  double managing = 0;  ///< tasks, pictures, messages, data look-ups
-  std::string largest;  ///< name of the largest share
+  double managing = 0;  ///< tasks, pictures, messages and data look-ups
+  std::string largest;  ///< name of the largest fraction
 };
-/// All 0 for a run cut short before its first task.
+/// All fractions are 0 if the run was cut short before its first task.
 Losses find_losses(const Result& result);
 
 struct Measured {
@@ -24,11 +25,12 @@ struct Measured {
   ray_tracing::Busy busy;
   Losses losses;
   snapshots::Figures growth = {};
-  ray_tracing::Loads loads;  ///< busiest first
+  ray_tracing::Loads loads;  ///< possible bottlenecks, busiest first
 };
 
-/// Resources of ray_tracing::find_loads; the process "coordination" while not waiting for a
-/// message; the display's CPU; and "tasks": the share of the time after the last task was taken.
+/// Possible bottlenecks: the resources of ray_tracing::find_loads, the process "coordination" while
+/// it does not wait for messages, and the display's CPU. "tasks" is the fraction of time after the
+/// last task was taken.
 ray_tracing::Loads find_loads(const Result& result);
 
 base::Columns<Measured> make_columns();

@@ -8,26 +8,26 @@
 
 namespace iirra {
 
-/// Second level of the addresses.
+/// Process numbers in addresses.
 constexpr int TASK_PROCESS = shared_memory::FIRST_FREE_PROCESS;  ///< task managers of the workers
-                                                                 ///< and of the coordinator
+                                                                 ///< and the coordinator
 constexpr int DISPLAY_PROCESS = TASK_PROCESS + 1;
 
 // --- tasks ------------------------------------------------------------------------------------
-/// Cells assigned to the receiver.
+/// Cells that become tasks of the receiver.
 struct Tasks {
   std::vector<MovedCell> cells;
-  std::size_t load = 0;  ///< tasks left at the sender
+  std::size_t load = 0;  ///< number of tasks left at the sender
 };
-/// Request for tasks. The sender may have forwarded it for another worker, `asker`.
+/// A request for tasks of worker `asker`, which need not be the sender.
 struct TaskRequest {
   int asker = 0;
-  bool is_last = false;  ///< last hop: the receiver keeps the request until it has tasks
+  bool is_last = false;  ///< the receiver must remember the request until it has tasks
 };
 struct NoTasks {
   std::size_t load = 0;
 };
-/// Cells to measure by one sample each; the receiver does not keep them.
+/// Cells that the receiver shall measure with one sample each, but not keep.
 struct Measure {
   std::vector<SampledCell> cells;
 };
@@ -36,40 +36,40 @@ struct CellTimes {
 };
 
 // --- phases -----------------------------------------------------------------------------------
-/// Coordinator -> workers: new limits. The workers reclassify all their cells.
+/// Coordinator -> workers: new limits, by which workers reclassify all cells.
 struct NewPhase {
   std::uint32_t phase = 0;
   Limits limits;
-  int order = 0;  ///< number of the user's order that set them; 0: none
+  int order = 0;  ///< number of the user's order that set the limits, or 0
 };
-/// Worker -> coordinator: number of pixels newly parked or finished in this phase. See
-/// docs/manual/termination.md.
+/// Worker -> coordinator: pixels that were parked or finished in this phase since the last report.
+/// See docs/manual/termination.md.
 struct Report {
   std::uint32_t phase = 0;
   std::uint64_t parked = 0, finished = 0;
 };
 struct Stop {};
-/// The user's order at this index of Shared::orders is due.
+/// An order of the user is due, given by its index in Shared::orders.
 struct UserOrder {
   std::size_t place = 0;
 };
 
 // --- display ----------------------------------------------------------------------------------
-/// A part of a cell's virtual frame buffer.
+/// A painted part of a cell, from a virtual frame buffer.
 struct Painted : renderer::progressive::Painting {
   TaskCell cell;
-  int order = 0;  ///< the user's order in force when it was painted
+  int order = 0;  ///< the user's order that was in force when it was painted
 };
 struct Poll {};
 struct Picture {
   std::vector<Painted> blocks;
-  bool is_all = true;  ///< nothing is left to send
+  bool is_all = true;  ///< no further blocks are waiting
 };
 struct PictureShown {};  ///< acknowledges an unrequested picture
-struct KeepPicture {     ///< keeps the picture; with polling after the next round
-  std::string name;      ///< file name; counts as one word in the message
+struct KeepPicture {     ///< saves the picture; with polling, after the next round
+  std::string name;      ///< file name; counts as one word of the message
 };
-struct Finish {};  ///< the display shows everything, then replies Finished
+struct Finish {};  ///< the display must show all pictures, then reply Finished
 struct Finished {};
 
 struct IirraMessage : network::Contents {
@@ -80,7 +80,7 @@ struct IirraMessage : network::Contents {
   Content content;
 };
 
-/// Sizes of stored and sent data, in bytes, from the model.
+/// Sizes of stored and transmitted data in bytes, from the model.
 struct Sizes {
   explicit Sizes(const machine::Model& model)
       : cell(get_bytes(model, "cell")),
@@ -89,8 +89,8 @@ struct Sizes {
         pixel(get_bytes(model, "pixel")),
         message(model, &kernels::message_costs) {}
   std::uint64_t cell, sample, ray;
-  std::uint64_t pixel;  ///< per sample of an adaptive pixel, until it is complete
-  kernels::ByModel<kernels::MessageCosts> message;  ///< cycles, not bytes
+  std::uint64_t pixel;                              ///< per sample of an incomplete adaptive pixel
+  kernels::ByModel<kernels::MessageCosts> message;  ///< in cycles, not bytes
 
   static constexpr std::uint64_t WORD = 4;
   std::uint64_t of(const Sample& s) const {
@@ -101,17 +101,19 @@ struct Sizes {
     for (const auto& s : moved.samples) sum += of(s);
     return sum;
   }
-  /// A block of a picture: three words of position and age, and three bytes a pixel.
+  /// A block of a picture: three words for position and age, then three bytes per pixel.
   static std::uint64_t of(const Painted& block) { return 3 * WORD + block.rgb8.size(); }
   std::uint64_t of(const Tasks& tasks) const;
   std::uint64_t of(const Picture& picture) const;
   std::uint64_t of(const IirraMessage::Content& content) const;
 };
 
-/// Sends through `manager`'s client as process `from`, which gets undeliverable messages back.
+/// Sends a message through `manager`'s client. `from` is the process that receives it back if it
+/// cannot be delivered.
 void send(shared_memory::DataManager& manager, const Sizes& sizes, int from, network::Address to,
           IirraMessage::Content content);
-/// Content of a message. Throws machine::Fault, naming both ends, if it was returned.
+/// The content of a message. Throws machine::Fault that names both ends if it was returned as
+/// undeliverable.
 const IirraMessage::Content& read(const Sizes& sizes, const network::Message& message);
 
 }  // namespace iirra

@@ -15,7 +15,7 @@ namespace {
 constexpr double Weights::*WEIGHTS[] = {&Weights::position, &Weights::size,  &Weights::samples,
                                         &Weights::contrast, &Weights::depth, &Weights::influence};
 
-// Field of the weights in P's `member`.
+// A field for weights, which sets `member` of P.
 template <class P, class Member>
 base::Field<P> weights_field(Member member, const std::string& help) {
   const auto set = [member](P& p, const base::Scalar& value) {
@@ -116,7 +116,7 @@ base::Fields<ProgramParams> make_fields() {
        base::lift_all<P>(cell_fields(), &P::iirra, "iirra."),
        base::lift_all<P>(machine_fields(), &P::iirra, "iirra."),
        base::lift_all<P>(ray_tracing::snapshot_fields(), snapshot_times, "iirra."),
-       // Last, so that "order" alone names the program's own field.
+       // At the end, so that "order" without a section refers to the program's own field.
        base::lift_all<P>(base::Fields<Params>{ray_tracing::pixel_order_field(&Params::pixels)},
                          &P::iirra, "image."),
        base::lift_optional<P>(ray_tracing::data_fields(), &P::data)});

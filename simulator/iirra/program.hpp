@@ -1,13 +1,14 @@
 #pragma once
-// IIRRA as an experiment program.
+// Declaration of IIRRA as a program for experiments.
 #include "simulator/iirra/iirra.hpp"
 
 namespace iirra {
 
 struct ProgramParams {
-  Params iirra;                                   ///< [image], [iirra], [[stage]], [[order]]
-  std::optional<ray_tracing::SharedParams> data;  ///< set if any key of [data] is given
-  ray_tracing::SceneChoice scene;                 ///< [scene]
+  Params iirra;                                   ///< the keys of [image], [iirra], [[stage]],
+                                                  ///< [[order]]
+  std::optional<ray_tracing::SharedParams> data;  ///< set if any key of [data] is present
+  ray_tracing::SceneChoice scene;                 ///< the keys of [scene]
 };
 
 programs::Program make_iirra();

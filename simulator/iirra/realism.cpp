@@ -19,7 +19,8 @@ bool meets(const SampledCell& cell, const Area& area) {
                             cell.y < area.y + area.height && cell.y + cell.side > area.y);
 }
 
-// 1 if the cell meets the area; else 1 minus its distance from it over the image's diagonal.
+// 1 if the cell overlaps the area of interest. Otherwise 1 minus their distance divided by the
+// image's diagonal.
 double eval_position(const SampledCell& cell, const Area& area, const Area& image) {
   if (meets(cell, area)) return 1;
   const auto gap = [](int a, int a_end, int b, int b_end) {
@@ -84,7 +85,7 @@ std::uint64_t eval_bayer(int x, int y, int bits) {
 CellQuadrants make_cell_quadrants(const Area& image, int max_cell) {
   CellQuadrants quadrants;
   for (int side = max_cell; side >= 2; side /= 2) {
-    // Counts the parts of the largest cells that extend beyond the image.
+    // Includes cells that result from dividing a largest cell but lie outside the image.
     const auto cells = [&](int pixels) {
       return (pixels + max_cell - 1) / max_cell * (max_cell / side);
     };
@@ -131,7 +132,7 @@ Importance Ordering::eval(const SampledCell& cell, const Quantities& quantities,
           interleave(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
       break;
     case CellOrder::adaptive:
-      // Upper bits: contrast, greatest first; lower bits: random.
+      // upper bits: contrast, highest first; lower bits: random
       importance.place =
           static_cast<std::uint64_t>(1023 * (1 - quantities.contrast)) << 54 | drawn() >> 10;
       break;

@@ -1,24 +1,24 @@
 #pragma once
-// The two processors that do not compute: the coordinator (thesis, 5.1.3 and 5.3), which hands out
-// the first tasks and controls the phases, and the display (figure 5.30).
+// The two processors that do not compute. The coordinator (thesis, 5.1.3 and 5.3) distributes the
+// first tasks and controls the phases. The display shows the picture (figure 5.30).
 #include "simulator/iirra/shared.hpp"
 
 namespace iirra {
 
-/// The user's process: sends each order to the coordinator when it is due, through its own client
-/// of the router.
+/// Process of the user: sends each order to the coordinator at its time, through a router client of
+/// its own.
 void interact(Shared& shared, network::Client& client);
 
 class Coordinator {
  public:
-  /// `user`: the client of the user's process.
+  /// `user` is the client of the user's process.
   Coordinator(Shared& shared, shared_memory::DataManager& manager, network::Client& user);
-  /// Runs until everything is shown or the user aborts, then stops all other processes.
+  /// Runs until the picture is complete or the user aborts, then stops all other processes.
   void run();
-  /// Closes the record, after the run's end or after it was cut short.
+  /// Completes the record of a run, even if the run was cut short.
   void end(double at_s);
   bool is_null() const { return is_null_; }
-  std::string phase() const;  ///< short description
+  std::string phase() const;  ///< short description of the present phase
 
  private:
   void hand_out();
@@ -39,26 +39,26 @@ class Coordinator {
   Shared& shared_;
   shared_memory::DataManager& manager_;
   network::Client& user_;
-  std::vector<SampledCell> pool_;  // balance = green: tasks not yet handed out
+  std::vector<SampledCell> pool_;  // for green balancing: the tasks not yet distributed
   std::size_t next_of_pool_ = 0, next_worker_ = 0;
   std::uint32_t phase_ = 0;
   std::size_t stage_ = 0;
   Limits limits_;         // limits of the interactive phase
-  bool is_last_ = false;  // in the non-interactive phase, without limits
-  bool is_null_ = false;  // nothing is left within the limits; the user may still give orders
+  bool is_last_ = false;  // true in the non-interactive phase, without limits
+  bool is_null_ = false;  // no step within the limits is left, but the user may still give orders
   bool is_quitting_ = false;
   bool is_finishing_ = false, is_finished_ = false;
-  std::uint64_t parked_ = 0, finished_pixels_ = 0;  // reported in this phase
+  std::uint64_t parked_ = 0, finished_pixels_ = 0;  // numbers reported in this phase
   double interactive_since_s_ = 0;
 };
 
 class Display {
  public:
   Display(Shared& shared, shared_memory::DataManager& manager);
-  void run();  ///< runs until stopped
-  /// Records the last picture, after the run's end or after it was cut short.
+  void run();  ///< runs until Stop arrives
+  /// Records the final picture of a run, even if the run was cut short.
   void end(double at_s);
-  const std::vector<std::uint8_t>& rgb8() const { return screen_.rgb8; }  ///< currently shown
+  const std::vector<std::uint8_t>& rgb8() const { return screen_.rgb8; }  ///< the displayed picture
 
  private:
   void poll_all();
@@ -71,7 +71,7 @@ class Display {
   void keep(const std::string& name);
   std::vector<std::uint8_t> draw_borders() const;
 
-  // Picture shown, and the cell shown at each pixel.
+  // The displayed picture, and the cell that each pixel shows.
   struct Screen {
     std::vector<std::uint8_t> rgb8;
     std::vector<TaskCell> cells;
@@ -83,8 +83,8 @@ class Display {
   shared_memory::DataManager& manager_;
   Screen screen_, scratch_;
   snapshots::Recorder recorder_;
-  std::vector<std::string> to_keep_;  // pictures to keep after the next round
-  std::size_t asked_ = 0;             // workers with pictures left to send
+  std::vector<std::string> to_keep_;  // names of pictures to save after the next round
+  std::size_t asked_ = 0;             // polled workers with pictures left
   bool is_finishing_ = false, is_stopped_ = false;
 };
 

@@ -1,12 +1,12 @@
 #pragma once
-// State shared by all processes of a run: fixed inputs and the record.
+// State shared by all processes of a run: constant inputs and the record.
 #include "simulator/iirra/iirra.hpp"
 #include "simulator/ray_tracing/orders.hpp"
 #include "simulator/shared_memory/scene_items.hpp"
 
 namespace iirra {
 
-/// Result of tracing a ray.
+/// The result of tracing a ray.
 struct Traced {
   std::optional<renderer::Hit> hit;
   renderer::Rgb contribution;
@@ -18,20 +18,21 @@ struct Shared {
   const Params& params;
   const machine::Machine& machine;
   Places places;
-  renderer::Area area;  ///< computed part of the image
+  renderer::Area area;  ///< part of the image to compute
   Sizes sizes;
-  std::uint64_t longest;  ///< longest message, bytes
+  std::uint64_t longest;  ///< maximum message length in bytes
   kernels::ByModel<machine::OperationCosts> task_cost;
   kernels::ByModel<machine::Cycles>
-      pixel_tested;  ///< display's cost of finding the newer of two pictures of a pixel
+      pixel_tested;  ///< the display's cost of finding the newer of two pictures of a pixel
   kernels::KernelCost ray_cost, paint_cost, display_cost;
-  std::shared_ptr<const CellQuadrants> quadrants = nullptr;  ///< set if cells have that order
-  const shared_memory::SceneItems* items = nullptr;          ///< set if the scene is shared
-  machine::Cycles charged_with_data{};                       ///< for rays that read shared data
-  machine::Seconds charged_with_data_s{};                    ///< time of these cycles
-  ray_tracing::Orders<Limits> orders;                        ///< the user's
+  std::shared_ptr<const CellQuadrants> quadrants = nullptr;  ///< set if cells have quadrant order
+  const shared_memory::SceneItems* items = nullptr;          ///< set if the scene is distributed
+  machine::Cycles charged_with_data{};                       ///< cycles charged for rays that read
+                                                             ///< distributed data
+  machine::Seconds charged_with_data_s{};                    ///< duration of these cycles
+  ray_tracing::Orders<Limits> orders;                        ///< orders of the user
   Record record;
-  Traced scratch = {};  ///< for replays of rays, if costs are timed
+  Traced scratch = {};  ///< for repeated runs of ray kernels if costs are timed
 
   double now_s() const { return occam_now() - record.begun_s; }
   static double occam_now() { return machine::this_process().now().value; }

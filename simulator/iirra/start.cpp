@@ -1,4 +1,4 @@
-// State before the first task: processors of each role, and the first cells.
+// The state before the first task: roles of processors, and initial cells.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -10,7 +10,7 @@ namespace iirra {
 
 namespace {
 
-// Position along a Z-order curve: positions close on the curve are close in the image.
+// Position on a Z-order curve. Cells that are close on the curve are close in the image.
 std::uint64_t place_on_curve(int column, int row) {
   std::uint64_t place = 0;
   for (int bit = 0; bit < 16; ++bit)
@@ -62,8 +62,8 @@ std::vector<int> assign(Start start, int columns, int rows, int workers) {
       worker_of[order[i]] = static_cast<int>(i * static_cast<std::size_t>(workers) / cells);
     return worker_of;
   }
-  // Macro-cells as square as the number of workers permits. The surplus places of a macro-cell go
-  // to the workers in turns.
+  // Makes macro-cells as square as the number of workers allows. Surplus cells of a macro-cell go
+  // to the workers in rotation.
   const int down = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(workers))));
   const int across = (workers + down - 1) / down;
   int turn = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// Data of a task manager (thesis, 5.1.3): its tasks, which are image cells, in an ordered store
-// (BDI) and an unordered one (BDNI), and their samples.
+// Data of a task manager (thesis, 5.1.3). Tasks, which are image cells, are stored in a priority
+// queue (BDI) or, beyond the limits, in an unordered store (BDNI). Samples are stored separately.
 #include <functional>
 #include <unordered_map>
 #include <vector>
@@ -13,45 +13,46 @@ namespace iirra {
 
 using renderer::progressive::Point;
 
-/// The cell of a task.
+/// The image cell of a task.
 struct TaskCell : SampledCell {
-  /// Paintings of this cell and of the cells that it came from. The display compares them to find
-  /// the newer of two pictures of a pixel.
+  /// Number of paintings of this cell and of the cells from which it was divided. The display
+  /// compares these numbers to find the newer of two pictures of a pixel.
   std::uint32_t paintings = 0;
-  int sampled = 0;  ///< sampled points of the next level, if new limits interrupted it
+  int sampled = 0;  ///< number of points of the next level already sampled when new limits
+                    ///< interrupted it
 };
 
-/// A cell, with its assessment when it was stored.
+/// A cell with the assessment made when it was stored.
 struct Task {
   TaskCell cell;
   Quantities quantities = {};
   Advance next = Advance::sample;
   Importance importance = {};
-  bool has_just_come = false;  ///< from another processor, and not yet worked on here
+  bool has_just_come = false;  ///< received from another processor and not yet worked on here
 };
 
-/// State of a lattice point. Several samples of a pixel are taken one after another: the next
-/// primary ray waits until the last one is traced.
+/// State of a sample point. If a pixel has several samples, they are taken in sequence: the next
+/// primary ray waits until the previous one has been traced.
 struct Sample {
   renderer::Samples::Sums sums;
   std::vector<renderer::Ray> waiting;  ///< untraced rays of shading trees
-  renderer::RayCounts rays;            ///< traced rays
-  int begun = 0;                       ///< samples with a traced primary ray
-  renderer::OpenPixel open;            ///< adaptive sampling: until the last sample is complete
+  renderer::RayCounts rays;            ///< number of traced rays
+  int begun = 0;                       ///< number of samples whose primary ray has been traced
+  renderer::OpenPixel open;            ///< for adaptive sampling, until the last sample is complete
 };
 
-/// A cell on its way to another processor, with its samples in the order of points_of().
+/// A cell in transit to another processor, with its samples in the order of points_of().
 struct MovedCell {
   TaskCell cell;
   std::vector<Sample> samples;
 };
 
-/// Operations of a task manager, named as in model files.
+/// Counts of a task manager's operations, with the names used in model files.
 struct TaskWork {
-  std::uint64_t heap_step = 0;       ///< an exchange of two tasks in the ordered store
-  std::uint64_t record_stored = 0;   ///< a task moved into or out of a store
-  std::uint64_t ray_classified = 0;  ///< a cell or a waiting ray compared with the limits
-  std::uint64_t cell_judged = 0;     ///< a sample compared with its cell's minimum and maximum
+  std::uint64_t heap_step = 0;       ///< exchanges of two tasks in the priority queue
+  std::uint64_t record_stored = 0;   ///< tasks moved into or out of a store
+  std::uint64_t ray_classified = 0;  ///< cells or waiting rays compared with the limits
+  std::uint64_t cell_judged = 0;     ///< samples compared with their cell's minimum and maximum
   static constexpr std::array<std::string_view, 4> NAMES = {"heap_step", "record_stored",
                                                             "ray_classified", "cell_judged"};
   std::array<std::uint64_t, 4> counts() const {
@@ -61,12 +62,12 @@ struct TaskWork {
 
 class TaskStores {
  public:
-  /// Adds to the ordered store; to the other if no step is within the limits.
+  /// Adds a task to the priority queue, or to the unordered store if no step is within the limits.
   void add(const Task& task, TaskWork& work);
-  /// The most important task; none if the ordered store is empty.
+  /// Removes and returns the most important task. Returns none if the priority queue is empty.
   std::optional<Task> take(TaskWork& work);
-  /// Takes a task that `may_go` accepts from the last places of the heap, so none of the most
-  /// important.
+  /// Removes and returns a task for which `may_go` is true, searched at the end of the heap, so
+  /// that the most important tasks stay. Returns none if the search fails.
   std::optional<Task> take_last(const std::function<bool(const Task&)>& may_go, TaskWork& work);
   /// Removes and returns all tasks, for reclassification.
   std::vector<Task> take_all();
@@ -79,19 +80,19 @@ class TaskStores {
   std::vector<Task> heap_, later_;
 };
 
-/// Samples of a processor, by position. Cells share them: each is computed once per processor. Most
-/// stay until the end, since later subdivisions may need them.
+/// The samples of a processor, by position. Cells share them, so that each is computed only once
+/// per processor. Most stay until the end, because later divisions may need them.
 class SampleTable {
  public:
   SampleTable() = default;
   explicit SampleTable(const renderer::Sampling& sampling) : sampling_(sampling) {}
 
-  /// Colour shown for a sample.
+  /// The colour shown for a sample.
   renderer::Rgb colour_of(const Point& point) const {
     const Sample& sample = at(point);
     return eval_shown(sampling_, sample.sums, sample.begun);
   }
-  /// Returns the sample, and creates it if missing.
+  /// The sample at a point; made if missing.
   Sample& operator[](const Point& point) { return table_[key(point)]; }
   bool has(const Point& point) const { return table_.contains(key(point)); }
   Sample& at(const Point& point) { return table_.at(key(point)); }
@@ -106,12 +107,13 @@ class SampleTable {
   std::unordered_map<std::uint64_t, Sample> table_;  // never iterated, so its order does not matter
 };
 
-/// Quantities of a cell, from its samples. Only waiting rays of points_to_deepen() count.
+/// Computes a cell's quantities from its samples. Counts waiting rays only at points_to_deepen().
 Quantities find_quantities(const SampledCell& cell, const SampleTable& samples,
                            const Limits& limits, TaskWork& work);
-/// Samples whose shading trees a cell needs: all, or only its own pixels if every pixel is sampled.
+/// The samples of a cell whose shading trees must be traced: all samples, or only the cell's own
+/// pixels once every pixel is sampled.
 renderer::progressive::Points points_to_deepen(const SampledCell& cell);
-/// True if all pixels of the cell have their final colour.
+/// True if all pixels of the cell have their final colours.
 bool is_finished(const SampledCell& cell, const SampleTable& samples);
 
 }  // namespace iirra

@@ -19,7 +19,7 @@ bool is_in(const renderer::Area& area, const Point& p) {
   return p.x >= area.x && p.y >= area.y && p.x < area.x + area.width && p.y < area.y + area.height;
 }
 
-// True if no other cell has a sample at p.
+// True if p is inside the cell, where no other cell has a sample.
 bool is_inner(const SampledCell& cell, const Point& p) {
   return p.x > cell.x && p.y > cell.y && p.x < cell.x + cell.side && p.y < cell.y + cell.side;
 }
@@ -127,7 +127,8 @@ void Worker::divide_cell(const TaskCell& cell) {
   balance_->created();
 }
 
-// Traces tree level `level` of the cell's samples, for sample number `pass` of each pixel.
+// Traces level `level` of the shading trees of the cell's samples, for sample number `pass` of each
+// pixel.
 void Worker::deepen(const SampledCell& cell, int pass, int level) {
   const std::uint32_t phase = phase_;
   for (const Point& p : points_to_deepen(cell)) {
@@ -151,7 +152,7 @@ void Worker::deepen(const SampledCell& cell, int pass, int level) {
   }
 }
 
-// Traces a ray and the shadow feelers from its hit; queues its other children.
+// Traces a ray and the shadow feelers from its hit; queues all other children.
 void Worker::trace(Sample& sample, const Ray& ray, bool is_outside) {
   const auto& sampling = params_.image.sampling;
   const bool is_judged = is_adaptive(sampling) && !is_outside;
@@ -172,7 +173,7 @@ void Worker::trace(Sample& sample, const Ray& ray, bool is_outside) {
     }
 }
 
-// Queues the pixel's next sample if it is wanted and the last one has begun.
+// Queues the pixel's next sample if one is needed and the previous one has begun.
 void Worker::extend(Sample& sample, const Point& p) {
   const auto& sampling = params_.image.sampling;
   if (sampling.pixel_samples == 1) return;
@@ -185,8 +186,8 @@ void Worker::extend(Sample& sample, const Point& p) {
   sample.waiting.push_back(make_primary(shared_.scene.view, params_.image, p.x, p.y, sample.begun));
 }
 
-// Adaptive sampling: once a round is complete, finds the objects at the pixel's corners and decides
-// how many samples are wanted.
+// For adaptive sampling: after each round, finds the objects at the pixel's corners and returns the
+// number of samples needed.
 int Worker::find_wanted(Sample& sample, const Point& p) {
   auto& open = sample.open;
   if (sample.begun < open.wanted || !sample.waiting.empty() || open.samples.empty())
@@ -292,10 +293,10 @@ void Worker::finish(TaskCell cell) {
   new_finished_ += pixels_of(cell);
 }
 
-// Without a task: reports to the coordinator, requests tasks and waits.
+// Handles a worker without tasks: reports to the coordinator, requests tasks and waits.
 void Worker::rest() {
   if (!params_.is_polled) send_pictures();
-  if (stores_.active() > 0 || is_stopped_) return;  // tasks arrived meanwhile
+  if (stores_.active() > 0 || is_stopped_) return;  // tasks have arrived meanwhile
   report();
   if (has_begun_) balance_->ask();
   obey(manager_.serve_at_once());
@@ -328,7 +329,8 @@ std::size_t Worker::give(int to) {
   const std::size_t most = (stores_.active() - reserve + 1) / 2;
   Tasks tasks;
   std::uint64_t bytes = sizes_.of(tasks);
-  // A received task is worked on before it moves again, or it might circulate; not in trees.
+  // To prevent tasks from circulating, a received task may not be sent on before it was worked on.
+  // In a tree it cannot circulate.
   const bool goes_on = params_.balance == BalanceMethod::green;
   const auto may_go = [&](const Task& task) {
     if (task.has_just_come && !goes_on) return false;
@@ -357,7 +359,7 @@ std::size_t Worker::give(int to) {
   return given;
 }
 
-// Moves samples that no other cell here can need; copies those on the cell's border.
+// Moves the samples inside the cell, which no other cell needs, and copies those on its border.
 MovedCell Worker::pack(const TaskCell& cell) {
   MovedCell moved{cell, {}};
   const auto forget_inner = [&](const Point& p) {
@@ -369,7 +371,7 @@ MovedCell Worker::pack(const TaskCell& cell) {
     moved.samples.push_back(samples_.at(p));
     forget_inner(p);
   }
-  // The receiver starts an incomplete level again.
+  // the receiver restarts an incomplete level
   if (cell.sampled > 0)
     for (int i = 0; i < cell.sampled; ++i)
       forget_inner(points_of_level(cell, cell.level + 1)[static_cast<std::size_t>(i)]);
@@ -377,7 +379,7 @@ MovedCell Worker::pack(const TaskCell& cell) {
   return moved;
 }
 
-// Keeps the more advanced of two states of a sample.
+// Stores received samples. Of two states of a sample, keeps the more advanced one.
 void Worker::unpack(const MovedCell& moved, bool is_first) {
   std::size_t i = 0;
   for (const Point& p : points_of(moved.cell)) {
@@ -398,7 +400,7 @@ void Worker::charge_work() {
 
 // --- network ------------------------------------------------------------------------------------
 
-// Between samples, handles all messages.
+// Called between samples: handles all messages.
 void Worker::serve_waiting() {
   look();
   while (!deferred_.empty()) {
@@ -408,7 +410,7 @@ void Worker::serve_waiting() {
   }
 }
 
-// Between the rays of a sample, handles only messages that leave the current cell alone.
+// Called between rays of a sample: handles only messages that do not affect the current cell.
 void Worker::look() {
   while (auto message = manager_.take_other()) {
     const auto& content = static_cast<const IirraMessage&>(*message->contents).content;
@@ -441,7 +443,7 @@ void Worker::obey(const Message& message) {
       [&](const auto&) { throw base::InvariantBroken("a message that is not for a worker"); });
 }
 
-// Measures the time for the whole shading tree of each cell's middle sample.
+// Measures the time to trace the whole shading tree of each cell's middle sample.
 void Worker::measure(int asker, const Measure& asked) {
   CellTimes measured;
   for (const auto& cell : asked.cells) {
@@ -462,7 +464,7 @@ void Worker::measure(int asker, const Measure& asked) {
   send_to({asker, TASK_PROCESS}, std::move(measured));
 }
 
-// Without polling: sends the next picture once the display has acknowledged the last.
+// Without polling: sends the next picture when the display has acknowledged the previous one.
 void Worker::send_pictures() {
   while (!unshown_.empty() && !is_stopped_) {
     if (!std::exchange(is_under_way_, true))

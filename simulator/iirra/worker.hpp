@@ -1,6 +1,6 @@
 #pragma once
-// The sequential process of a computing processor: application, data manager and task manager in
-// turns (thesis, figure 5.4 and 5.1.3).
+// The sequential process of a computing processor, which alternates between application, data
+// manager and task manager (thesis, figure 5.4 and 5.1.3).
 #include <deque>
 
 #include "simulator/iirra/frame_buffers.hpp"
@@ -58,18 +58,19 @@ class Worker : private TaskGiver {
   std::unique_ptr<Balance> balance_;
   TaskStores stores_;
   SampleTable samples_;
-  std::unordered_map<std::uint32_t, std::uint32_t> corners_;  // objects at corners of pixels
+  std::unordered_map<std::uint32_t, std::uint32_t> corners_;  // objects at pixel corners
   TaskWork work_;
   Limits limits_;
   std::uint32_t phase_ = 0;
   int order_ = 0;                                    // the user's order that set the limits
-  std::uint64_t finished_ = 0;                       // pixels
+  std::uint64_t finished_ = 0;                       // number of finished pixels
   std::uint64_t new_parked_ = 0, new_finished_ = 0;  // not yet reported in this phase
   FrameBuffers unshown_;
-  bool is_under_way_ = false;              // an unrequested picture awaits its acknowledgement
-  std::deque<network::Message> deferred_;  // until the current sample is complete
+  bool is_under_way_ = false;              // an unrequested picture has not been acknowledged yet
+  std::deque<network::Message> deferred_;  // messages to handle after the current sample
   std::optional<Point> open_;              // the current sample
-  bool has_begun_;                         // the first tasks, or an empty message, have arrived
+  bool has_begun_;                         // true after the first tasks, or an empty message, have
+                                           // arrived
   bool is_stopped_ = false;
 };
 

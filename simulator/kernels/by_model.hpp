@@ -8,12 +8,12 @@
 
 namespace kernels {
 
-/// A cost, or a set of costs, for each model of processor; made once for each.
+/// A cost, or a set of costs, for each processor model. Each is made once, on first use.
 template <class T>
 class ByModel {
  public:
   using Make = std::function<T(const machine::Model&)>;
-  /// Tries `make` on `model` at once: it throws BadInput for missing entries.
+  /// Calls `make` for `model` immediately, so that missing entries throw BadInput here.
   ByModel(const machine::Model& model, Make make) : make_(std::move(make)) { make_(model); }
 
   /// The cost on the processor of this_process(). The reference stays valid.

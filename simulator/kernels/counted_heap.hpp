@@ -1,13 +1,13 @@
 #pragma once
-// A binary heap with a count of its exchanges; the simulated program pays for each of them.
+// A binary heap that counts exchanges, because the simulated program pays for each of them.
 #include <cstdint>
 #include <utility>
 #include <vector>
 
 namespace kernels {
 
-/// Moves element i up, or down, until the heap order is restored. `before` compares two elements;
-/// the heap's first element goes before all others. Returns the number of exchanges.
+/// Move element i up, or down, until the heap property holds. `before(a, b)` is true if a precedes
+/// b; the first element precedes all others. Both functions return the number of exchanges.
 template <class T, class Before>
 std::uint64_t sift_up(std::vector<T>& heap, std::size_t i, Before before) {
   std::uint64_t steps = 0;
@@ -28,7 +28,7 @@ std::uint64_t sift_down(std::vector<T>& heap, std::size_t i, Before before) {
   }
 }
 
-/// Makes a heap from elements in any order. Returns the number of exchanges.
+/// Makes a heap of elements in arbitrary order. Returns the number of exchanges.
 template <class T, class Before>
 std::uint64_t make_heap(std::vector<T>& heap, Before before) {
   std::uint64_t steps = 0;

@@ -18,7 +18,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// Median time of `run`, including the clock's own interval.
+// Median time of `run`, including the time for reading the clock.
 template <class Run>
 double time_often(int times, Run run) {
   std::vector<double> all;
@@ -30,7 +30,7 @@ double time_often(int times, Run run) {
   return median(std::move(all));
 }
 
-// Yardstick: 1000 rays through 800 spheres.
+// Makes the yardstick, which traces 1000 rays through 800 spheres.
 std::function<void()> make_yardstick() {
   const auto scene = std::make_shared<const renderer::Scene>(renderer::make_spheres(800));
   renderer::Params params;
@@ -43,7 +43,7 @@ std::function<void()> make_yardstick() {
   };
 }
 
-// Time of a call of a replay that only reads its data, as large as a ray and its hit.
+// Time of calling a replay that only reads its data, whose size is that of a ray with its hit.
 double measure_call(double interval_s) {
   Replays batch;
   double sum = 0;
@@ -100,7 +100,7 @@ double KernelTimer::charge(double about_s) {
   return about_s + part_s;
 }
 
-// Time of the batch; `once_s` is a first estimate.
+// Time of one pass of the batch. `once_s` is a first estimate.
 double KernelTimer::eval_batch_s(double once_s) const {
   const int passes = static_cast<int>(std::clamp(std::ceil(least_s() / once_s), 1.0, 1e6));
   std::vector<double> in_yardsticks;
@@ -130,8 +130,8 @@ double KernelTimer::time_batch(int passes) const {
   return time([&] { run_batch(passes); });
 }
 
-// Times the second of two runs, as for a batch. Caches and branch predictors are then in the state
-// left by this kernel, not by the previous one.
+// Runs the yardstick twice and times the second run, as for batches. Caches and branch predictors
+// are then in the state left by the yardstick itself.
 double KernelTimer::time_yardstick() const {
   host_.yardstick();
   return time(host_.yardstick);

@@ -1,9 +1,9 @@
 #pragma once
-// Measurement of a kernel's time on the host. There are three difficulties: a call is often shorter
-// than a reading of the clock, other events of the simulation have filled the caches, and other
-// programs slow the host by varying amounts. The solutions: - Calls are stored as functions that
-// repeat them, and measured in batches of 2 ms or 8192 calls.
-//   A call of 2 ms or more is a batch by itself.
+// Measurement of the host time that a kernel takes. There are three difficulties: a call is often
+// shorter than a reading of the clock, other events of the simulation have filled the caches, and
+// other programs slow the host by varying amounts. The solutions:
+// - Calls are stored as functions that repeat them, and measured in batches of 2 ms or 8192 calls.
+//   A single call of at least 2 ms is a batch by itself.
 // - A batch runs several times, each time between two runs of a yardstick, a kernel with constant
 //   work. The median of the ratios is the batch's time in yardsticks.
 #include <cstdint>
@@ -16,24 +16,25 @@
 
 namespace kernels {
 
-/// Clock and reference times for the timing of kernels.
+/// Clock and reference times of the host.
 struct Host {
-  std::function<double()> now_s;    ///< clock
-  std::function<void()> yardstick;  ///< a kernel with constant work
+  std::function<double()> now_s;    ///< the clock, in seconds
+  std::function<void()> yardstick;  ///< runs a kernel whose work is constant
   double interval_s = 0;            ///< time between two consecutive readings of the clock
-  double call_s = 0;                ///< time of an empty replay's call in a batch
-  double yardstick_s = 0;           ///< time of a yardstick run, measured at the start
+  double call_s = 0;                ///< time of calling an empty replay in a batch
+  double yardstick_s = 0;           ///< time of a yardstick run, measured at start-up
 };
-/// CPU time of this thread, s; it stands still while other programs run.
+/// CPU time of this thread in seconds. It does not advance while other programs run.
 double host_cpu_s();
-/// Time between two consecutive readings of host_cpu_s(), s.
+/// Time between two consecutive readings of host_cpu_s(), in seconds.
 double clock_interval_s();
-/// This host: clock host_cpu_s(); yardstick: rays through a scene of spheres. The first call
-/// measures its speed. Processes forked afterwards inherit it, so that their times are comparable.
+/// The Host of this machine, with the clock host_cpu_s() and a yardstick that traces rays through
+/// spheres. The first call measures the yardstick. Processes forked afterwards inherit the result,
+/// so that their times are comparable.
 const Host& this_host();
 
-/// Functions that repeat calls, stored contiguously in memory. If scattered like a simulation's
-/// other allocations, short calls would include the cache misses to reach them.
+/// Functions that repeat calls of kernels, stored contiguously. If they were scattered among the
+/// other allocations of a simulation, cache misses would dominate the time of short calls.
 class Replays {
  public:
   Replays() = default;
@@ -68,9 +69,9 @@ class Replays {
   std::vector<Call> calls_;
 };
 
-/// Times the calls of one kernel. A call is charged its weight times the last batch's time per unit
-/// of weight. Corrections of up to a fifth make the sum over many calls equal to their measured
-/// time.
+/// Measures the calls of one kernel. A call is charged its weight multiplied by the time per unit
+/// of weight in the previous batch. Corrections of at most a fifth make the total of many calls
+/// equal to their measured time.
 class KernelTimer {
  public:
   explicit KernelTimer(const Host& host) : host_(host) {}
@@ -78,12 +79,12 @@ class KernelTimer {
   static constexpr double BATCH_S = 2e-3;          ///< target duration of a batch
   static constexpr std::size_t MOST_CALLS = 8192;  ///< maximum calls of a batch
   static constexpr int REPEATS = 5;
-  /// Minimum measured interval, in clock intervals.
+  /// Minimum duration of a measurement, in units of Host::interval_s.
   static constexpr double LEAST_INTERVALS = 50;
 
-  /// Time of a call, in s on a host with the speed at which Host::yardstick_s was measured. Each
-  /// call of `replay` repeats the same work. `weight` > 0 is the work relative to other calls:
-  /// counted cycles, or 1.
+  /// Returns the time of a call in seconds, on a host with the speed at which Host::yardstick_s was
+  /// measured. Each call of `replay` must repeat the same work. `weight` > 0 is the work relative
+  /// to other calls, such as the number of counted cycles.
   template <class Replay>
   double eval(Replay replay, double weight) {
     batch_.add(std::move(replay));
@@ -92,10 +93,10 @@ class KernelTimer {
     return charge(weight * s_per_weight_);
   }
 
-  /// Duration of the longest batch, s.
+  /// Duration of the longest batch in seconds.
   double longest_batch_s() const { return longest_batch_s_; }
-  /// True if no batch had MOST_CALLS or lasted long enough for the clock. Calls were then repeated
-  /// on the same few inputs, already known to caches and branch predictors.
+  /// True if no batch had MOST_CALLS calls or lasted long enough for the clock. Calls were then
+  /// repeated on few inputs, already known to caches and branch predictors.
   bool is_short() const { return most_calls_ < MOST_CALLS && longest_batch_s_ < least_s(); }
 
  private:
@@ -110,9 +111,10 @@ class KernelTimer {
 
   const Host& host_;
   Replays batch_;
-  double weight_ = 0;         // sum of the batch
-  std::size_t full_ = 1;      // calls of a full batch: the first call is measured at once
-  double s_per_weight_ = 0;   // in the last batch
+  double weight_ = 0;         // total of the batch
+  std::size_t full_ = 1;      // number of calls in a full batch; the first call is measured
+                              // immediately
+  double s_per_weight_ = 0;   // of the last batch
   double batch_about_s_ = 0;  // estimated time of the batch
   double owed_s_ = 0;         // measured time of batches minus charged time
   double longest_batch_s_ = 0;

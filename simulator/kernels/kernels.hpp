@@ -1,7 +1,7 @@
 #pragma once
-// Common part of the programs that use the renderer's kernels: the program's memory on a processor,
-// the sizes of records, and the cost of a kernel's call. The cost is either the counted operations
-// times their cycles, or the scaled host time.
+// Common parts of the programs that use kernels of the renderer: memory of the program, sizes of
+// records, and costs of kernel calls. A cost is either counted operations in cycles or scaled host
+// time.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -17,14 +17,14 @@ namespace kernels {
 
 using observe::KernelUse;
 
-/// Allocates the program's part of a processor's memory.
+/// Allocates the memory of the program itself on a processor.
 void load_program(machine::Processor& processor);
 
-/// Starts a process called "processor.name".
+/// Starts a process named "PROCESSOR.NAME".
 void start(machine::Processor& on, const char* name, machine::Priority priority,
            machine::Process::Body body);
 
-/// Calls `body` with `bytes` of the current processor's memory allocated.
+/// Calls `body` while `bytes` of the current processor's memory are allocated.
 template <class Body>
 auto with_memory(std::uint64_t bytes, const char* what, Body body) {
   auto& self = machine::this_process();
@@ -34,33 +34,33 @@ auto with_memory(std::uint64_t bytes, const char* what, Body body) {
   return result;
 }
 
-/// Sizes of the records of a ray, of its hit and of a pixel, in bytes.
+/// Sizes in bytes of the records of a ray, a hit and a pixel.
 struct RecordBytes {
   std::uint32_t ray = 0, hit = 0, pixel = 0;
 };
 RecordBytes record_bytes(const machine::Model& model);
 
-/// Costs of a process for making a message and for reading one.
+/// Costs of making a message and of reading one.
 struct MessageCosts {
   machine::Cycles made, read;
 };
 MessageCosts message_costs(const machine::Model& model);
 
-/// Bytes of a copy of the scene: its objects and their hierarchy.
+/// Size of a copy of the scene in bytes: objects and their hierarchy.
 std::uint64_t scene_bytes(const machine::Model& model, const renderer::Scene& scene);
-/// Bytes of a copy of its texture pyramids, needed by every processor that shades.
+/// Size in bytes of the scene's texture pyramids, which every processor that shades must hold.
 std::uint64_t texture_bytes(const machine::Model& model, const renderer::Scene& scene);
 
-/// A sentence for each kernel that was too short for the host's clock.
+/// Makes a sentence for each kernel that was too short for the host's clock.
 std::vector<std::string> note_short(const std::vector<KernelUse>& uses);
 
-/// Cost of the calls of one kernel: counted operations times their cycles, or scaled host time.
-/// Several processes may share it.
+/// Cost of the calls of one kernel: cycles of its counted operations, or scaled host time. Several
+/// processes may share a KernelCost.
 class KernelCost {
  public:
-  /// With `cycles_per_host_s`, charges host time instead of counts. With `profile`, also measures
-  /// the host time roughly, call by call; only a sample of short calls, because reading the clock
-  /// may take longer than a call.
+  /// With `cycles_per_host_s`, charges host time instead of counts. With `profile`, also estimates
+  /// the host time. Only a sample of short calls is measured, because reading the clock may take
+  /// longer than a call.
   KernelCost(std::string name, ByModel<machine::OperationCosts> counted,
              std::optional<double> cycles_per_host_s, bool profile = false)
       : counted_(std::move(counted)), cycles_per_host_s_(cycles_per_host_s), profile_(profile) {
@@ -70,7 +70,7 @@ class KernelCost {
 
   /// Calls `kernel`, which counts its operations in a renderer::Work, and charges this_process().
   /// With timed costs, copies of `kernel` are called again later. It must therefore have no side
-  /// effects, and hold its inputs or references to lasting data.
+  /// effects, and its inputs must still be valid then.
   template <class Kernel>
   auto operator()(Kernel kernel) {
     renderer::Work work;
@@ -80,8 +80,8 @@ class KernelCost {
     charge(work, [&] { return make_replay(std::move(kernel)); });
     return result;
   }
-  /// The same for a kernel that changes a state: called first with `state`, later with `scratch`,
-  /// with the same amount of work. (Neither may move.) Returns its counts.
+  /// For a kernel that changes a state: calls it with `state`, and with timed costs later with
+  /// `scratch`, for the same amount of work. Neither may move. Returns the counts.
   template <class State, class Kernel>
   renderer::Work operator()(State& state, State& scratch, Kernel kernel) {
     renderer::Work work;
@@ -92,9 +92,9 @@ class KernelCost {
     return work;
   }
 
-  /// Factor for the counts of a kernel that sometimes waits for data and is charged its counts
-  /// before each wait. With timed costs, calls `kernel` as above; here it has all data and never
-  /// waits. Else returns 1 without a call.
+  /// For a kernel that may wait for data: it is charged its counts before each wait, multiplied by
+  /// this factor. With timed costs, calls `kernel` as above, with all data present and therefore no
+  /// waits. Otherwise returns 1 without calling `kernel`.
   template <class State, class Kernel>
   double eval_scale(State& scratch, Kernel kernel) {
     if (!timed_) return 1;
@@ -105,15 +105,16 @@ class KernelCost {
     return static_cast<double>(charged.value) / static_cast<double>(counted.value);
   }
 
-  /// Costs on the processor of this_process().
+  /// Costs of operations on the processor of this_process().
   const machine::OperationCosts& counted() const { return counted_.here(); }
-  machine::Cycles charged() const { return use_.charged; }   ///< for all calls
-  machine::Seconds charged_s() const { return charged_s_; }  ///< the same as time
+  machine::Cycles charged() const { return use_.charged; }   ///< total of all calls
+  machine::Seconds charged_s() const { return charged_s_; }  ///< duration of these cycles
   double profile_s() const { return profile_s_; }            ///< estimated host time of all calls
   KernelUse use() const;
 
  private:
-  // On the heap, so that the counter of the replays does not move with this object.
+  // Allocated separately, because replays hold a reference to the counts while this object may
+  // move.
   struct Timed {
     KernelTimer timer{this_host()};
     renderer::Work counts_of_replays;
@@ -123,7 +124,7 @@ class KernelCost {
   auto make_replay(Kernel kernel) {
     return [kernel = std::move(kernel), &work = timed_->counts_of_replays] {
       const auto result = kernel(work);
-      asm volatile("" : : "r"(&result) : "memory");  // else the compiler may drop the call
+      asm volatile("" : : "r"(&result) : "memory");  // prevents the compiler from removing the call
     };
   }
   template <class State, class Kernel>
@@ -132,7 +133,7 @@ class KernelCost {
       kernel(scratch, work);
     };
   }
-  // `make` makes the replay, for timed costs.
+  // Calls `make` for the replay only if costs are timed.
   template <class Make>
   machine::Cycles eval(machine::Cycles counted, Make make) {
     if (!timed_) return note(counted, counted, 0);
@@ -145,7 +146,7 @@ class KernelCost {
   void charge(const renderer::Work& work, Make make) {
     machine::this_process().charge(eval(counted_.here()(work.counts), std::move(make)));
   }
-  // Time of the clock if this call is in the sample.
+  // Reads the clock if this call belongs to the sample.
   std::optional<double> begin_profile() const {
     const bool is_profiled = profile_ && use_.calls >= next_profiled_;
     return is_profiled ? std::optional(host_cpu_s()) : std::nullopt;
@@ -156,18 +157,18 @@ class KernelCost {
   std::optional<double> cycles_per_host_s_;
   bool profile_;
   double profile_s_ = 0;
-  std::uint64_t profiled_ = 0;       // calls covered by profile_s_
+  std::uint64_t profiled_ = 0;       // number of calls covered by profile_s_
   std::uint64_t each_of_ = 1;        // sampling period in calls
   std::uint64_t next_profiled_ = 0;  // number of the next sampled call
-  std::unique_ptr<Timed> timed_;     // only for timed costs
+  std::unique_ptr<Timed> timed_;     // set only if costs are timed
   KernelUse use_;
   machine::Seconds charged_s_{};
 };
 
-/// Use of the kernels that were called.
+/// Use of those kernels that were called.
 std::vector<KernelUse> uses_of(std::initializer_list<const KernelCost*> kernels);
 
-/// Renders a block of pixels, as a kernel for KernelCost.
+/// Makes a kernel for KernelCost that renders a block of pixels.
 inline auto block_kernel(const renderer::Scene& scene, const renderer::Params& params,
                          const renderer::Area& area) {
   return [&scene, &params, area](renderer::BlockBuffer& buffer, renderer::Work& work) {
@@ -176,11 +177,11 @@ inline auto block_kernel(const renderer::Scene& scene, const renderer::Params& p
   };
 }
 
-/// Costs of intersections, and of a whole shading tree. Shading in a tree has the scale of the
-/// central process, which shades if tasks are rays.
+/// Costs of intersections, and of whole shading trees. Shading in trees has the scale of the
+/// central process, which does the shading if tasks are rays.
 machine::OperationCosts intersection_costs(const machine::Model& model);
 machine::OperationCosts tree_costs(const machine::Model& model);
-/// Costs of the central process's computations and display.
+/// Costs of the central process: its computations and the display.
 machine::OperationCosts central_costs(const machine::Model& model);
 
 }  // namespace kernels

@@ -7,7 +7,8 @@
 namespace machine {
 
 namespace {
-constexpr double HAIR = 1e-9;  // time slices: a date that is a tick may be rounded off it
+constexpr double HAIR = 1e-9;  // tolerance in time slice periods for rounding errors of a date on a
+                               // tick
 
 template <class Queue>
 Process& take_first(Queue& queue) {
@@ -73,7 +74,8 @@ void Cpu::make_ready(Process& process, Seconds at) {
   const bool high = process.priority_ == Priority::high;
   if (high && is_coming_back() && now() <= low_.way_back_from) stay_away();
   if (high && running_ && running_->priority_ == Priority::low) return preempt(process);
-  // First come, first served by simulated time: a process's own time may be ahead of the clock.
+  // First come, first served, by simulated time. A process may become ready ahead of the clock, so
+  // the queue is sorted by date.
   auto& queue = high ? high_queue_ : low_queue_;
   auto place = queue.end();
   while (place != queue.begin() && std::prev(place)->ready_at_ > at) --place;
@@ -89,7 +91,7 @@ void Cpu::dispatch_when_free() {
 void Cpu::ask_dispatch() {
   const auto then = [this, id = ++dispatch_id_] {
     if (id != dispatch_id_) return engine_.ignore_event();
-    if (free_at_ > now()) return ask_dispatch();  // DMA has moved it
+    if (free_at_ > now()) return ask_dispatch();  // DMA has delayed it
     dispatch();
   };
   if (free_at_ > now() || has_come_to_link_)
@@ -149,7 +151,7 @@ void Cpu::account_high(const Process& process, Seconds time) {
   high_.preempting = false;
 }
 
-// The callback has the rank of the process, if that has one.
+// Schedules a callback with the rank of the process, if it has one.
 void Cpu::at(Seconds date, const Process& process, auto then) {
   if (process.has_rank())
     engine_.ranked_at(date, process.rank_, then);
@@ -157,11 +159,11 @@ void Cpu::at(Seconds date, const Process& process, auto then) {
     engine_.at(date, then);
 }
 
-// Sets the date at which the running high-priority process ends its computation.
+// Schedules the end of the running high-priority process's computation.
 void Cpu::end_high_at(Seconds date) {
   at(date, *running_, [this, id = ++high_.id] {
     if (id != high_.id) return engine_.ignore_event();
-    if (high_.until > now()) return end_high_at(high_.until);  // DMA has moved it
+    if (high_.until > now()) return end_high_at(high_.until);  // DMA has delayed the end
     high_.computing = false;
     has_come_to_link_ = running_->has_rank();
     execute(*running_);
@@ -170,7 +172,7 @@ void Cpu::end_high_at(Seconds date) {
 }
 
 void Cpu::release(Process& process, Seconds free_at) {
-  if (interrupted_ == &process) {  // its last instruction: there is no state to save
+  if (interrupted_ == &process) {  // released by its last instruction, so there is no state to save
     interrupted_ = nullptr;
     high_.preempting = false;
     --use_.preemptions;
@@ -184,7 +186,7 @@ void Cpu::release(Process& process, Seconds free_at) {
   if (interrupted_ || ready() > 0) dispatch_when_free();
 }
 
-// A high-priority process became ready while a low one runs.
+// Pre-empts the running low-priority process for a high-priority one that became ready.
 void Cpu::preempt(Process& high) {
   interrupted_ = running_;
   running_ = &high;
@@ -195,7 +197,8 @@ void Cpu::preempt(Process& high) {
   engine_.soon([this, &high] { execute(high); });
 }
 
-// The low process stops computing. On its way back, before low_.since, it has not begun yet.
+// Stops the computation of the low-priority process. During the switch back, before low_.since, it
+// has not resumed yet.
 void Cpu::stop_low() {
   low_.left = speed_ * (low_.end - std::max(now(), low_.since));
   if (low_.since <= now()) return account_low();
@@ -204,7 +207,8 @@ void Cpu::stop_low() {
   low_.way_back_from = NEVER;
 }
 
-// The CPU goes back to the low-priority process from free_at_ on, unless a high one comes by then.
+// Switches back to the low-priority process at free_at_, unless a high-priority one becomes ready
+// by then.
 void Cpu::resume_interrupted() {
   running_ = std::exchange(interrupted_, nullptr);
   low_.way_back_from = std::max(now(), free_at_);
@@ -217,13 +221,13 @@ void Cpu::foresee_way_back() {
   low_.end = low_.since + Seconds{low_.left.value / speed_};
 }
 
-// A high-priority process has become ready before the way back began: it runs first.
+// Cancels the switch back because a high-priority process became ready before it began.
 void Cpu::stay_away() {
   interrupted_ = std::exchange(running_, nullptr);
   low_.way_back_from = NEVER;
 }
 
-// The clock in time slice periods, and the date of one of its ticks.
+// Converts between dates and time slice periods since date 0.
 double Cpu::slices(Seconds date) const {
   return date / (model_.scheduler.slice / model_.cpu.clock);
 }
@@ -246,11 +250,11 @@ void Cpu::compute(Process& low, Seconds time) {
   low_.since = now();
   low_.end = now() + Seconds{time.value / speed_};
   low_.left = time;
-  if (interrupted_ != &low) arm_low_timer();  // else a high process came during its operation
+  if (interrupted_ != &low) arm_low_timer();  // otherwise pre-empted meanwhile
 }
 
-// The first in the queue may be ready ahead of the clock. Another may come before it, and DMA may
-// move it.
+// The date depends on the first process in the queue, which may be ready ahead of the clock.
+// Another process may overtake it, and DMA may change its date.
 void Cpu::find_end_of_slice() {
   if (low_queue_.empty()) return;
   low_.gives_way_at = std::max(
@@ -261,7 +265,7 @@ void Cpu::arm_low_timer() {
   find_end_of_slice();
   const Seconds gives_way = std::max({now(), low_.gives_way_at, low_.since});
   const Seconds at = std::min(low_.end, gives_way);
-  // A pre-empted computation only ends later: a timer that fires early is armed again then.
+  // Pre-emption only delays the end of a computation. A timer that fires too early is set again.
   const auto rank = running_->rank_;
   if (low_timer_.armed && low_timer_.at <= at && (low_timer_.at < at || low_timer_.rank == rank))
     return;
@@ -274,7 +278,7 @@ void Cpu::arm_low_timer() {
 }
 
 void Cpu::low_timer() {
-  if (interrupted_ || !low_.computing) return;  // armed again when the CPU comes back
+  if (interrupted_ || !low_.computing) return;  // set again when the CPU resumes the process
   Process& low = *running_;
   const Seconds left = low_.end - now();
   find_end_of_slice();
@@ -328,7 +332,7 @@ void Cpu::stretch(const Stretch& stretch) {
       for (Process& process : *queue) process.stretch(stretch);
     if (high_.computing) {
       running_->paid_for_ += more;
-      // If the end is later, the old event finds that it is early.
+      // If the end moves to a later date, the pending event notices that it is too early.
       if (stretch.ratio < 1) end_high_at(until);
       return;
     }
@@ -372,16 +376,17 @@ CpuUse Cpu::use_by(Seconds date) const {
   return use;
 }
 
-// The part of use_'s high-priority time that lies after a date.
+// The part of the high-priority time in use_ that lies after `date`.
 Seconds Cpu::high_after(Seconds date) const { return std::max(Seconds{}, high_.until - date); }
 
-// The part of the switch back to the low process before a date. use_ does not count it yet.
+// The duration, up to `date`, of the current switch back to the low-priority process, which use_
+// does not include yet.
 Seconds Cpu::switched_back(Seconds date) const {
   if (!is_coming_back()) return {};
   return std::max(Seconds{}, std::min(date, low_.since) - low_.way_back_from);
 }
 
-// Computation of the low process up to a date that use_ does not count yet.
+// The computation of the low-priority process up to `date` that use_ does not include yet.
 Seconds Cpu::low_before(Seconds date) const {
   const bool computes = low_.computing && !interrupted_ && date > low_.since;
   return computes ? date - low_.since : Seconds{};
@@ -391,7 +396,7 @@ Seconds Cpu::busy_by(Seconds date) const {
   return use_.busy() - high_after(date) + switched_back(date) + low_before(date);
 }
 
-// Cycles taken from the idle CPU since the speed changed.
+// Cycles taken from the CPU while it was idle, since its speed changed last.
 Seconds Cpu::stolen_idle(Seconds date) const {
   if (speed_ == 1) return {};
   const Seconds idle = date - speed_since_ - (busy_by(date) - busy_then_);
@@ -405,7 +410,7 @@ void Cpu::stop() {
     use_.busy_high += switched_back(now());
     low_.way_back_from = NEVER;
   }
-  flush_observer();  // accounts for what a low process has computed, too
+  flush_observer();  // also accounts for the computation of a low-priority process
   if (high_.until > now()) {
     use_.busy_high -= high_.until - now();
     high_.until = now();
@@ -415,7 +420,7 @@ void Cpu::stop() {
   high_queue_.clear();
   low_queue_.clear();
   high_.computing = low_.computing = false;
-  ++high_.id;  // makes pending events stale
+  ++high_.id;  // makes pending events outdated
   ++low_timer_.id;
   ++dispatch_id_;
 }

@@ -1,9 +1,10 @@
 #pragma once
-// A transputer's CPU: the microcoded two-priority scheduler.
+// A transputer's CPU with its microcoded two-priority scheduler.
 //
-// High-priority processes run until they block. Low-priority processes run when no high one can,
-// and high ones pre-empt them. They share the CPU in time slices: a low process gives way after one
-// to two slice periods if another low process is ready. (INMOS T800 family; transputer data book.)
+// High-priority processes run until they block. Low-priority processes run only while no
+// high-priority process is ready, and are pre-empted if one becomes ready. They share the CPU by
+// time slices: a running process yields after one to two slice periods if another one is ready.
+// (INMOS T800 family; transputer data book.)
 #include <algorithm>
 #include <array>
 #include <boost/intrusive/list.hpp>
@@ -20,12 +21,13 @@ namespace machine {
 
 class LinkDirection;
 
-/// Receives what processors and links of a running machine did, after each span has ended.
+/// Interface of an observer of processors and links. Each call reports an activity after its end.
 struct Observer {
   enum class Doing : std::uint8_t { high, low, switching };
 
   virtual ~Observer() = default;
-  /// Names a process; processes of one name on one processor share an id, dense from 0.
+  /// Announces the name of a process. Processes with the same name on one processor share an id.
+  /// Ids count from 0.
   virtual void name_process(const Processor& on, std::uint32_t id, const std::string& name) = 0;
   virtual void ran(const Processor& on, std::uint32_t id, Doing doing, Seconds from,
                    Seconds to) = 0;
@@ -34,31 +36,33 @@ struct Observer {
 };
 
 struct CpuUse {
-  Seconds busy_high{}, busy_low{};  ///< executing, by priority; switches count as high
-  /// Cycles that DMA and a companion took from the idle CPU. A busy CPU stays busy longer instead.
+  Seconds busy_high{}, busy_low{};  ///< execution time by priority; switches count as high priority
+  /// Cycles taken from the idle CPU by DMA and a companion. If the CPU is busy, it stays busy
+  /// longer instead.
   Seconds stolen_idle{};
   std::uint64_t preemptions = 0, dispatches = 0;
   Seconds busy() const { return busy_high + busy_low; }
-  /// All that a further process of lowest priority would not get, apart from switches.
+  /// Time that would not be available to an additional process of lowest priority, not counting
+  /// switches.
   Seconds taken() const { return busy() + stolen_idle; }
 };
 
-/// A CPU's spans for its observer. DMA may still change a span ahead of the clock, so each is
-/// passed on when it has ended, or by flush().
+/// Buffer between a CPU and its observer. DMA may still change activities that end ahead of the
+/// clock. Each is therefore reported after its end, or by flush().
 class CpuDiary {
  public:
   explicit CpuDiary(const Processor& processor) : processor_(processor) {}
 
-  /// Drops the spans that were not passed on.
+  /// Sets the observer and drops activities not yet reported.
   void set_observer(Observer* observer) {
     observer_ = observer;
     spans_.clear();
   }
   bool has_observer() const { return observer_; }
-  /// The number of a process's name, see Observer; 0 without an observer.
+  /// The id of a process's name, see Observer; 0 if there is no observer.
   std::uint32_t number_of(const std::string& name);
   void note(const Process& process, Observer::Doing doing, Seconds from, Seconds to);
-  void tell_past(Seconds now);  ///< passes on the spans that have ended
+  void tell_past(Seconds now);  ///< reports the activities that have ended
   void stretch(const Stretch& stretch);
   void flush(Seconds now);
 
@@ -67,13 +71,13 @@ class CpuDiary {
     Observer::Doing doing;
     Seconds from, to;
   };
-  /// The begun spans that were not passed on.
+  /// The unreported activities that have begun, each up to `now`.
   std::vector<Span> untold(Seconds now) const;
 
  private:
   Observer* observer_ = nullptr;
   const Processor& processor_;
-  std::vector<Span> spans_;  // not passed on yet
+  std::vector<Span> spans_;  // not reported yet
   std::map<std::string, std::uint32_t, std::less<>> numbers_;
 };
 
@@ -82,42 +86,43 @@ class Cpu {
   Cpu(Engine& engine, const Model& model, Processor& processor)
       : engine_(engine), model_(model), processor_(processor), diary_(processor) {}
 
-  /// Puts a blocked process on its ready queue at time `at`: now or, from a running process of this
-  /// CPU, that process's own time.
+  /// Puts a blocked process on its ready queue at date `at`: now, or the own time of a process
+  /// running on this CPU.
   void make_ready(Process& process, Seconds at);
-  /// From now on no process runs: they stay where they are, and what was charged ahead is not
-  /// executed.
+  /// Stops the CPU for ever. Its processes remain in their present state, and cycles charged in
+  /// advance are not executed.
   void stop();
   bool stopped() const { return stopped_at_ < NEVER; }
   Seconds lived_until() const { return std::min(engine_.now(), stopped_at_); }
-  /// Returns true if the CPU is already taken beyond the clock, by a process's own time.
+  /// True if a high-priority process or a switch occupies the CPU beyond the present date.
   bool is_ahead() const { return high_.until > now() || (is_coming_back() && low_.since > now()); }
-  /// Returns true if a high-priority process has become ready while this low one executes and owes
-  /// cycles.
+  /// True if this low-priority process owes cycles and a high-priority process became ready during
+  /// its current execution.
   bool is_interrupted(const Process& process) const { return interrupted_ == &process; }
 
-  /// How long the CPU takes for `cycles` now, with what the links' DMA steals from it.
+  /// Duration of `cycles` at the present speed, which DMA of links reduces.
   Seconds duration(Cycles cycles) const {
     const Seconds alone = cycles / model_.cpu.clock;
     return speed_ == 1 ? alone : Seconds{alone.value / speed_};
   }
-  /// From now on `thief` takes this share of the CPU's cycles. It is a link's DMA by its port (0 to
-  /// 3), BY_COMPANION, or the DMA of a companion's link after it. Work under way ends later, and so
-  /// does work that a high-priority process charged before it blocked.
+  /// Sets the fraction of the CPU's cycles taken by `thief`. This is a link's DMA, numbered by port
+  /// 0 to 3, or the companion's CPU (BY_COMPANION). Higher numbers are the DMA of the companion's
+  /// links. Current work, and work charged by a high-priority process before it blocked, ends
+  /// later.
   static constexpr std::size_t BY_COMPANION = 4;
   void set_stolen(std::size_t thief, double share);
-  CpuUse use() const { return use_by(now()); }  ///< up to now
-  /// The same up to a later date, if nothing happens until then.
+  CpuUse use() const { return use_by(now()); }  ///< use up to now
+  /// Use up to a later date, provided that nothing happens before.
   CpuUse use_by(Seconds date) const;
-  /// How long a process that computes, or waits for the CPU in the middle of that, still takes at
-  /// least: at full speed.
+  /// Lower bound on the time until a process ends its current computation, even if it is waiting
+  /// for the CPU. Assumes full speed.
   Seconds least_left(const Process& process) const;
   std::size_t ready() const { return high_queue_.size() + low_queue_.size(); }  ///< processes
 
   void set_observer(Observer* observer) { diary_.set_observer(observer); }
   void name_for_observer(Process& process);
   void flush_observer();
-  /// The spans up to now that the observer has not received.
+  /// The activities up to now that have not been reported to the observer.
   std::vector<CpuDiary::Span> untold() const;
 
  private:
@@ -126,37 +131,37 @@ class Cpu {
   using ReadyQueue = boost::intrusive::list<
       Process, boost::intrusive::member_hook<Process, Process::ReadyHook, &Process::ready_hook_>>;
 
-  // The high-priority process that has the CPU.
+  // State of the high-priority process that occupies the CPU.
   struct High {
-    bool computing = false;   // it has synced: its end moves with the speed
-    bool preempting = false;  // its next charge begins with a switch
-    std::uint64_t id = 0;     // ends with another id are stale
-    Seconds until{};          // up to when use_ already counts high-priority time
+    bool computing = false;   // it has synced; its end moves with the CPU's speed
+    bool preempting = false;  // its next charge starts with a switch
+    std::uint64_t id = 0;     // events with a different id are outdated
+    Seconds until{};          // date up to which use_ already counts high-priority time
   };
-  // The low-priority process that is computing or interrupted.
+  // State of the low-priority process that is computing or interrupted.
   struct Low {
-    bool computing = false;  // else it executes
-    Seconds since{};         // it has had the CPU since then; ahead of the clock on a way back
-    Seconds end{};           // its computation ends then if nobody interferes any more
-    Seconds left{};          // computation left while it is interrupted, at full speed
-    Seconds way_back_from = NEVER;  // start of a switch back that use_ does not count yet
-    Seconds slice_end{};            // from then on it gives way to another low process,
-    Seconds gives_way_at = NEVER;   // at this tick, once there is one
+    bool computing = false;  // false: executing
+    Seconds since{};         // start of its computation; ahead of the clock during a switch back
+    Seconds end{};           // predicted end of its computation without interference
+    Seconds left{};          // remaining computation at full speed, while interrupted
+    Seconds way_back_from = NEVER;  // start of a switch back not yet counted in use_
+    Seconds slice_end{};            // end of its time slice
+    Seconds gives_way_at = NEVER;   // the tick at which it yields to a ready low-priority process
   };
   struct Timer {
     bool armed = false;
     std::uint64_t rank = Process::NO_RANK;
     Seconds at{};
-    std::uint64_t id = 0;  // timers with another id are stale
+    std::uint64_t id = 0;  // timers with a different id are outdated
   };
 
   Seconds now() const { return engine_.now(); }
-  void dispatch_when_free();  // from free_at_ on: see who runs next
+  void dispatch_when_free();  // schedules dispatch() at free_at_
   void ask_dispatch();
   void dispatch();
-  void execute(Process& process);  // let it run until it needs time, blocks or ends
+  void execute(Process& process);  // runs it until it needs time, blocks or ends
   void account_high(const Process& process, Seconds time);
-  void release(Process& process, Seconds free_at);  // it blocked or ended
+  void release(Process& process, Seconds free_at);  // called when it has blocked or ended
   void end_high_at(Seconds date);
   void preempt(Process& high);
   void stop_low();
@@ -168,34 +173,36 @@ class Cpu {
   double slices(Seconds date) const;
   Seconds tick_of_slices(double tick) const;
   void begin_slice(Process& low);
-  void compute(Process& low, Seconds time);  // a low process spends time, pre-emptably
+  void compute(Process& low, Seconds time);  // spends time that can be pre-empted
   void stretch(const Stretch& stretch);
   void at(Seconds date, const Process& process, auto then);
   void find_end_of_slice();
   void arm_low_timer();
   void low_timer();
-  void account_low();  // what the low process has computed since low_.since
+  void account_low();  // adds the computation since low_.since to use_
   Seconds high_after(Seconds date) const;
   Seconds low_before(Seconds date) const;
   Seconds busy_by(Seconds date) const;
   Seconds stolen_idle(Seconds date) const;
 
-  // Members used at every dispatch come first, so that they share cache lines.
+  // Members used at every dispatch come first, to share cache lines.
   Engine& engine_;
   const Model& model_;
   Processor& processor_;
-  Process* running_ = nullptr;      // has the CPU; null when idle
-  Process* interrupted_ = nullptr;  // the low process that lost it to a high one
+  Process* running_ = nullptr;      // occupies the CPU; null when idle
+  Process* interrupted_ = nullptr;  // the low-priority process that a high-priority one has
+                                    // pre-empted
   ReadyQueue high_queue_, low_queue_;
-  Seconds free_at_{};  // when the last high-priority process gave it up
-  double speed_ = 1;   // share of the cycles that the links' DMA and a companion leave
+  Seconds free_at_{};  // date at which the last high-priority process releases the CPU
+  double speed_ = 1;   // fraction of cycles not taken by DMA and a companion
   Seconds speed_since_{}, busy_then_{};
   Seconds stopped_at_ = NEVER;
-  bool dispatching_ = false;       // dispatch() is due
-  std::uint64_t dispatch_id_ = 0;  // those with another id are stale
-  Process* last_high_ = nullptr;   // blocks from free_at_ on, where that is ahead of the clock
-  // The process that executes has just paid for coming to a link: the CPU goes to the next one
-  // after all others that come to links at this date.
+  bool dispatching_ = false;       // dispatch() is scheduled
+  std::uint64_t dispatch_id_ = 0;  // scheduled calls with a different id are outdated
+  Process* last_high_ = nullptr;   // the process that releases the CPU at free_at_, if that date is
+                                   // ahead of the clock
+  // True while executing a process that has just reached a link. The next process is dispatched
+  // after all others that reach links at this date.
   bool has_come_to_link_ = false;
   High high_;
   CpuUse use_;

@@ -6,10 +6,12 @@ namespace machine {
 
 namespace {
 
-// Spins for some tens of microseconds: waking a sleeping thread takes longer.
+// Number of tries before a thread sleeps, some tens of microseconds. Waking a sleeping thread takes
+// longer.
 constexpr int TRIES = 2000;
 
-// Spins, then sleeps; sleeps at once without `may_spin` (more threads than host processors).
+// Spins, then sleeps. Without `may_spin` it sleeps at once, for crews with more threads than host
+// processors.
 template <class Value>
 void wait_while(const std::atomic<Value>& value, Value old, bool may_spin) {
   for (int i = 0; may_spin && i < TRIES; ++i) {
@@ -30,7 +32,7 @@ Crew::Crew(std::size_t size, Share share)
   try {
     for (std::size_t number = 1; number < size; ++number)
       members_[number].thread = std::jthread([this, number] { live(number); });
-  } catch (...) {  // the host has run out of threads
+  } catch (...) {  // such as when the host has no threads left
     end();
     throw;
   }

@@ -1,5 +1,6 @@
 #pragma once
-// Pool of threads that repeat their shares of a task, with a barrier after each repetition.
+// Pool of threads that repeatedly execute their shares of a task, with a barrier after each
+// repetition.
 #include <atomic>
 #include <cstdint>
 #include <deque>
@@ -14,12 +15,12 @@ namespace machine {
 class Crew {
  public:
   using Share = std::function<void(std::size_t number)>;
-  /// Calls `share` for members 0 to `size` - 1. Member 0 runs in the thread that calls work(), each
-  /// other member in its own thread.
+  /// Makes a pool whose members 0 to `size` - 1 execute `share`. Member 0 runs in the thread that
+  /// calls work(); each other member has its own thread.
   Crew(std::size_t size, Share share);
   ~Crew() { end(); }
 
-  /// Runs the shares of the given members in parallel. Rethrows the first exception of a member.
+  /// Executes the shares of the given members in parallel. Rethrows the first exception.
   void work(const std::vector<std::size_t>& members);
 
  private:
@@ -33,11 +34,12 @@ class Crew {
 
   const Share share_;
   const bool may_spin_;
-  std::atomic<std::size_t> at_work_{0};  // members still running, without member 0
+  std::atomic<std::size_t> at_work_{0};  // active members other than member 0
   std::atomic<bool> is_over_{false};
   std::mutex lock_;
   std::exception_ptr failure_;
-  std::deque<Member> members_;  // declared last, so that their threads end first
+  std::deque<Member> members_;  // declared last, so that the threads end before other members are
+                                // destroyed
 };
 
 }  // namespace machine

@@ -1,31 +1,32 @@
 #pragma once
-// The simulated clock, its events, and the links.
+// The simulated clock, its events and the links.
 //
-// Our own scheduler arbitrates processor time, because SimGrid has no two-priority processor. It
-// needs only a clock and timed events.
+// tlab schedules the processors itself, because SimGrid has no processor with two priorities.
+// SimGrid only provides the clock and the transfers.
 #include "simulator/machine/carriers/carrier.hpp"
 #include "simulator/machine/units.hpp"
 
 namespace machine {
 
-/// Implementation of message transfer over links. Results differ only by the rounding of dates.
+/// Implementation of message transfer over links. Results differ only by rounding of dates.
 enum class Links : std::uint8_t {
-  simgrid,  ///< only one machine in the life of a host process
-  direct,   ///< several times faster, many times on large machines; processes are fibers
+  simgrid,  ///< at most one machine during the life of a host process
+  direct,   ///< several times faster, and much faster on large machines; processes are fibers
 };
 
 struct EngineParams {
   Links links = Links::simgrid;
   Processes processes = Processes::fibers;
-  /// Part of each processor, in the order of their addition; one host thread runs each part, see
-  /// Parts. Numbers from 0 without gaps; further processors are in part 0. Empty: one part. Results
-  /// do not depend on it. Only with Links::direct.
+  /// Part of each processor, in the order of add_processor(). Each part runs in its own host
+  /// thread, see Parts. Parts are numbered from 0 without gaps, and processors without an entry are
+  /// in part 0. An empty vector means one part. Results do not depend on it. Only with
+  /// Links::direct.
   std::vector<int> parts = {};
 };
 
 class Process;
 
-/// The clock, events and links of a machine, or of a part of one.
+/// The clock, events and links of a machine, or of one of its parts.
 class Engine {
  public:
   using Callback = machine::Callback;
@@ -39,29 +40,30 @@ class Engine {
   std::size_t add_link(int a, int b, LinkRates rates, std::size_t rank) {
     return carrier_->add_link(a, b, rates, rank);
   }
-  /// True if every process needs a stack, even a Proc: with SimGrid's actors.
+  /// True if every process needs a stack, even a Proc, as with SimGrid's actors.
   bool needs_stacks() const { return needs_stacks_; }
-  /// Body of a process. Callbacks resume it; after run() it is resumed only to unwind it.
+  /// Makes the coroutine of a process. Callbacks resume it. After run() it is resumed only to
+  /// unwind its stack.
   std::unique_ptr<Coroutine> make_coroutine(int processor, const std::string& name,
                                             Coroutine::Body body) {
     return carrier_->make_coroutine(processor, name, std::move(body));
   }
 
   Seconds now() const { return {events_.now()}; }
-  Seconds until() const { return {events_.until()}; }  ///< limit given to run(); none before it
-  /// Calls back at simulated time `date` (not before now). Callbacks never nest.
+  Seconds until() const { return {events_.until()}; }  ///< limit given to run(); infinite before
+  /// Schedules a callback at `date`, which must not be in the past. Callbacks never nest.
   void at(Seconds date, auto then) { events_.at(date.value, then); }
-  /// The same, before all callbacks of at() at that instant.
+  /// Schedules a callback before all callbacks of at() with the same date.
   void first_at(Seconds date, auto then) { events_.first_at(date.value, then); }
-  /// The same, after those of first_at() and before those of at(), in the order of ranks.
+  /// Schedules a callback between those of first_at() and at() with the same date, ordered by rank.
   void ranked_at(Seconds date, std::uint64_t rank, auto then) {
     events_.ranked_at(date.value, rank, then);
   }
-  /// The same, after all others at that instant.
+  /// Schedules a callback after all others with the same date.
   void last_at(Seconds date, auto then) { events_.last_at(date.value, then); }
-  /// Calls back after the current event, at the same simulated instant.
+  /// Schedules a callback directly after the current event, at the same date.
   void soon(auto then) { events_.soon(then); }
-  /// Moves `bytes` (> 0) in a direction of a link, then calls back. One message at a time.
+  /// Moves `bytes` (> 0) in an idle direction of a link, then calls back.
   void transfer(std::size_t direction, std::uint64_t bytes, Callback arrived) {
     carrier_->start(direction, bytes, arrived);
   }
@@ -69,31 +71,32 @@ class Engine {
   double left_of(std::size_t direction, Seconds date) const {
     return carrier_->left_of(direction, date.value);
   }
-  /// Cuts both directions of a link. Messages under way never arrive, and no new ones may start.
+  /// Cuts both directions of a link. Current messages never arrive, and no message may start
+  /// afterwards.
   void cut(std::size_t direction) {
     carrier_->cut(direction);
     carrier_->cut(direction ^ 1);
   }
 
-  /// Calls `pace` before the clock advances, see Pace. Throws InvariantBroken for SimGrid's engine,
-  /// which cannot delay its clock.
+  /// Calls `pace` before the clock advances, see Pace. Throws InvariantBroken with SimGrid, whose
+  /// clock cannot be delayed.
   void set_pace(Pace& pace);
 
-  /// Runs until no event is left, until the clock would pass `until`, or until stop() or
-  /// request_stop(). The clock stays at the last event, or at `until`.
+  /// Runs until no event is left, the clock would pass `until`, or stop() or request_stop() is
+  /// called. The clock stays at the last event or at `until`.
   End run(Seconds until);
-  /// Called by an event that has no effect: it does not extend the run.
+  /// Marks the current event as one without effect, so that it does not extend the run.
   void ignore_event() { events_.ignore(); }
-  /// After a run: sets the clock back to the last event that was not ignored.
+  /// After a run: sets the clock back to the last event that had an effect.
   void rewind() { events_.rewind_to(events_.last_useful()); }
   /// Drops all pending events.
   void stop() { events_.stop(End::stopped); }
-  std::uint64_t handled() const { return events_.handled(); }  ///< number of events
-  /// Counter that grows with each event scheduled during the current event.
+  std::uint64_t handled() const { return events_.handled(); }  ///< number of handled events
+  /// Counter that grows whenever an event is scheduled.
   std::uint64_t asked() const { return events_.asked(); }
 
-  // --- for Parts, and links between two of them -----------------------------------------------
-  /// Processes that compute before they reach such a link.
+  // --- for Parts and for links between two parts ----------------------------------------------
+  /// Processes that are computing and will then reach such a link.
   std::vector<const Process*>& coming() { return coming_; }
   Events& events() { return events_; }
   Moment next() { return carrier_->next(); }

@@ -1,6 +1,6 @@
 #pragma once
-// Faults of the simulated program, with their place and time. base/errors.hpp has the other two
-// kinds of error: bad input and broken invariants.
+// Faults of the simulated program, with place and time. The two other kinds of error, bad input and
+// broken invariants, are in base/errors.hpp.
 #include <fmt/format.h>
 
 #include <stdexcept>
@@ -11,7 +11,7 @@
 
 namespace machine {
 
-/// The simulated program failed in `who`, a process or processor, at simulated time `when`.
+/// A failure of the simulated program in `who`, a process or processor, at simulated time `when`.
 struct Fault : std::runtime_error {
   Fault(std::string who, Seconds when, const std::string& what)
       : std::runtime_error(what), who(std::move(who)), when(when) {}
@@ -27,7 +27,7 @@ struct OutOfMemory : Fault {
   using Fault::Fault;
 };
 
-/// The program asks for something that no transputer can do, such as two writers on a channel.
+/// A request that no transputer can fulfil, such as two writers on a channel.
 struct Misuse : Fault {
   using Fault::Fault;
 };

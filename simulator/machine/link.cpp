@@ -29,7 +29,7 @@ void LinkDirection::come_at(Seconds date, Side side, Engine::Callback has_come) 
   engine_.ranked_at(date, rank_of(side), has_come);
 }
 
-// Ranks order simultaneous events on links.
+// The rank orders simultaneous events on links.
 void LinkDirection::expect(Side side, Process& process) {
   process.set_rank(rank_of(side));
   if (is_between_parts()) engine_at(side).coming().push_back(&process);

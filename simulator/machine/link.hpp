@@ -1,5 +1,5 @@
 #pragma once
-// Links: two directions, each with a DMA engine that moves one message at a time.
+// Links of two directions, each with a DMA engine that moves one message at a time.
 #include <array>
 #include <memory>
 #include <optional>
@@ -10,19 +10,20 @@ namespace machine {
 
 struct LinkUse {
   Seconds busy{};
-  std::uint64_t messages = 0, bytes = 0;  ///< arrived
-  std::uint64_t bytes_sent = 0;           ///< put on the link
-  std::uint64_t bytes_cut = 0;            ///< length of the message under way when the link was cut
+  std::uint64_t messages = 0, bytes = 0;  ///< arrived messages and their bytes
+  std::uint64_t bytes_sent = 0;           ///< bytes of started messages
+  std::uint64_t bytes_cut = 0;            ///< bytes of the message that was moving when the link
+                                          ///< was cut
 };
 
-/// The two directions of a link together: while messages move, the DMA at both ends takes memory
-/// cycles from the CPUs.
+/// Both directions of a link. While messages move, DMA at both ends takes memory cycles from the
+/// CPUs.
 class Cable {
  public:
   struct End {
     Processor* processor;
     std::size_t port;  ///< 0 to 3
-    /// Shares of the CPU's cycles taken by the link: with one direction busy, and with both.
+    /// Fractions of the CPU's cycles taken by the link, with one direction busy and with both.
     std::array<double, 2> shares;
   };
   Cable(End a, End b) : ends_{a, b} {}
@@ -41,8 +42,9 @@ class Cable {
 /// One direction of a link.
 class LinkDirection {
  public:
-  /// `direction`: number in the engine; `number`: number in the machine; `beside`: earlier links
-  /// between the two processors; `delay`: time of each message in the link switches on its way.
+  /// `direction` is the number in the engine, `number` the number in the machine. `beside` counts
+  /// earlier links between the two processors. `delay` is the time that each message spends in link
+  /// switches.
   LinkDirection(Engine& engine, std::size_t direction, std::size_t number, Processor& from,
                 Processor& to, std::size_t beside, std::shared_ptr<Cable> cable, Seconds delay)
       : engine_(engine),
@@ -54,48 +56,48 @@ class LinkDirection {
         cable_(std::move(cable)),
         delay_(delay) {}
 
-  /// Assigns the direction to this channel. Throws Misuse if it carries another channel.
+  /// Assigns the direction to this channel. Throws Misuse if another channel uses it.
   void carry(const std::string& channel);
   enum class Side : std::uint8_t { writer, reader };
-  /// Clock of the link's part of the machine, or of the links between parts.
+  /// Clock of the part of the machine that contains the link, or of the links between parts.
   Seconds now() const { return engine_.now(); }
-  /// True if the link's ends are in two parts of the machine, see Parts.
+  /// True if the link joins two parts of the machine, see Parts.
   bool is_between_parts() const { return &from_.engine() != &to_.engine(); }
-  /// Calls back at `date`, ahead of the clock, when a descheduled process reaches an end of the
-  /// link. The callback comes before other processes continue at that date. Not for links between
-  /// parts: there a process arrives with the clock.
+  /// Schedules a callback at `date`, the own time of a descheduled process that then reaches an end
+  /// of the link. It runs before other processes continue at that date. Only for links within a
+  /// part; between parts, processes arrive with the clock.
   void come_at(Seconds date, Side side, Engine::Callback has_come);
-  /// Announces that `process` computes and will then reach this end of the link.
+  /// Announces that `process` is computing and will then reach this end of the link.
   void expect(Side side, Process& process);
-  /// Ends the announcement: `process` has arrived.
+  /// Withdraws the announcement, because `process` has arrived.
   void expect_no_more(Side side, Process& process);
-  /// Starts a message once both processes have been descheduled. Calls back when the last byte has
-  /// been acknowledged; `channel`, the name of the message's channel, must live until then.
+  /// Starts a message after both processes have been descheduled. Calls back when the last byte has
+  /// been acknowledged. `channel` is the channel's name; the string must live until then.
   void transfer(std::uint64_t bytes, const std::string& channel, Engine::Callback arrived);
 
-  std::size_t number() const { return number_; }  ///< in the machine; `^ 1` is the direction back
+  std::size_t number() const { return number_; }        ///< in the machine; `^ 1`: opposite
   std::size_t direction() const { return direction_; }  ///< number in the engine
   Processor& from() const { return from_; }
   Processor& to() const { return to_; }
-  /// Called by a callback of come_at() that has no effect, see Engine::ignore_event.
+  /// For a callback of come_at() that has no effect, see Engine::ignore_event.
   void ignore_event() { engine_.ignore_event(); }
-  /// Ends all traffic; the caller cuts the other direction at the same instant. Returns whether a
-  /// message was lost; its callback is not called. No message may start afterwards.
+  /// Ends all traffic. Returns true if a message was lost; its callback is not called. The caller
+  /// cuts the opposite direction at the same date. No message may start afterwards.
   bool cut();
   bool is_cut() const { return cut_; }
-  bool is_busy() const { return busy_; }  ///< a message is under way
-  /// Share of the current message's bytes moved by `date` (not before now), if nothing happens
-  /// until then. 0 during the switch delay and without a message.
+  bool is_busy() const { return busy_; }  ///< true while a message is moving
+  /// Fraction of the current message moved by `date`, a present or future date, provided that
+  /// nothing happens before. 0 during the switch delay and without a message.
   double passed(Seconds date) const;
-  /// Use up to now; a message counts when it has arrived.
+  /// Use up to now. A message counts when it has arrived.
   LinkUse use() const { return use_by(engine_.now()); }
-  /// The same up to a later date, if nothing happens until then.
+  /// Use up to a later date, provided that nothing happens before.
   LinkUse use_by(Seconds date) const;
-  std::size_t beside() const { return beside_; }  ///< earlier links between the same two processors
-  /// "p0 > p1"; "p0 > p1 (2)" for the second link between the two, and so on.
+  std::size_t beside() const { return beside_; }  ///< earlier parallel links
+  /// "p0 > p1", or "p0 > p1 (2)" for the second link between the two processors.
   std::string name() const;
   void set_observer(Observer* observer) { observer_ = observer; }
-  void flush_observer();  ///< reports the message under way, up to now
+  void flush_observer();  ///< reports the current message up to now
 
  private:
   void move();
@@ -112,14 +114,14 @@ class LinkDirection {
   Seconds delay_;
   LinkUse use_;
   bool busy_ = false, cut_ = false;
-  bool moves_ = false;  // past the switch delay, payload not empty
-  // The current transfer:
+  bool moves_ = false;  // bytes are moving: the switch delay is over and the message is not empty
+  // The current message:
   Seconds since_{};
   std::uint64_t bytes_ = 0;
   const std::string* channel_ = nullptr;
   Engine::Callback arrived_;
   Observer* observer_ = nullptr;
-  std::optional<std::string> carries_;  // name of its channel
+  std::optional<std::string> carries_;  // name of the channel that uses this direction
 };
 
 }  // namespace machine

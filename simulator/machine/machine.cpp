@@ -8,15 +8,16 @@ namespace {
 
 constexpr std::size_t MAX_LINKS = 4, WORD_BYTES = 4;
 
-// Link switches lengthen a byte's period: the next byte waits for the previous acknowledge, and
-// both pass every switch.
+// Rates of a link through C004 switches. Each byte waits for the acknowledge of the previous one,
+// and both pass every switch, which lengthens the period of a byte.
 LinkRates rates_through(const Model::Link& link, int switches) {
   const double period = link.bit_rate / link.one_way_rate + switches * link.switch_byte_bits;
   const double rate = link.bit_rate / period;
   return {std::min(link.one_way_rate, rate), std::min(link.both_ways_rate, 2 * rate)};
 }
 
-// The ends send and acknowledge in turn, so the slower end determines the rate.
+// Rates between two processor models. The ends send and acknowledge in turn, so the slower end
+// determines the rate.
 LinkRates rates_between(const Processor& a, const Processor& b, int switches) {
   const auto &one = a.model().link, &other = b.model().link;
   if (one.bit_rate != other.bit_rate)
@@ -29,15 +30,15 @@ LinkRates rates_between(const Processor& a, const Processor& b, int switches) {
   return {std::min(here.one_way, there.one_way), std::min(here.both_ways, there.both_ways)};
 }
 
-// Shares of a CPU's cycles taken by a link: while one direction is busy, and while both are.
+// Fractions of a CPU's cycles taken by a link: with one direction busy, and with both.
 std::array<double, 2> steal(const Model& model, const LinkRates& rates) {
   const double cycles = model.memory.steal_word / WORD_BYTES / model.cpu.clock.value;
   return {cycles * rates.one_way, cycles * std::min(rates.both_ways, 2 * rates.one_way)};
 }
 
-// Processes that have not ended, on running processors.
+// Processes that have not ended, on processors that have not stopped.
 using Blocked = std::map<ProcessId, const Process*>;
-// The partners that each of them waits for.
+// For each blocked process, the processes that could end its wait.
 using Waits = std::map<ProcessId, std::vector<ProcessId>>;
 
 bool waits_for_input(const Process& process) {
@@ -59,7 +60,8 @@ Blocked find_blocked(const Machine& machine) {
   return blocked;
 }
 
-// Follows the waits from `process`. A cycle found is left in `path`, its first process repeated.
+// Follows the waits from `process`. Leaves a cycle in `path`, with its first process repeated at
+// the end.
 bool find_cycle(ProcessId process, const Waits& waits, std::set<ProcessId>& seen,
                 std::vector<ProcessId>& path) {
   const auto on_path = std::ranges::find(path, process);
@@ -112,19 +114,19 @@ std::string describe_cycle(const Waits& waits, const Blocked& blocked) {
   return text.empty() ? "" : "\n  the cycle:" + text;
 }
 
-// True if some process has not ended and is no server that waits for input.
+// True if any process has neither ended nor is a server that waits for input.
 bool has_unfinished(const Processor& processor) {
   return !std::ranges::all_of(processor.processes(), [](const auto& p) { return has_ended(*p); });
 }
 
-// True if no running processor has an unfinished process.
+// True if no processor has an unfinished process, apart from stopped processors.
 bool all_have_ended(const Machine& machine) {
   return std::ranges::all_of(machine.processors(),
                              [](const auto& p) { return p->stopped() || !has_unfinished(*p); });
 }
 
-// Throws Deadlock if some processes have not ended. The text names each process, its processor, its
-// wait and its partners, and the cycle of waits if there is one.
+// Throws Deadlock if any process is unfinished. The text names each process, its processor, its
+// wait and its partners, and a cycle of waits if there is one.
 void throw_if_deadlocked(const Machine& machine) {
   const Blocked blocked = find_blocked(machine);
   if (blocked.empty()) return;
@@ -143,7 +145,8 @@ void throw_if_deadlocked(const Machine& machine) {
 std::vector<const Process*> find_wait_cycle(const Machine& machine) {
   Blocked blocked = find_blocked(machine);
   std::erase_if(blocked, [](const auto& of) {
-    return of.second->state() != Process::State::blocked;  // possible in an interrupted run
+    return of.second->state() != Process::State::blocked;  // such processes exist in an interrupted
+                                                           // run
   });
   std::vector<const Process*> cycle;
   for (ProcessId p : find_cycle(find_waits(blocked))) cycle.push_back(blocked.at(p));
@@ -223,7 +226,7 @@ void Machine::set_observer(Observer* observer) {
   for (auto& link : links_) link->set_observer(observer);
 }
 
-// Lookahead: minimum time of a process to reach a link, over all processors.
+// Lookahead: the minimum time that any process needs to reach a link.
 Seconds Machine::lookahead() const {
   Seconds least{std::numeric_limits<double>::infinity()};
   for (const auto& processor : processors_) {
@@ -234,7 +237,7 @@ Seconds Machine::lookahead() const {
   return least;
 }
 
-// Rethrows the earliest failure, if several parts have failed in parallel.
+// Rethrows the earliest failure of all parts.
 void Machine::throw_failure() const {
   const Processor* first = nullptr;
   for (const auto& processor : processors_)
@@ -249,7 +252,7 @@ End Machine::run(Seconds until) {
   const Engine::End why = parts_.run(until, lookahead());
   throw_failure();
   const bool cut = why != Engine::End::no_event_left && !all_have_ended(*this);
-  if (!cut && why != Engine::End::no_event_left) parts_.rewind();  // only stale time-outs are left
+  if (!cut && why != Engine::End::no_event_left) parts_.rewind();  // only outdated timeouts
   for (const auto& processor : processors_) processor->cpu().flush_observer();
   for (const auto& link : links_) link->flush_observer();
   if (cut) return why == Engine::End::until ? End::limit : End::interrupt;
@@ -279,7 +282,7 @@ void Machine::plan(const Failure& failure) {
   planned_.push_back(failure);
 }
 
-// Schedules a failure. Failures of one date happen together, before any process can react.
+// Schedules a failure. Failures of the same date happen together, before any process can react.
 void Machine::expect(const Failure& failure) {
   if (failure.at > *runs_until_) return;
   auto& together = failures_[failure.at];
@@ -287,11 +290,11 @@ void Machine::expect(const Failure& failure) {
   together.push_back(failure);
 }
 
-// Carries out the failures of this date. An event without effect does not extend the run.
+// Carries out the failures of the present date. If none has an effect, they do not extend the run.
 void Machine::happen_now() {
   auto& together = failures_.at(now());
   bool matters = false;
-  for (std::size_t i = 0; i < together.size(); ++i) {  // an observer may add to them
+  for (std::size_t i = 0; i < together.size(); ++i) {  // an observer may append failures
     const Failure failure = together[i];
     matters |= happen(failure);
   }
@@ -299,7 +302,8 @@ void Machine::happen_now() {
   if (!matters) parts_.only("a failure").ignore_event();
 }
 
-// True if all processes have ended, no message is under way, and no CPU is ahead of the clock.
+// True if all processes have ended, no message is moving, and no CPU is busy beyond the present
+// date.
 bool Machine::is_over() const {
   if (!all_have_ended(*this)) return false;
   for (const auto& link : links_)
@@ -321,14 +325,14 @@ bool Machine::cut_all(const Processor& a, const Processor& b) {
   return matters;
 }
 
-// Carries out one failure. Returns whether it has an effect.
+// Carries out one failure. Returns true if it has an effect.
 bool Machine::happen(const Failure& failure) {
   Processor& a = *failure.a;
   if (is_over() || (failure.b ? link(a, *failure.b).is_cut() : a.stopped())) return false;
   const Engine& engine = parts_.only("a failure");
   const auto asked = engine.asked();
   bool matters = false;
-  std::vector<Processor*> ends;  // processors to be notified
+  std::vector<Processor*> ends;  // processors that must be notified
   if (failure.b) {
     matters = cut_all(a, *failure.b);
     ends = {&a, failure.b};

@@ -1,4 +1,5 @@
-// Reader of model files: TOML, inheritance, formulas, and the model field of each entry.
+// Reads model files: TOML, inheritance from a base, formulas, and the assignment of entries to
+// members of Model.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -17,10 +18,10 @@ namespace machine {
 
 namespace {
 
-constexpr double LARGEST = 1e12;  // no entry is larger, in any unit
+constexpr double LARGEST = 1e12;  // upper bound of all entries, in any unit
 constexpr std::size_t MOST_ENTRIES = 10'000;
 
-// Unit, valid range and destination of an entry.
+// An entry's unit, valid range and destination.
 struct Field {
   const char* key;
   const char* unit;
@@ -40,7 +41,7 @@ Field field(const char* key, const char* unit, Section Model::*section, Value Se
           }};
 }
 
-// An entry used only by the formulas of other entries.
+// An entry that only formulas of other entries use.
 Field shared(const char* key, const char* unit, double low = 0, double high = LARGEST) {
   return {key, unit, low, high, [](Model&, double) {}};
 }
@@ -145,7 +146,7 @@ void check_value(const Entry& entry, double low, double high) {
                 "found {}, expected a number from {} to {}", entry.value, low, high);
 }
 
-// A pin of the chip selects one of three rates.
+// The chip supports three rates, selected by a pin.
 void check_bit_rate(const Model& model, std::string_view origin) {
   const double rate = model.link.bit_rate;
   base::require(rate == 5e6 || rate == 10e6 || rate == 20e6, origin,
@@ -154,15 +155,15 @@ void check_bit_rate(const Model& model, std::string_view origin) {
                 rate);
 }
 
-// Required unit of an entry; empty for an unknown key. Any key is valid in the sections
-// instruction, operation, scale and bytes, because programs add names of their own.
+// Required unit of an entry; empty for an unknown key. The sections instruction, operation, scale
+// and bytes accept any key, because programs add their own names.
 std::string unit_of(std::string_view key) {
   if (const auto* open = find_open(key)) return open->unit;
   const auto known = std::ranges::find(fields(), key, &Field::key);
   return known == fields().end() ? "" : known->unit;
 }
 
-// Sets the model's fields and maps from its entries.
+// Copies the entries into the model's members and maps.
 void bind_entries(Model& model, std::string_view origin) {
   for (const auto& known : fields()) {
     const auto entry = std::ranges::find(model.entries, known.key, &Entry::key);
@@ -187,7 +188,7 @@ Provenance parse_provenance(const std::string& text, const std::string& where) {
                text);
 }
 
-// A number, or a formula in quotes.
+// Reads a number, or a formula in quotes.
 void read_value(Entry& entry, const toml::node* node) {
   if (const auto number = node ? node->value<double>() : std::nullopt)
     entry.value = *number;
@@ -198,7 +199,7 @@ void read_value(Entry& entry, const toml::node* node) {
                  "\"value\" must be a number, or a formula in quotes over other entries");
 }
 
-// "80 %": a share of the entry's value.
+// Reads a fraction of the entry's value, such as "80 %".
 std::optional<double> read_share(const toml::node& node) {
   auto text = node.value_exact<std::string>().value_or("");
   if (!text.ends_with('%')) return {};
@@ -208,7 +209,7 @@ std::optional<double> read_share(const toml::node& node) {
   return number ? std::optional(*number / 100) : std::nullopt;
 }
 
-// Reads low, high and why: either all three or none must be present.
+// Reads low, high and why. Either all or none of them must be present.
 std::optional<Range> read_range(const Entry& entry, const toml::table& table) {
   const auto *low = table.get("low"), *high = table.get("high"), *why = table.get("why");
   if (!low && !high && !why) return {};
@@ -259,7 +260,8 @@ Entry read_entry(const std::string& key, const toml::node& node, const std::stri
   return entry;
 }
 
-// A model with a base may change names of the open sections but not add any.
+// Checks that a key is known. A model with a base may change names in the open sections but must
+// not add any.
 void check_key(const Model& model, const Entry& entry, bool has_base) {
   const bool known =
       std::ranges::find(model.entries, entry.key, &Entry::key) != model.entries.end();
@@ -283,7 +285,7 @@ void add(Model& model, Entry entry) {
     *same = std::move(entry);
 }
 
-// Returns the entry index of each name in a formula.
+// The indices of the entries that a formula uses.
 std::vector<std::size_t> find_needs(const Model& model, const base::Formula& formula,
                                     const std::map<std::string, std::size_t>& index_of) {
   std::vector<std::size_t> needs;
@@ -299,7 +301,7 @@ std::vector<std::size_t> find_needs(const Model& model, const base::Formula& for
   return needs;
 }
 
-// Evaluates the entries that are formulas, in order of their dependencies.
+// Evaluates all formulas in the order of their dependencies.
 void eval_formulas(Model& model) {
   std::map<std::string, std::size_t> index_of;
   for (const Entry& entry : model.entries) index_of.emplace(entry.key, index_of.size());
@@ -324,7 +326,7 @@ void eval_formulas(Model& model) {
   }
 }
 
-// "my.toml:4".
+// For example "my.toml:4".
 std::string place_of(std::string_view origin, const toml::source_region& source) {
   return fmt::format("{}:{}", origin, source.begin.line);
 }
@@ -338,8 +340,8 @@ std::optional<std::string> read_text(const toml::table& file, const char* key,
   return node->value<std::string>();
 }
 
-// `inside`: depth in the chain of bases. `where`: prefix of the errors for an unknown name and for
-// an unreadable file.
+// Loads a model by name or path. `inside` is the depth in the chain of bases. `where` is the prefix
+// of errors for an unknown name or an unreadable file.
 Model load(std::string_view name, const std::filesystem::path& folder, int inside,
            const std::string& where);
 
@@ -370,7 +372,7 @@ Model parse(std::string_view text, std::string_view origin, const std::filesyste
       entries.emplace_back(node.source().begin, std::move(entry));
     }
   }
-  // In the order of the file; TOML tables are sorted by name.
+  // toml++ sorts tables by name; restore the order of the file.
   std::ranges::stable_sort(entries, {}, [](const auto& e) { return e.first.line; });
   for (auto& [line, entry] : entries) add(model, std::move(entry));
   return model;
@@ -393,7 +395,8 @@ Model load(std::string_view name, const std::filesystem::path& folder, int insid
   return parse(text, path.string(), path.parent_path(), inside);
 }
 
-// A range in the entry's unit must contain the value; a `holds` formula must be above 0.
+// Checks that a range in the entry's unit contains the value, and that a `holds` formula is
+// positive.
 void check_ranges(const Model& model) {
   for (const Entry& entry : model.entries) {
     if (const auto& range = entry.range; range && !range->is_share)

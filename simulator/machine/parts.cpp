@@ -10,8 +10,8 @@ namespace machine {
 
 namespace {
 
-// Lower bound of `date + duration`. Both may carry several rounding errors, all far smaller than
-// these shares.
+// Lower bound of `date + duration`. Both may contain several rounding errors, all much smaller than
+// these fractions.
 double at_the_earliest(double date, double duration) {
   return date + (1 - 1e-9) * duration - 1e-14 * date;
 }
@@ -64,7 +64,7 @@ Engine::End Parts::run_windows(Seconds until, Seconds lookahead) {
   engines_.front()->at({}, [] {});  // as in Engine::run
   Crew crew(engines_.size(), [&](std::size_t part) { engines_[part]->run_before(bound_); });
   std::vector<Moment> next(engines_.size());  // next event of each part
-  std::vector<std::size_t> busy;              // parts with events in the window
+  std::vector<std::size_t> busy;              // parts that have events in the window
   for (;;) {
     if (const Events* events = stopped()) {
       be_at(latest());
@@ -85,7 +85,7 @@ Engine::End Parts::run_windows(Seconds until, Seconds lookahead) {
     busy.clear();
     for (std::size_t part = 0; part < next.size(); ++part)
       if (next[part] < bound_) busy.push_back(part);
-    if (busy.empty()) {  // a process may reach a link at once: run only its part, one event
+    if (busy.empty()) {  // the window is empty: run one event of one part
       bound_ = just_after(first);
       busy.push_back(std::ranges::find(next, first) - next.begin());
     }
@@ -108,7 +108,8 @@ void Parts::be_at(double date) {
   between_->events().advance(date);
 }
 
-// End of the window from `date`: until then no process reaches a link between parts unannounced.
+// End of the window that starts at `date`: the earliest date at which any process can reach a link
+// between parts. Announced processes have a bound of their own.
 Moment Parts::end_of_window(double date, double lookahead) const {
   double end = at_the_earliest(date, lookahead);
   for (const auto& engine : engines_)

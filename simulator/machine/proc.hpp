@@ -1,12 +1,12 @@
 #pragma once
-// PROC: the body of a process without a stack, a C++ coroutine.
+// PROC: the body of a process without a stack, a C++20 coroutine.
 //
 //   Proc forward(Channel<Packet>& from, Channel<Packet>& to) {
 //     for (;;) co_await to.output(co_await from.input());
 //   }
 //
-// Such a process takes a few hundred bytes of host memory, a stack at least one page. Larger
-// machines therefore fit into the host's caches.
+// A Proc takes a few hundred bytes of host memory, a stack at least a page. With Procs, larger
+// machines fit into the host's caches.
 #include <coroutine>
 #include <exception>
 #include <utility>
@@ -16,29 +16,29 @@ namespace machine {
 class Process;
 Process& this_process();
 
-/// An action of a process that may wait: for other processes, or for its own time.
+/// An action of a process that may have to wait for other processes or for simulated time.
 class Operation {
  public:
-  /// Begins or continues the operation. Returns whether it is over; if not, the process gives the
-  /// CPU up and calls again when it has it back.
+  /// Starts or continues the operation. Returns true if it is complete. Otherwise the process
+  /// yields the CPU, and calls again when it next runs.
   virtual bool go_on(Process& self) = 0;
-  /// Result of `co_await operation`; called when the operation is over.
+  /// Result of `co_await operation`, fetched when the operation is complete.
   void await_resume() const {}
 
  protected:
   ~Operation() = default;
 };
 
-/// A body before, during or after its execution; another Proc may co_await it. It waits only by
-/// co_await: in channel operations, ALTs and Sync. Calls that need a stack (Channel::out, pri_alt,
-/// read_timer, PAR) throw InvariantBroken. It must co_await Sync() at least once in 2^30 cycles of
-/// computation, and before it takes over a channel end from another process.
+/// A process body; another Proc may co_await it. It waits only by co_await: in channel operations,
+/// ALTs and Sync. Calls that need a stack (Channel::out, pri_alt, read_timer, PAR) throw
+/// InvariantBroken. It must co_await Sync() at least once in 2^30 cycles of computation, and before
+/// it takes over a channel end from another process.
 class [[nodiscard]] Proc final : public Operation {
  public:
   struct promise_type;
   using Frame = std::coroutine_handle<promise_type>;
 
-  Proc() = default;  ///< no body
+  Proc() = default;  ///< without a body
   Proc(Proc&& other) noexcept : frame_(std::exchange(other.frame_, {})) {}
   Proc& operator=(Proc&& other) noexcept {
     std::swap(frame_, other.frame_);
@@ -58,9 +58,9 @@ class [[nodiscard]] Proc final : public Operation {
 
 struct Proc::promise_type {
   Operation* waits_in = nullptr;
-  std::exception_ptr failure;  // exception of that operation, rethrown in the body
+  std::exception_ptr failure;  // exception of the awaited operation, rethrown in the body
 
-  // co_await operation
+  // The awaiter of an operation.
   template <class SomeOperation>
   struct Awaited {
     SomeOperation& operation;
@@ -81,7 +81,7 @@ struct Proc::promise_type {
   std::suspend_always initial_suspend() noexcept { return {}; }
   std::suspend_always final_suspend() noexcept { return {}; }
   void return_void() {}
-  void unhandled_exception() { throw; }  // out of go_on()
+  void unhandled_exception() { throw; }  // propagates out of go_on()
 };
 
 inline bool Proc::go_on(Process& self) {

@@ -6,7 +6,7 @@ namespace machine {
 
 namespace {
 
-// Exception that unwinds the body of a process destroyed before its end.
+// Exception that unwinds the stack of a process destroyed before its end.
 struct Cancelled {};
 
 }  // namespace
@@ -33,7 +33,8 @@ Process::Process(Processor& processor, std::string name, Priority priority, Proc
 Process::~Process() {
   cancelled_ = true;
   while (coroutine_ && !coroutine_->has_ended()) resume();
-  Process* const other = std::exchange(executing, this);  // destructors may call this_process()
+  Process* const other = std::exchange(executing, this);  // because destructors may call
+                                                          // this_process()
   proc_ = {};
   executing = other;
 }
@@ -42,7 +43,7 @@ void Process::live() {
   try {
     const Body body = std::move(body_);
     if (!cancelled_) body();
-    if (!cancelled_ && !ends_by_this_) sync();  // it ends when its own time has come
+    if (!cancelled_ && !ends_by_this_) sync();  // its own time must be over before it ends
   } catch (const Cancelled&) {
   } catch (const std::exception&) {
     processor_.fail(std::current_exception());
@@ -54,7 +55,7 @@ void Process::live_on() {
   try {
     if (proc_ && !proc_.go_on(*this)) return;
     proc_ = {};
-    if (!ends_by_this_ && must_sync()) return;  // it ends when its own time has come
+    if (!ends_by_this_ && must_sync()) return;  // its own time must be over before it ends
   } catch (const std::exception&) {
     processor_.fail(std::current_exception());
   }
@@ -70,7 +71,8 @@ void Process::resume() {
   executing = nullptr;
 }
 
-// Leaves the body until its operation is over; meanwhile the operation runs without the stack.
+// Suspends the body until its operation is complete. Meanwhile the operation runs without the
+// body's stack.
 void Process::suspend_in(Operation& operation) {
   operation_ = &operation;
   leave_body();
@@ -118,10 +120,10 @@ void Process::start_wait(Wait& wait) {
 
 void Process::note_end_of_run() {
   Engine& engine = processor_.engine();
-  if (blocked_since_ > engine.until()) engine.at(blocked_since_, [] {});  // to end at the limit
+  if (blocked_since_ > engine.until()) engine.at(blocked_since_, [] {});  // run ends at its limit
 }
 
-// Moves the dates of a process that gave the CPU up, or became ready, ahead of the clock.
+// Moves the dates of a process that blocked, or became ready, ahead of the clock.
 void Process::stretch(const Stretch& stretch) {
   if (state_ == State::ready) {
     const Seconds waited = ready_at_ - blocked_since_;
@@ -150,8 +152,9 @@ Seconds Process::blocked(Wait::Kind kind) const {
                       : over;
 }
 
-// Syncs if the debt is too large. Else a process that only computes would keep the run from ending
-// at its limit, at a failure, or on request. (A Proc cannot sync here: far ahead, it throws.)
+// Syncs if the debt is too large or exceeds the limit of the run. Without this, a process that only
+// computes would prevent the run from ending at its limit, at a failure or on request. (A Proc
+// cannot sync here; too large a debt makes it throw.)
 void Process::sync_if_much() {
   if (executing != this) return;
   const Seconds earliest = processor_.now() + debt_ / processor_.clock();

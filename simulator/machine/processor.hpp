@@ -1,6 +1,6 @@
 #pragma once
-// A processor: a CPU, its memory, and the processes started on it. Two processors may share one
-// memory; they are companions.
+// A processor: a CPU, its memory, and the processes on it. Two processors that share one memory are
+// companions.
 #include <concepts>
 #include <exception>
 #include <memory>
@@ -11,19 +11,20 @@
 
 namespace machine {
 
-/// Cost of a program's instructions.
+/// Cost model for a program's instructions.
 enum class Code : std::uint8_t {
-  bare,      ///< data sheet times only
-  compiled,  ///< times model.software.occam_factor, except copies, divisions and durations
+  bare,      ///< times from the data sheet only
+  compiled,  ///< times multiplied by model.software.occam_factor, except copies, divisions and
+             ///< durations
 };
 
-/// The memory of a simulated processor: its size and the program's allocations.
+/// Memory of a processor: its size, and the bytes allocated by the program.
 class Memory {
  public:
-  /// `size` in bytes; `owner` is the processor's name, for the fault.
+  /// `size` is in bytes; `owner` is the processor's name for messages.
   Memory(std::string owner, std::uint64_t size) : owner_(std::move(owner)), size_(size) {}
 
-  /// Throws OutOfMemory, with the bytes asked for and available, if they do not fit.
+  /// Throws OutOfMemory with the requested and the available bytes if too few are available.
   void allocate(std::uint64_t bytes, const std::string& what, Seconds when) {
     if (bytes > left())
       throw OutOfMemory(
@@ -48,14 +49,14 @@ class Memory {
 
 class Processor {
  public:
-  /// `role`: purpose of the processor in its program; may be empty.
+  /// `role` is the purpose of the processor in its program; may be empty.
   Processor(Engine& engine, std::shared_ptr<const Model> model, int id, std::string name,
             std::shared_ptr<Memory> memory, std::string role, Code code);
 
-  /// Starts a process, ready at once. The reference is valid for the life of the processor.
+  /// Starts a process, which is ready immediately. The reference is valid until remove().
   Process& start(std::string name, Priority priority, Process::Body body);
   Process& start(std::string name, Priority priority, Proc proc);
-  /// Rejects a function that returns a Proc: pass its result instead.
+  /// Forbids passing a function that returns a Proc; pass its result instead.
   template <class Maker>
   requires std::same_as<std::invoke_result_t<Maker&>, Proc> Process& start(std::string name,
                                                                            Priority priority,
@@ -64,12 +65,12 @@ class Processor {
   void remove(const Process& process);
   /// Makes a blocked process ready, see Cpu::make_ready.
   void make_ready(Process& process, Seconds at) { cpu_.make_ready(process, at); }
-  /// The same at a future date, if the process is then still in wait number `wait`.
+  /// Makes the process ready at a future date if its wait number `wait` still lasts then.
   void wake_at(Seconds date, Process& process, std::uint64_t wait);
-  /// The same, before all other events of that date.
+  /// Does the same before all other events of that date.
   void wake_first_at(Seconds date, Process& process, std::uint64_t wait);
 
-  /// Id of the next process; unique in a machine.
+  /// The id of the next process, unique within a machine.
   ProcessId make_id() { return (static_cast<ProcessId>(id_) + 1) << 32 | ++made_; }
 
   int id() const { return id_; }
@@ -78,7 +79,7 @@ class Processor {
   const Model& model() const { return *model_; }
   std::shared_ptr<const Model> share_model() const { return model_; }
   Hertz clock() const { return model_->cpu.clock; }
-  /// Multiplies the cycles of occam's channel instructions, see occam::charge.
+  /// Factor on the cycles of occam's channel instructions, see occam::charge.
   double software_factor() const { return software_factor_; }
   Seconds duration(Cycles cycles) const { return cpu_.duration(cycles); }
   Seconds now() const { return engine_.now(); }
@@ -94,15 +95,15 @@ class Processor {
   Processor* companion() const { return companion_; }
   const std::vector<std::unique_ptr<Process>>& processes() const { return processes_; }
 
-  /// Makes the two share one memory from now on, see Machine::add_companion.
+  /// Makes this processor and `companion` share one memory, see Machine::add_companion.
   void join(Processor& companion);
-  /// Sets the share of the memory's cycles that the DMA of link `port` (0 to 3) takes from now on,
-  /// also from the companion's CPU.
+  /// Sets the fraction of memory cycles taken by the DMA of link `port` (0 to 3). The companion's
+  /// CPU loses them too.
   void set_stolen(std::size_t port, double share);
 
-  /// Reports the actions of the processes to the observer from now on.
+  /// Sets the observer of the CPU.
   void set_observer(Observer* observer);
-  /// Ends the simulation with this exception (rethrown by Machine::run).
+  /// Ends the simulation with this exception, which Machine::run rethrows.
   void fail(std::exception_ptr failure);
   const std::exception_ptr& failure() const { return failure_; }
   Seconds failed_at() const { return failed_at_; }
@@ -115,7 +116,7 @@ class Processor {
   std::shared_ptr<const Model> model_;
   double software_factor_;
   int id_;
-  std::uint32_t made_ = 0;  // number of processes
+  std::uint32_t made_ = 0;  // number of processes made
   Processor* companion_ = nullptr;
   std::exception_ptr failure_;
   Seconds failed_at_{};
@@ -123,8 +124,9 @@ class Processor {
   std::string name_, role_;
   std::shared_ptr<Memory> memory_;
   std::vector<std::unique_ptr<Process>> processes_;
-  std::vector<std::unique_ptr<Process>> removed_;  // kept, since a wake_at may refer to them
-  std::size_t sweep_at_ = 16;                      // size of removed_ for the next clean-up
+  std::vector<std::unique_ptr<Process>> removed_;  // kept because a pending wake_at may refer to
+                                                   // them
+  std::size_t sweep_at_ = 16;                      // size of removed_ at which it is cleaned up
 };
 
 inline bool Process::must_sync() const {

@@ -1,5 +1,5 @@
 #pragma once
-// The two units of time: simulated seconds and processor cycles. They never mix implicitly.
+// Units of time: simulated seconds and processor cycles, as types without implicit conversion.
 #include <compare>
 #include <cstdint>
 
@@ -24,8 +24,8 @@ struct Cycles {
 inline Cycles operator+(Cycles a, Cycles b) { return {a.value + b.value}; }
 inline Cycles operator*(std::int64_t k, Cycles a) { return {k * a.value}; }
 
-/// Rounds to whole cycles, halves away from zero, like std::llround, but inline, since it is called
-/// for every instruction. At most 2^52 cycles.
+/// Rounds to whole cycles, halves away from zero, like std::llround. Inline because it is called
+/// for every instruction. The argument must not exceed 2^52 cycles.
 inline Cycles round_to_cycles(double cycles) {
   const auto whole = static_cast<std::int64_t>(cycles);
   const double rest = cycles - static_cast<double>(whole);

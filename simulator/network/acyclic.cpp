@@ -1,7 +1,8 @@
-// Our own method: no FIFOs on the way, so nothing overflows there. Each way in has a receiver, each
-// link out a sender; a blocked process also blocks the link behind it (back-pressure). The routes
-// allow no cycle of waiting links (see make_acyclic_routing). Every route ends at an inbox, the
-// only place that can overflow.
+// Router with acyclic routes, a method of our own. Messages in transit are not queued, so no queue
+// on the way can overflow. Each way in has a receiver and each link out has a sender. A blocked
+// process also blocks the link behind it (back-pressure). This cannot deadlock, because the routes
+// close no cycle of waiting links (see make_acyclic_routing). Every route ends at an inbox, the
+// only queue that can overflow.
 //
 //   link in ----> receiver ---.   .---> sender ----> link out
 //   link in ----> receiver ----\ /----> sender ----> link out
@@ -13,12 +14,14 @@ namespace network {
 
 namespace {
 
-// Extra way in, with its own channels, for messages that turn back here or lost their link.
+// An additional way in, with its own channels, for messages that are sent again from this
+// processor.
 constexpr int AGAIN = WAYS;
 
-// Inputs of one way out: a channel from each receiver, and for a client its inbox.
+// Inputs of a way out: a channel from each way in. A way out to a client also has an inbox.
 struct WayOut {
-  std::array<std::unique_ptr<Channel<Handed>>, WAYS + 1> from;  // by way in, or AGAIN
+  std::array<std::unique_ptr<Channel<Handed>>, WAYS + 1> from;  // by way in; index AGAIN for
+                                                                // messages sent again
   std::vector<Channel<Handed>*> inputs;
   std::size_t favourite = 0;
   Channel<Signal> ready;
@@ -65,7 +68,7 @@ class AcyclicRouter {
     }
   }
 
-  // Gives the message to the senders of its ways out, over the channels of way in `as`.
+  // Passes the message to the senders of its ways out, through the channels of way in `as`.
   void hand_on(Message message, int came_by, int as) {
     const Returned before = message.returned;
     const WaysOut ways = node_.find_ways_out(message, came_by);
@@ -78,7 +81,7 @@ class AcyclicRouter {
     }
   }
 
-  // Guards for the inputs in rotation: inputs[i] ? message
+  // Guards for the inputs of a way out, in rotation: inputs[i] ? message
   template <class Then>
   static auto each_of(WayOut& way, Then then) {
     return each(way.inputs, way.favourite, [&way, then](std::size_t, Handed handed) {
@@ -122,9 +125,9 @@ class AcyclicRouter {
     }
   }
 
-  // Sends the message by an extra process that runs while there are such messages; nothing waits
-  // for it. Otherwise a sender might wait for another, or a link in for a link out that follows it
-  // on no route.
+  // Queues the message for a temporary process that sends all such messages. No other process waits
+  // for it. If receivers or senders did this work, they could wait for each other in a cycle that
+  // the routes exclude.
   void send_later(Message message) {
     node_.hold(message);
     again_.push_back(std::move(message));

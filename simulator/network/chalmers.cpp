@@ -1,6 +1,6 @@
-// Chalmers's method (A. Chalmers, 1991): one process sends one message at a time, and memorises
-// every message that arrives meanwhile. No router ever waits without receiving, so waits close no
-// cycle as long as there is room.
+// Chalmers's router (A. Chalmers, 1991). A single process sends one message at a time and buffers
+// all messages that arrive meanwhile. Because no router waits without receiving, there is no
+// deadlock as long as the buffers do not overflow.
 #include "simulator/network/routers.hpp"
 #include "simulator/occam/process.hpp"
 
@@ -34,14 +34,14 @@ class ChalmersRouter {
     Waiting next = std::move(buffer_.front());
     buffer_.pop_front();
     node_.release(next.message);
-    std::vector<int> failed;  // ways with cut links
+    std::vector<int> failed;  // ways whose links are cut
     send(next, failed);
     for (const int way : failed)
       for (auto& again : node_.send_around(next.message, way)) put(again, NO_WAY);
   }
 
-  // Figure 5.11, PRI PAR: sends the message, a GLOBAL one by all its ways at once, and memorises
-  // all arrivals meanwhile.
+  // Figure 5.11, PRI PAR: sends the message and buffers all arrivals meanwhile. A GLOBAL message
+  // leaves by all its ways in parallel.
   void send(const Waiting& next, std::vector<int>& failed) {
     Channel<Signal> to_handle_input(name_);
     const auto pass = [&](int way) {

@@ -1,7 +1,7 @@
-// Green's method (S. Green, 1991) for any topology, as in the thesis (figures 5.12 to 5.14). Links
-// to processors of lower numbers, and clients, have senders, which wait in the router's place;
-// messages for a busy sender wait in its FIFO. On a link to a higher number the router itself
-// waits. A chain of such waits has ascending numbers and therefore ends.
+// Green's router (S. Green, 1991) for any topology, as in the thesis (figures 5.12 to 5.14). Links
+// to processors with lower numbers have a sender process, and so have clients. Messages for a busy
+// sender wait in its FIFO. On links to higher numbers, the router itself sends and waits. A chain
+// of routers that wait for each other therefore has ascending numbers and cannot be a cycle.
 #include "simulator/network/routers.hpp"
 #include "simulator/occam/process.hpp"
 
@@ -23,7 +23,8 @@ class GreenRouter {
     }
   }
 
-  // Figure 5.14: the senders' signals have precedence, then the inputs in rotation.
+  // Figure 5.14: the senders' ready signals have precedence over the inputs, which are served in
+  // rotation.
   void run() {
     for (std::size_t favourite = 0; occam::turn(true);)
       pri_alt(each(from_senders_, 0, [&](std::size_t k, Signal) { serve(senders_[k]); }),
@@ -42,10 +43,10 @@ class GreenRouter {
     Channel<Handed> into;
     std::deque<Message> fifo;
     bool ready = false;
-    std::vector<Message> failed;  // unsent messages after a cut of the link
+    std::vector<Message> failed;  // not sent because the link was cut
   };
 
-  // Figure 5.13.
+  // The sender process of figure 5.13.
   void send(Sender& sender) {
     while (occam::turn(true)) {
       out(sender.ready_signal, Signal{});
@@ -54,7 +55,7 @@ class GreenRouter {
     }
   }
 
-  // Gives a ready sender the next message of its FIFO, if there is one.
+  // Passes the next message of the FIFO to a ready sender.
   void serve(Sender& sender) {
     for (auto& message : std::exchange(sender.failed, {}))
       for (auto& again : node_.send_around(std::move(message), sender.way)) route(again, NO_WAY);

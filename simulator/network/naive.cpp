@@ -1,5 +1,5 @@
-// Router without deadlock avoidance: takes a message, passes it on, takes the next. Processors that
-// wait for each other in a cycle wait for ever.
+// Router without deadlock avoidance: takes a message, passes it on, then takes the next one.
+// Routers that wait for each other in a cycle wait for ever.
 #include "simulator/network/routers.hpp"
 #include "simulator/occam/process.hpp"
 

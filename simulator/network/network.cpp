@@ -69,7 +69,7 @@ Network::Network(machine::Machine& machine, Routing routing, const Params& param
       nodes_[to.processor].link_in[to.port] = &channel;
     }
   }
-  // An ideal service outside the machine updates all routers at the instant of a failure.
+  // When a link fails, an ideal service outside the machine updates all routers instantly.
   machine.on_failure([this, &machine, first](const machine::Failure& failure) {
     const auto number = [first](const machine::Processor* p) { return p->id() - first; };
     if (failure.b) return routing_.cut(number(failure.a), number(failure.b));

@@ -109,7 +109,7 @@ WaysOut Node::determine_ways(Message& message, int came_by) {
   }
   for (;;) {
     const int to = message.to.processor, client = client_of(message.to.process);
-    // After a cut the way may lead back over the sender, which gets no offer of its own message.
+    // After a cut, the route may pass the sender again. The sender is not offered its own message.
     const bool is_offered =
         message.to.mode == Mode::in_path_to && from_link && message.from.processor != id;
     if (client != NO_WAY && (to == id || is_offered)) {
@@ -132,8 +132,8 @@ WaysOut Node::determine_ways(Message& message, int came_by) {
   }
 }
 
-// Chooses one of several links to a neighbour, always the same for two given processes: this keeps
-// their messages in order. `port` is the lowest.
+// Chooses one of several links to a neighbour. The choice depends only on the two processes, so
+// that their messages stay in order. `port` is the lowest port to the neighbour.
 int Node::choose_link(const Message& message, int port) const {
   const int links = routing->links_beside(id, port);
   if (links == 1) return port;
@@ -147,7 +147,7 @@ int Node::choose_link(const Message& message, int port) const {
 }
 
 void Node::note_unreached(const Message& message) {
-  if (message.tree == 0) return;  // no link has been cut
+  if (message.tree == 0) return;  // tree 0 reaches all processors
   const auto reached = routing->below(message.tree, id, id);
   for (int to = 0; to < routing->processors(); ++to) {
     if (std::ranges::find(reached, to) != reached.end()) continue;

@@ -1,5 +1,6 @@
 #pragma once
-// The routers; each method is in a file of its name. The node must outlive the processes.
+// The routers. Each method is in a source file of its name. A Node must outlive its router's
+// processes.
 #include "simulator/network/node.hpp"
 
 namespace network {
@@ -7,14 +8,14 @@ namespace network {
 using occam::each;
 using occam::pri_alt;
 
-/// Start the processes of one processor's router. All are servers; all have high priority, except
-/// Chalmers's.
+/// Start the processes of a processor's router, all as servers. They have high priority, except in
+/// Chalmers's method.
 void start_naive(Node& node);
 void start_chalmers(Node& node);
 void start_green(Node& node);
 void start_acyclic(Node& node);
 
-/// Starts a router's process "processor.NAME".
+/// Starts a process of a router, named "PROCESSOR.NAME".
 template <class Body>
 void start_server(Node& node, const std::string& name, Body body,
                   machine::Priority priority = machine::Priority::high) {

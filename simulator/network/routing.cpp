@@ -10,7 +10,7 @@ namespace network {
 
 namespace {
 
-// Lists of ports, by their set as a bit mask.
+// Lists of ports, indexed by bit mask.
 auto make_port_lists() {
   std::array<std::vector<int>, 1U << topologies::PORTS> lists;
   for (unsigned set = 0; set < lists.size(); ++set)

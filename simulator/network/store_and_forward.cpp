@@ -21,7 +21,7 @@ Channel<Message>* soft(std::deque<Channel<Message>>& pool, std::string name) {
   return &pool.emplace_back(std::move(name));
 }
 
-// Ways in and out of a processor with these neighbours.
+// The ways of a processor with these neighbours.
 std::vector<int> ways_of(const std::vector<topologies::Neighbour>& around) {
   std::vector<int> ways;
   for (const auto& neighbour : around) ways.push_back(neighbour.port);
@@ -78,7 +78,7 @@ void StoreAndForward::start_way_in(int id, int way, Channel<Packet>* link) {
   start(id, "receiver", way, receive(id, way, link));
 }
 
-// Chooses the way out. Packets to a neighbour alternate over the links to it.
+// Chooses the way out. Packets to a neighbour alternate between parallel links.
 int StoreAndForward::take_way_to(int from, int to) {
   if (from == to) return CLIENT;
   auto& turn = nodes_[from].turn[routes_.next_port(from, to)];
@@ -101,7 +101,7 @@ int StoreAndForward::guards_on_the_way(int from, int to) {
   return guards;
 }
 
-// Receiver of a link, or, without a link, entry of the client's packets.
+// Receiver of a link. If `link` is null, the entry for the client's packets.
 Proc StoreAndForward::receive(int id, int way, Channel<Packet>* link) {
   const auto& model = nodes_[id].processor->model();
   const std::array look_up{get_instruction(model, "ldl"), get_instruction(model, "ldl"),
@@ -125,7 +125,8 @@ Proc StoreAndForward::queue(Node& node, int way) {
   std::vector<Channel<Pointer>*> inputs;
   for (auto* input : node.queue_in[way])
     if (input) inputs.push_back(input);
-  boost::circular_buffer<Pointer> waiting(4);  // grows; an empty deque would take 600 bytes
+  boost::circular_buffer<Pointer> waiting(4);  // grows on demand; an empty deque would take 600
+                                               // bytes
   std::size_t favourite = 0;
   bool is_free = true;
   Signal dummy;

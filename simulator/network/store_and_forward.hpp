@@ -1,5 +1,6 @@
 #pragma once
-// Store-and-forward routing of packets between any processors, also to itself, by shortest routes.
+// Store-and-forward routing of packets on shortest routes between all processors. A processor may
+// also send to itself.
 //
 //               links             the processor                        links
 //             ---------> receiver ---.            .--> sender ------------>
@@ -7,9 +8,9 @@
 //   client -- into ----> entry -------'                 and of the client) --> delivered -- client
 //
 // Each incoming link has a receiver, so that no link waits for another. Each way out has an
-// unbounded queue, so that no receiver waits for a link. Its sender tells the queue when it is
-// free. All have high priority and pass pointers. There is no deadlock, since every receiver always
-// returns to its link. longest_queue() shows the memory needed.
+// unbounded queue, so that no receiver waits for a link. When a sender is free, it signals its
+// queue. All processes have high priority and pass pointers. Deadlock is impossible, because every
+// receiver always returns to its link. The memory needed follows from longest_queue().
 #include <deque>
 #include <vector>
 
@@ -23,13 +24,13 @@ using occam::Proc;
 using occam::Signal;
 
 struct Packet {
-  int from = 0, to = 0;      ///< processors, as the topology numbers them
-  std::uint64_t length = 0;  ///< bytes on a link
-  std::uint64_t id = 0;      ///< free for the sender's use
+  int from = 0, to = 0;      ///< numbers in the topology
+  std::uint64_t length = 0;  ///< in bytes on a link
+  std::uint64_t id = 0;      ///< available to the sender
   std::uint64_t bytes() const { return length; }
 };
 
-/// Message within a processor: a pointer to a packet.
+/// A pointer to a packet, as a message within a processor.
 struct Pointer {
   Packet to;
   static constexpr std::uint64_t bytes() { return 4; }
@@ -37,32 +38,33 @@ struct Pointer {
 
 class StoreAndForward {
  public:
-  /// Joins the machine's processors `first`, `first` + 1, ... by the topology, which must pass
-  /// topologies::check, and starts the routers.
+  /// Links the machine's processors `first`, `first` + 1, ... by the topology and starts the
+  /// routers. The topology must pass topologies::check.
   StoreAndForward(machine::Machine& machine, const topologies::Topology& topology, int first = 0);
 
   Channel<Pointer>& into(int processor) { return into_.at(processor); }
   Channel<Pointer>& delivered(int processor) { return delivered_.at(processor); }
   const topologies::RoutingTable& routes() const { return routes_; }
-  std::size_t longest_queue() const;  ///< packets, maximum up to now
-  /// Number of guards in the queues on the way between two processors; the cost of an ALT grows
-  /// with its guards.
+  std::size_t longest_queue() const;  ///< maximum up to now, in packets
+  /// Total number of guards in the queues between two processors. The cost of an ALT grows with the
+  /// number of its guards.
   int guards_on_the_way(int from, int to);
 
  private:
-  static constexpr int CLIENT = topologies::PORTS;  // way out to the processor's own client
+  static constexpr int CLIENT = topologies::PORTS;  // way to the processor's own client
   static constexpr int WAYS = CLIENT + 1;
   template <class Item>
   using ByWay = std::array<Item, WAYS>;
 
   struct Node {
     machine::Processor* processor;
-    // Channels into the queue of each way out, by receiver's port (the entry: CLIENT); null if
-    // there is none. No packet returns to where it came from, except to its own client.
+    // Channels into the queue of each way out, by the receiver's port, or by CLIENT for the entry.
+    // Null where no packets can come from: except for its own client, a packet does not return to
+    // where it came from.
     ByWay<ByWay<Channel<Pointer>*>> queue_in{};
     ByWay<Channel<Signal>*> sent{};
     ByWay<Channel<Pointer>*> to_sender{};
-    // Next port to use for a neighbour, by the lowest port to it.
+    // By the lowest port to a neighbour: the port for the next packet.
     std::array<std::int8_t, topologies::PORTS> turn{0, 1, 2, 3};
     std::uint32_t longest_queue = 0;
   };

@@ -1,5 +1,5 @@
 #pragma once
-// Control panel of a program: the data that it shows while it runs, and the orders that it takes.
+// Live view of a run: data provided by a program, and commands of its user.
 #include <any>
 #include <cstdint>
 #include <functional>
@@ -11,40 +11,45 @@
 
 namespace observe {
 
-/// Data shown by a program. Its functions are called between two events and take no simulated time.
+/// The data that a program provides. Its functions are called between events and take no simulated
+/// time.
 struct ControlPanel {
   struct Picture {
     int width = 0, height = 0;
-    std::function<const std::vector<std::uint8_t>*()> rgb8;  ///< the display's current picture
+    std::function<const std::vector<std::uint8_t>*()> rgb8;  ///< the present picture
   };
-  /// A number that changes: "rays", a queue's length.
+  /// A varying quantity such as the number of rays or the length of a queue.
   struct Gauge {
     std::string name, help;
     std::function<double()> value;
   };
-  /// A changing number of one processor: contents of its router or its cache.
+  /// A varying quantity of one processor, such as the contents of its router or cache.
   struct Reading {
     std::string name;
     double value = 0;
   };
-  using Inspect = std::function<std::vector<Reading>(int processor)>;  ///< its id in the machine
-  /// Takes an order of the user, a record of the program's list "order". The order comes at the
-  /// first tick of the user's clock after `after` (not before now); returns that time as the
-  /// record's at_s. Throws base::BadInput like the experiment file for an invalid order.
+  using Inspect = std::function<std::vector<Reading>(int processor)>;  ///< the id in the machine
+  /// Takes a command of the user: a record of the program's list "order". It takes effect at the
+  /// first tick of the user's clock after the later of now and `after`. Returns that time, the
+  /// record's at_s. Throws base::BadInput, with the messages of the experiment file, if the record
+  /// is invalid.
   using TakeOrder = std::function<double(const std::any& record, machine::Seconds after)>;
 
-  std::vector<int> network;  ///< ids of the network's processors in the machine; empty: the same
+  std::vector<int> network;  ///< the network's processors, as ids in the machine; empty if the
+                             ///< numbers are the same
   std::optional<Picture> picture;
-  /// The last picture by the sequential renderer, rows from the top; empty if `goes_on` returns
-  /// false meanwhile. Another thread may call it while the machine runs.
+  /// Computes the latest picture with the sequential renderer; rows start at the top. Stops with an
+  /// empty result when `goes_on` returns false. Another thread may call it while the machine runs.
   std::function<std::vector<std::uint8_t>(const std::function<bool()>& goes_on)> sequential;
   std::vector<Gauge> gauges;
-  std::vector<Inspect> inspections;      ///< results may be empty for a processor
-  TakeOrder take_order;                  ///< only if the program has a user
-  std::function<void()> close_orders;    ///< ends manual orders: the user leaves after the file's
-  std::function<std::string()> phase;    ///< current activity, in a few words
-  std::function<bool()> waits_for_user;  ///< true: nothing happens without an order of the user
-  std::function<bool()> is_complete;     ///< true: all is done, only the end of the run remains
+  std::vector<Inspect> inspections;      ///< each may return an empty list for a processor
+  TakeOrder take_order;                  ///< only for a program with a user
+  std::function<void()> close_orders;    ///< ends manual commands; the user leaves after those of
+                                         ///< the file
+  std::function<std::string()> phase;    ///< short description of the present activity
+  std::function<bool()> waits_for_user;  ///< true: only a command of the user lets the run continue
+  std::function<bool()> is_complete;     ///< true: the work is done, only the end of the run is
+                                         ///< left
 };
 
 }  // namespace observe

@@ -10,7 +10,7 @@ using machine::LinkDirection;
 using machine::Processor;
 using machine::Seconds;
 
-// Records a trace while the machine runs.
+// Observer that fills a trace while the machine runs.
 class TraceRecorder : public machine::Observer {
  public:
   TraceRecorder(const machine::Machine& machine, Trace& trace, Seconds from) : trace_(trace) {
@@ -47,7 +47,7 @@ class TraceRecorder : public machine::Observer {
     trace_.transfers.push_back({from.value, to.value, links_.at(&link), place->second, bytes});
   }
 
-  // Drops spans charged beyond the end, which did not happen.
+  // Removes spans after the end, which were charged but did not happen.
   void close(Seconds end) {
     trace_.end_s = std::max(end.value, trace_.begin_s);
     std::erase_if(trace_.spans, [&](const auto& s) { return s.from_s >= trace_.end_s; });
@@ -63,12 +63,12 @@ class TraceRecorder : public machine::Observer {
   static std::uint32_t number(const Processor& p) { return static_cast<std::uint32_t>(p.id()); }
 
   Trace& trace_;
-  std::vector<std::vector<std::uint32_t>> processes_;  // by processor and its own number
+  std::vector<std::vector<std::uint32_t>> processes_;  // by processor and id on that processor
   std::map<const LinkDirection*, std::uint32_t> links_;
-  std::map<const std::string*, std::uint32_t> channels_;  // by the address of their names
+  std::map<const std::string*, std::uint32_t> channels_;  // by address of the name
 };
 
-// True if a link has been cut, or a processor has stopped.
+// True if any link has been cut or any processor has stopped.
 bool is_broken(const machine::Machine& machine) {
   return std::ranges::any_of(machine.links(), [](const auto& link) { return link->is_cut(); }) ||
          std::ranges::any_of(machine.processors(), &machine::Processor::stopped);

@@ -6,7 +6,7 @@ namespace observe {
 
 namespace {
 
-// Conversion of times in the window to columns.
+// Converts a time in the window into a column.
 struct Scale {
   double begin_s, per_second, columns;
   double operator()(double time_s) const {
@@ -22,7 +22,7 @@ void add(TimelineRow& row, double from, double to, std::size_t kind, const Scale
   }
 }
 
-// Current stretch of a process, in columns.
+// The present stretch of a CPU's process, in columns. `own` is the time of the process itself.
 struct Open {
   double from = 0, to = -2, own = 0;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// A trace reduced to pixel columns for a chart; its size does not depend on the trace's length.
+// A trace reduced to pixel columns for a chart. The size is independent of the trace's length.
 #include <array>
 #include <vector>
 
@@ -7,16 +7,16 @@
 
 namespace observe {
 
-/// One CPU or link direction. A column has shares of its time: by Trace::Doing for a CPU, the share
-/// of messages (as first) for a link. The rest is idle.
+/// One CPU or link direction. Each column holds fractions of its time. For a CPU they are indexed
+/// by Trace::Doing; for a link the first is the fraction with messages.
 struct TimelineRow {
   using Shares = std::array<double, 3>;
   std::vector<Shares> columns;
   double busy_s = 0;
 };
 
-/// A stretch of a CPU's time, in columns, that belongs to one process. Each interruption is shorter
-/// than a column, and all together are shorter than two fifths.
+/// A period during which a CPU mainly executes one process, in columns. Each interruption is
+/// shorter than a column, and all interruptions together take less than two fifths.
 struct TimelineStretch {
   double from, to;
   std::uint32_t process;
@@ -24,12 +24,13 @@ struct TimelineStretch {
 
 struct Timeline {
   std::vector<TimelineRow> cpus;
-  std::vector<std::vector<TimelineStretch>> stretches;  ///< by CPU, three columns long or more
-  std::vector<TimelineRow> links;  ///< by Trace's number; without columns if not shown
+  std::vector<std::vector<TimelineStretch>> stretches;  ///< by CPU; only stretches of at least
+                                                        ///< three columns
+  std::vector<TimelineRow> links;  ///< by link number in the Trace; without columns if not shown
 };
 
-/// Timeline of the first `processors` of a trace, and of their outgoing link directions with
-/// traffic.
+/// Makes a timeline for the first `processors` of a trace and for those of their outgoing link
+/// directions that have traffic.
 Timeline make_timeline(const Trace& trace, std::size_t processors, std::size_t columns);
 
 }  // namespace observe

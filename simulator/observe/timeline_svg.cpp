@@ -1,4 +1,5 @@
-// SVG page 1600 pixels wide: names on the left, shares of time on the right, one column a pixel.
+// Draws a timeline as an SVG 1600 pixels wide: names on the left, percentages of time on the right,
+// one column per pixel.
 
 #include <algorithm>
 #include <iterator>
@@ -12,11 +13,11 @@ namespace observe {
 
 namespace {
 
-constexpr int LEFT = 150, WIDTH = 1380, RIGHT = 70, TOP = 84, BOTTOM = 34;  // pixels
+constexpr int LEFT = 150, WIDTH = 1380, RIGHT = 70, TOP = 84, BOTTOM = 34;  // in pixels
 constexpr std::size_t MOST_PROCESSORS = 64;
 constexpr auto LOW = "#9ecae1", HIGH = "#e6550d", SWITCHING = "#3b3b3b", MESSAGE = "#41ab5d";
 
-// Heights of a row, in pixels.
+// Heights of rows in pixels.
 struct Heights {
   int cpu, link, gap;
 };
@@ -29,7 +30,7 @@ Heights choose_heights(std::size_t processors) {
 
 bool is_first_byte(char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }
 
-// Number of characters of a text in UTF-8.
+// Number of characters in a UTF-8 text.
 std::size_t length_of(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::count_if(text, is_first_byte));
 }
@@ -126,7 +127,7 @@ class Chart {
     print("<path d=\"{}\" stroke=\"#ddd\"/>\n", grid);
   }
 
-  // Draws a row's name, its share of time and its base line.
+  // Draws a row's name, its percentage of busy time and its base line.
   void draw_frame(int y, int height, const std::string& name, double busy_s, bool is_small) {
     const int size = std::min(is_small ? 9 : 12, height + 1);
     if (size >= 9) {
@@ -142,12 +143,12 @@ class Chart {
           WIDTH);
   }
 
-  // Draws the area below the sum of the kinds of `doing`. Areas drawn over each other show each
-  // kind. A column's height is its share. At the edge of a bar, between an empty and a full column,
-  // the step is inside the column instead, at the place that keeps the share.
+  // Draws the area under the sum of the fractions in `doing`. Areas are drawn on top of each other,
+  // one for each kind. The height of a column shows its fraction. At an edge between an empty and a
+  // full column, the step is moved within the column instead, so that the area is exact.
   void draw_area(const TimelineRow& row, int height, std::initializer_list<std::size_t> doing,
                  const char* name, const char* colour) {
-    const int full = 2 * height;  // levels are in half pixels
+    const int full = 2 * height;  // in half pixels
     std::vector<double> shares;
     std::vector<int> levels;
     for (const auto& column : row.columns) {
@@ -193,7 +194,7 @@ class Chart {
     print("</g>\n");
   }
 
-  // Draws a thin line at the start of each stretch, and the process's name if it fits.
+  // Draws a thin line at the start of each stretch, and the name of its process if there is room.
   void draw_stretches(const std::vector<TimelineStretch>& stretches, int height) {
     std::string begins;
     for (const auto& stretch : stretches) {
@@ -219,8 +220,8 @@ class Chart {
   std::size_t shown_;  // number of processors
   Heights heights_;
   Timeline timeline_;
-  std::vector<std::vector<std::uint32_t>> links_;  // drawn, by processor
-  int bottom_ = 0;                                 // lower edge of the rows, pixels
+  std::vector<std::vector<std::uint32_t>> links_;  // links drawn, by processor
+  int bottom_ = 0;                                 // lower edge of all rows, in pixels
   std::string text_;
 };
 

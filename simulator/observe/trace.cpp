@@ -13,7 +13,7 @@ void check_index(const char* what, std::size_t index, std::size_t size) {
         fmt::format("trace: {} {}, but there are only {}", what, index, size));
 }
 
-// `ends`: end of the previous item, by lane; updated here.
+// Checks the times of an item and updates `ends`, the end of the last item in each lane.
 template <class Item>
 void check_times(const char* what, const Item& item, std::size_t lane, std::vector<double>& ends) {
   constexpr double hair_s = 1e-9;

@@ -1,5 +1,5 @@
 #pragma once
-// Common part of the trace writers: check, rounding to nanoseconds, and buffered text output.
+// Common parts of the trace writers: checks, rounding to nanoseconds, and buffered output.
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
@@ -11,19 +11,20 @@
 
 namespace observe {
 
-/// Throws base::InvariantBroken for an index out of range and for an end before a start. Also for
-/// items of one processor or link that overlap or are out of order by more than a nanosecond.
+/// Throws base::InvariantBroken for an index out of range or an end before its start. Also throws
+/// if items of one processor or link overlap, or are out of order, by more than a nanosecond.
 void check(const Trace& trace);
 
-/// Rounds a time; spans that touch, or do not overlap, keep this property in nanoseconds.
+/// Rounds to nanoseconds. Since rounding is monotonic, spans that are adjacent or disjoint remain
+/// so.
 inline std::int64_t to_nanoseconds(double time_s) { return std::llround(time_s * 1e9); }
 
-/// Writes text to a stream in pieces of a megabyte; flush() writes the rest.
+/// Buffers text and writes it to a stream a megabyte at a time. Call flush() at the end.
 class TraceOutput {
  public:
   explicit TraceOutput(std::ostream& out) : out_(out) { buffer_.reserve(PIECE + PIECE / 8); }
 
-  /// `format` is an FMT_COMPILE(...).
+  /// `format` must be an FMT_COMPILE(...).
   template <class Format, class... Args>
   void print(const Format& format, const Args&... args) {
     fmt::format_to(fmt::appender(buffer_), format, args...);

@@ -1,4 +1,4 @@
-// Paje: definitions of events, then events by time, one a line.
+// Writes Paje: definitions of events, then events sorted by time, one per line.
 #include <algorithm>
 #include <functional>
 #include <queue>
@@ -10,8 +10,9 @@ namespace observe {
 
 namespace {
 
-// Events by number. Field names are those common to ViTE and PajeNG. States of CPUs and links are
-// PajeSetState with extra fields (5, 6), or without them (4) for idle, quiet and switching.
+// Definitions of events, by number. Field names are those common to ViTE and PajeNG. States of CPUs
+// and links use PajeSetState: number 5 or 6 with additional fields, or number 4 without them for
+// idle, quiet and switching.
 struct EventDef {
   const char* name;
   std::vector<std::string_view> fields;
@@ -92,7 +93,8 @@ class PajeFile {
   }
 
  private:
-  // Spans or transfers of a processor or link, and the number of starts and ends already written.
+  // The spans of a processor or the transfers of a link, and the number of starts and ends written
+  // so far.
   struct Lane {
     std::vector<std::uint32_t> items;
     std::size_t past = 0;
@@ -100,7 +102,7 @@ class PajeFile {
 
   void pass_to(std::int64_t time) { now_ = std::max(now_, time); }
 
-  // Writes the start of a line, up to its time.
+  // Writes the start of a line: event number and time.
   void begin(int event) {
     constexpr std::int64_t giga = 1'000'000'000;
     out_.print(FMT_COMPILE("{} {}.{:09} "), event, now_ / giga, now_ % giga);
@@ -142,14 +144,14 @@ class PajeFile {
     out_.print(FMT_COMPILE("{} {}{}\n"), type, letter, i);
   }
 
-  // Merges the lanes by time, each in its own order.
+  // Merges all lanes by time.
   void write_events() {
     lanes_.resize(trace_.processors.size() + trace_.links.size());
     for (std::uint32_t i = 0; i < trace_.spans.size(); ++i)
       lanes_[trace_.spans[i].processor].items.push_back(i);
     for (std::uint32_t i = 0; i < trace_.transfers.size(); ++i)
       lanes_[trace_.processors.size() + trace_.transfers[i].link].items.push_back(i);
-    using Next = std::pair<std::int64_t, std::size_t>;  // time, lane
+    using Next = std::pair<std::int64_t, std::size_t>;  // time and lane
     std::priority_queue<Next, std::vector<Next>, std::greater<>> next;
     const auto push = [&](std::size_t lane) {
       if (lanes_[lane].past < 2 * lanes_[lane].items.size()) next.emplace(time_of(lane), lane);
@@ -166,7 +168,7 @@ class PajeFile {
 
   bool is_cpu(std::size_t lane) const { return lane < trace_.processors.size(); }
 
-  // Time of the lane's next event, the start or the end of an item.
+  // Time of the lane's next event: the start or end of an item.
   std::int64_t time_of(std::size_t lane) const {
     const auto& [items, past] = lanes_[lane];
     const auto time = [&](const auto& item) { return past % 2 ? item.to_s : item.from_s; };
@@ -222,7 +224,7 @@ class PajeFile {
   std::vector<std::string> channels_, processes_;  // quoted
   TraceOutput out_;
   std::vector<Lane> lanes_;
-  std::int64_t now_ = 0;  // time of the latest line, ns
+  std::int64_t now_ = 0;  // time of the last line in nanoseconds
 };
 
 }  // namespace

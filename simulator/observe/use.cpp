@@ -18,7 +18,8 @@ ProcessRow make_row(const machine::Process& process) {
           process.blocked(Kind::input).value, process.blocked(Kind::alternative).value};
 }
 
-// Subtracts by id: processes of `before` may have ended, and others may have begun.
+// Subtracts the rows of `before`, matched by id, since processes may have ended or started
+// meanwhile.
 void subtract(std::vector<ProcessRow>& rows, const std::vector<ProcessRow>& before) {
   std::unordered_map<machine::ProcessId, const ProcessRow*> known;
   for (const auto& row : before) known[row.id] = &row;

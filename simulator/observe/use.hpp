@@ -1,5 +1,5 @@
 #pragma once
-// Use of every processor, link direction and process between two instants.
+// Use of processors, link directions and processes during a period.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -12,52 +12,55 @@ namespace observe {
 
 struct CpuRow {
   std::string name, role;              ///< see machine::Processor
-  double busy_s = 0, busy_high_s = 0;  ///< high: processes of high priority, and switches
+  double busy_s = 0, busy_high_s = 0;  ///< busy_high_s: high-priority processes, and switches
   std::uint64_t preemptions = 0, dispatches = 0;
   std::uint64_t memory_peak_bytes = 0;
-  std::string model;                   ///< name of its model
-  std::optional<std::uint64_t> tasks;  ///< tasks done, if counted
+  std::string model;                   ///< name of the model
+  std::optional<std::uint64_t> tasks;  ///< number of tasks done, if counted
 };
 
 struct LinkRow {
   std::string from, to;
-  std::size_t beside = 0;  ///< number of earlier links between the same two
+  std::size_t beside = 0;  ///< number of earlier links between the two processors
   double busy_s = 0;
   std::uint64_t messages = 0, bytes = 0;
 };
 
-/// Waiting times of a process. For the rest of the time it was executing or ready.
+/// Waiting times of a process, which is executing or ready during the rest of the time.
 struct ProcessRow {
   machine::ProcessId id = 0;
-  std::string name;                                     ///< "coordinator.coordination"; not unique
-  double output_s = 0, input_s = 0, alternative_s = 0;  ///< blocked in out, in, ALT
+  std::string name;                                     ///< such as "coordinator.coordination"; not
+                                                        ///< unique
+  double output_s = 0, input_s = 0, alternative_s = 0;  ///< time blocked in out, in and ALT
 };
 
 struct Use {
   double time_s = 0;
   std::vector<CpuRow> cpus;
-  std::vector<LinkRow> links;  ///< two directions each
+  std::vector<LinkRow> links;  ///< two rows per link, one for each direction
   std::vector<ProcessRow> processes;
 };
 
-/// Host time and charged cycles of a kernel's calls, for timed costs.
+/// Host time and charged cycles of all calls of a kernel, for timed costs.
 struct KernelUse {
   std::string name;
   std::uint64_t calls = 0;
-  double host_s = 0;  ///< sum over all calls
+  double host_s = 0;  ///< total of all calls
   machine::Cycles counted{}, charged{};
-  double longest_batch_s = 0;  ///< time of the longest batch of calls
-  bool is_short = false;       ///< even this batch was too short for the host's clock
+  double longest_batch_s = 0;  ///< host time of the longest batch of calls
+  bool is_short = false;       ///< true if even this batch was too short for the resolution of the
+                               ///< host's clock
 };
 
-/// Use up to now. Throws base::InvariantBroken if a resource was busy for longer than the time.
+/// Use up to now. Throws base::InvariantBroken if a resource was busy for longer than the elapsed
+/// time.
 Use collect(const machine::Machine& machine);
-/// Use from `before` to `after`.
+/// Use during the period from `before` to `after`.
 Use between(const Use& before, const Use& after);
 
-/// "p0>p1"; "p0>p1 (2)" for the second link between the two.
+/// "p0>p1", or "p0>p1 (2)" for the second link between the two processors.
 std::string name_of(const LinkRow& link);
-/// The first processor of a role; null if there is none.
+/// The first processor with this role; null if there is none.
 const CpuRow* find_role(const Use& use, std::string_view role);
 /// Throws base::InvariantBroken for an unknown name.
 const ProcessRow& find_process(const Use& use, std::string_view name);

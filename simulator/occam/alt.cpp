@@ -9,7 +9,7 @@ namespace {
 using GuardKind = Guard::Kind;
 using Costs = machine::Model::Alternative;
 
-// `date` returns the time in question; it is called only if needed.
+// True if the guard is ready. `date` returns the date for the test and is called only if needed.
 template <class Date>
 bool is_ready(const Process& self, const Guard& guard, Date date) {
   if (!guard.condition) return false;
@@ -18,7 +18,7 @@ bool is_ready(const Process& self, const Guard& guard, Date date) {
          (guard.channel->has_output() && guard.channel->output_waits(date()));
 }
 
-// Extra costs of a replicated guard over one written out: its replicator step, and its division.
+// Additional costs of a replicated guard: its replicator step, and the division for its index.
 Cycles turn(const Costs& costs, const Guard& guard) {
   return guard.replicated ? costs.replicated : Cycles{};
 }
@@ -49,7 +49,8 @@ bool any_cut(std::span<const Guard> guards) {
 
 }  // namespace
 
-// Computes the cost of the guards if none is ready. A ready guard's extra cost is added later.
+// Computes the cost of all guards when none is ready. Additional costs of ready guards are charged
+// later.
 Select::Select(std::span<const Guard> guards) : guards_(guards) {
   const auto& costs = this_process().processor().model().alternative;
   const Guard* last = nullptr;
@@ -93,7 +94,7 @@ bool Select::go_on(Process& self) {
       for (const Guard& guard : guards_)
         if (guard.condition && guard.channel) guard.channel->take_input(self);
       stage_ = Stage::enables;
-      // Smaller debts are paid together with the enabling.
+      // A small debt is paid together with the cost of enabling.
       if (self.owes_much() && self.must_sync()) return false;
       [[fallthrough]];
     case Stage::enables:
@@ -105,7 +106,7 @@ bool Select::go_on(Process& self) {
       stage_ = Stage::enables_late;
       return false;
     case Stage::enables_late: {
-      // The debt has been paid: enabling began span(enabled_) before now.
+      // The debt has been paid, so enabling began span(enabled_) ago.
       cycle_ = self.paid_cycle();
       begin_ = self.own_time() - span(enabled_);
       const bool ready = some_ready(self);
@@ -126,14 +127,14 @@ bool Select::go_on(Process& self) {
   return true;
 }
 
-// True if the clock must reach the process's own time before it tests guards. An output from
-// another CPU may still arrive before that time. And the own time may come earlier than predicted,
-// before a timer guard's tick.
+// True if the clock must reach the process's own time before guards are tested. Before that date,
+// an output from another CPU may still arrive. Also, the own time may move to an earlier date than
+// predicted, before the tick of a timer guard.
 bool Select::must_settle(const Process& self) const {
   return looks_at_others_ || has_timer_ ? self.must_sync() : self.must_sync_if_long();
 }
 
-// Moves the start of a wait that begins ahead of the clock, and the dates of enabling the guards.
+// Moves the dates of a wait that begins ahead of the clock, and those of enabling the guards.
 void Select::on_stretch(Process& process, const machine::Stretch& stretch) {
   const Seconds enabled_at = stretch(begin_ + span(enabled_));
   begin_ = stretch(begin_);
@@ -149,8 +150,8 @@ bool Select::some_ready(const Process& self) const {
   });
 }
 
-// Cost of alt and of enabling the guards, each of which may be ready when it is enabled. (An output
-// does not stop waiting: if none waits at the end, none waited before.)
+// Cost of alt and of enabling all guards, given the guards ready when they are enabled. An output
+// that waits keeps waiting. If none is waiting at the end, none was waiting before.
 Cycles Select::cost_to_enable_all(const Process& self) const {
   const auto waits = [&](const Guard& guard) {
     return guard.condition && guard.channel && guard.channel->has_output() &&
@@ -166,7 +167,8 @@ Cycles Select::cost_to_enable_all(const Process& self) const {
   return spent;
 }
 
-// Spends the known cost of enabling. If an output arrives meanwhile, a later call adds the rest.
+// Charges the cost of enabling known so far. If an output arrives meanwhile, a later call charges
+// the difference.
 void Select::spend_enabling(Process& self) {
   const Cycles known = cost_to_enable_all(self);
   if (known < enabled_ && any_cut(guards_)) return;  // a ready guard has lost its link
@@ -174,7 +176,8 @@ void Select::spend_enabling(Process& self) {
   enabled_ = known;
 }
 
-// Spends altwt or taltwt. A high process is woken by an output that arrives while it pays.
+// Charges altwt or taltwt. A high-priority process is also woken by an output that arrives during
+// this payment.
 bool Select::spend_wait(Process& self, bool ready) {
   const auto& costs = self.processor().model().alternative;
   if (has_timer_)
@@ -186,7 +189,7 @@ bool Select::spend_wait(Process& self, bool ready) {
   return !must_pay && wait(self);
 }
 
-// Blocks until an open guard may be ready.
+// Blocks until a guard with a true condition may be ready.
 bool Select::wait(Process& self) {
   if (some_ready(self)) return spend_disabling(self);
   bool some_open = false;
@@ -215,8 +218,8 @@ bool Select::spend_disabling(Process& self) {
   return !must_settle(self) && choose(self);
 }
 
-// Disables the guards in order and takes the first that is ready at its turn. There is none if the
-// link of the ready guard has been cut.
+// Disables the guards in order and chooses the first that is ready when disabled. There may be none
+// if the link of the ready guard has been cut.
 bool Select::choose(Process& self) {
   const auto& costs = self.processor().model().alternative;
   Cycles spent{};

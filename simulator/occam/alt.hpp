@@ -7,8 +7,8 @@
 //           after(deadline, [&] { ... }),
 //           otherwise(has_work, [&] { ... }));
 //
-// PRI ALT takes the first ready guard in the order written. A plain ALT leaves the choice open, so
-// every ALT here is a PRI ALT. Fair selection rotates the order of the inputs of `each`.
+// PRI ALT chooses the first ready guard in textual order. occam leaves the choice of a plain ALT
+// open, so every ALT here is a PRI ALT. For fairness, `each` rotates the order of its inputs.
 #include <array>
 #include <boost/container/small_vector.hpp>
 #include <span>
@@ -18,7 +18,7 @@
 
 namespace occam {
 
-/// A guard. If its condition holds, it waits for an output on a channel, for a tick of the timer,
+/// A guard. If its condition is true, it waits for an output on a channel, for a tick of the timer,
 /// or for nothing (SKIP).
 struct Guard {
   enum class Kind : std::uint8_t { skip, channel, timer };
@@ -37,18 +37,19 @@ struct Guard {
   ChannelBase* channel = nullptr;
   Kind kind = Kind::skip;
   bool condition = true;
-  bool replicated = false;  ///< costs a replicator step for enabling and one for disabling
-  bool is_fair = false;     ///< costs a division each time, too: see fair_each
+  bool replicated = false;  ///< costs a replicator step for enabling and another for disabling
+  bool is_fair = false;     ///< also costs a division for enabling and another for disabling, see
+                            ///< fair_each
   std::int64_t tick = 0;    ///< the guard is ready from this tick on, counted as in wait_until()
 };
 
-/// Waits until a guard is ready; chosen() is then its index, and the caller does its input. At
-/// least one condition must hold. Charges the transputer's instructions for an ALT: alt, altwt and
-/// altend once, enbc and disc for each guard (talt, taltwt, enbt and dist with a timer). A guard on
-/// a cut link is never ready. The link of the chosen guard can still be cut during its input.
+/// Waits until a guard is ready. chosen() is then its index; the caller executes its input. At
+/// least one condition must be true. Charges the instructions of an ALT: alt, altwt and altend
+/// once, enbc and disc for each guard. With a timer, charges talt, taltwt, enbt and dist. A guard
+/// on a cut link is never ready. The link of the chosen guard may still be cut during the input.
 class [[nodiscard]] Select final : public machine::Operation, machine::Wait {
  public:
-  /// `guards` must outlive the operation.
+  /// The guards must outlive the operation.
   explicit Select(std::span<const Guard> guards);
   Select(const Select&) = delete;
   Select& operator=(const Select&) = delete;
@@ -66,7 +67,7 @@ class [[nodiscard]] Select final : public machine::Operation, machine::Wait {
   bool some_ready(const Process& self) const;
   Cycles cost_to_enable_all(const Process& self) const;
   void spend_enabling(Process& self);
-  // Each function calls the next one; they return as go_on() does.
+  // Each function ends by calling the next one and returns its result, which is that of go_on().
   bool spend_wait(Process& self, bool ready);
   bool wait(Process& self);
   bool spend_disabling(Process& self);
@@ -74,25 +75,25 @@ class [[nodiscard]] Select final : public machine::Operation, machine::Wait {
 
   std::span<const Guard> guards_;
   std::size_t chosen_ = 0;
-  machine::Seconds begin_{}, from_{};  // start of enabling, of disabling
-  machine::Seconds cycle_{};           // mean duration of a cycle meanwhile
-  Cycles enabling_{}, disabling_{};    // cost of all guards, if none is ready
-  Cycles enabled_{};                   // spent for enabling so far
+  machine::Seconds begin_{}, from_{};  // start of enabling and of disabling
+  machine::Seconds cycle_{};           // mean duration of a cycle during enabling or disabling
+  Cycles enabling_{}, disabling_{};    // cost of all guards if none is ready
+  Cycles enabled_{};                   // cost of enabling charged so far
   Stage stage_ = Stage::comes;
   bool looks_at_others_ = false, has_timer_ = false;
 };
 
-/// The same as a call, for a process with a stack.
+/// Select as a function call, for a process with a stack.
 inline std::size_t select(std::span<const Guard> guards) {
   return this_process().carry_out(Select(guards)).chosen();
 }
 
-/// The guards of an ALT; more than 16 guards cost the host an allocation.
+/// The guards of an ALT. More than 16 guards need an allocation on the host.
 using Guards = boost::container::small_vector<Guard, 16>;
 
-// An argument of an ALT has guards and two functions. The first, begin(i, input), begins the input
-// of its guard i, if there is one. The second, end(i, input), then executes the guard's body. (The
-// input is stored as the base class Exchange, without its own await_resume().)
+// Each argument of an ALT contains guards and two functions. begin(i, input) starts the input of
+// guard i, if it has one. Later, end(i, input) executes the guard's body. (`input` has the type of
+// the base class Exchange, without the await_resume() of derived classes.)
 using MaybeInput = std::optional<ChannelBase::Exchange>;
 
 inline void begin_input(ChannelBase& from, bool may_fail, MaybeInput& input) {
@@ -100,8 +101,8 @@ inline void begin_input(ChannelBase& from, bool may_fail, MaybeInput& input) {
   input.emplace(from, may_fail);
 }
 
-/// `channel ? message`, if the condition holds. An optional message stays empty if the link is cut
-/// before the whole message has arrived.
+/// `channel ? message` with a condition. An optional message stays empty if the link is cut before
+/// the whole message has arrived.
 template <class Message, class Into, class Then>
 struct InputGuard : Guard {
   static constexpr bool MAY_FAIL = !std::is_same_v<Into, Message>;
@@ -118,7 +119,7 @@ struct InputGuard : Guard {
   }
 };
 
-/// SKIP and timers: guards without an input.
+/// A guard without an input: SKIP or a timer.
 template <class Then>
 struct PlainGuard : Guard {
   Then then;
@@ -149,20 +150,20 @@ auto after(bool condition, std::int64_t tick, Then then) {
   return PlainGuard<Then>{Guard::at(tick, condition), std::move(then)};
 }
 
-/// Channel of an input of `each`, here for pointers to channels. Other kinds of input need a
-/// function of this name in their own namespace, and input_from(input): it does the input and may
-/// return any type.
+/// The channel of an input of `each`, in this overload a pointer to a channel. Other kinds of input
+/// must define channel_of(input) in their namespace, and input_from(input), which executes the
+/// input and may return any type.
 template <class Message>
 ChannelBase& channel_of(Channel<Message>* input) {
   return *input;
 }
 
-/// A replicated guard: one for each input.
+/// A replicated guard, with one guard for each input.
 template <class Inputs, class Then>
 struct Replicated {
   const Inputs& inputs;
   std::size_t favourite;
-  bool is_fair;  // the program pays for the indices modulo their number
+  bool is_fair;  // the program computes indices modulo their number, at a cost
   Then then;
 
   std::size_t size() const { return inputs.size(); }
@@ -178,7 +179,7 @@ struct Replicated {
   void end(std::size_t i, const MaybeInput& /*over*/) {
     then(index(i), inputs[index(i)]->received());
   }
-  /// The same for inputs other than channels, in a process with a stack.
+  /// Executes the input and the body for inputs other than channels, in a process with a stack.
   void take(std::size_t i) {
     charge_turn();
     then(index(i), input_from(inputs[index(i)]));
@@ -190,17 +191,17 @@ struct Replicated {
   }
 };
 
-/// ALT i = 0 FOR SIZE inputs. `then` gets the index of the ready input, and its message. Occam
-/// leaves the choice between ready inputs open; here the first from `first` on is taken, at no
-/// cost. Each guard costs its replicator steps, beside the cost of a guard written out. `inputs`,
-/// usually pointers to channels, must outlive the ALT.
+/// ALT i = 0 FOR SIZE inputs. Calls `then` with the index of the ready input and its message. occam
+/// leaves the choice between ready inputs open. Here the search starts at `first`, at no cost. Each
+/// guard costs its replicator steps in addition to the cost of a guard that is not replicated.
+/// `inputs`, usually pointers to channels, must outlive the ALT.
 template <class Inputs, class Then>
 auto each(const Inputs& inputs, std::size_t first, Then then) {
   return Replicated<Inputs, Then>{inputs, first, false, std::move(then)};
 }
 
 /// PRI ALT i = favourite FOR SIZE inputs, with VAL k IS i REM SIZE inputs (figures 4.12 and 4.14).
-/// The program rotates the favourite itself, for fairness, and pays for the divisions.
+/// For fairness the program rotates the favourite itself, and pays for the divisions.
 template <class Inputs, class Then>
 auto fair_each(const Inputs& inputs, std::size_t favourite, Then then) {
   return Replicated<Inputs, Then>{inputs, favourite, true, std::move(then)};
@@ -220,7 +221,8 @@ std::size_t add_guards(const Replicated<Inputs, Then>& replicated, Guards& guard
   return replicated.size();
 }
 
-/// Calls `use` with the argument that contains guard number `chosen`, and the guard's index there.
+/// Calls `use` with the argument that contains guard number `chosen`, and with the guard's index in
+/// that argument.
 template <class Use, class... Written>
 void use_chosen(std::size_t chosen, const std::size_t* counts, Use use, Written&... written) {
   const auto use_if_here = [&](auto& one) {
@@ -233,7 +235,7 @@ void use_chosen(std::size_t chosen, const std::size_t* counts, Use use, Written&
   static_cast<void>((use_if_here(written) || ...));
 }
 
-/// Waits until one of the guards is ready, inputs its message and executes its body.
+/// Executes a PRI ALT: waits until a guard is ready, inputs its message and executes its body.
 template <class... Written>
 void pri_alt(Written&&... written) {
   Guards guards;
@@ -253,7 +255,7 @@ void pri_alt(Written&&... written) {
       written...);
 }
 
-/// The same for a Proc: co_await alternative(...). The body of a guard must not wait.
+/// A PRI ALT for a Proc: co_await alternative(...). The bodies of guards must not wait.
 template <class... Written>
 class [[nodiscard]] Alternative final : public machine::Operation {
  public:
@@ -297,7 +299,8 @@ Alternative<Written...> alternative(Written... written) {
   return Alternative<Written...>(std::move(written)...);
 }
 
-/// An ALT over `channels` alone: inputs the message and returns the index of its channel.
+/// Executes an ALT that has only inputs from `channels`. Stores the message and returns the index
+/// of its channel.
 template <class Message>
 std::size_t fair_alt(std::size_t favourite, std::span<Channel<Message>* const> channels,
                      Message& message) {

@@ -35,7 +35,7 @@ void ChannelBase::check_may_take(Side side, Process& self) {
   End& end = end_of(side);
   const machine::Processor& here = self.processor();
   if (!end.place)
-    end_of(writer).place = end_of(reader).place = &here;  // a soft channel's first user
+    end_of(writer).place = end_of(reader).place = &here;  // first user of a soft channel
   const bool is_here = end.place == &here;
   const auto is_free = [&] { return !end.taken_by || end.taken_by == &self; };
   if (is_here && is_free()) return;
@@ -60,13 +60,14 @@ void ChannelBase::check_may_take(Side side, Process& self) {
                   side == writer ? "outputs to" : "inputs from", name_, at.value, why));
 }
 
-// Ends a communication. The message moves with its last part, not with a tag or size before it.
+// Ends the communication of one part of a message. The message is moved with its last part, after
+// the tag or size.
 void ChannelBase::move_part() {
   rest_to_come_ = std::exchange(rest_follows_, false);
   if (!rest_to_come_) move_message();
 }
 
-// Starts a transfer over the link; both processes have arrived and been descheduled.
+// Starts a transfer over the link, after both processes have arrived and been descheduled.
 void ChannelBase::transfer(Process& first, Process& second) {
   transfer_[0] = &first;
   transfer_[1] = &second;
@@ -85,20 +86,21 @@ void ChannelBase::end_transfer() {
 
 void ChannelBase::enable(Process& process) {
   alternative_ = {&process, process.own_time()};
-  alternative_wait_ = process.waits() + 1;  // the wait about to begin
+  alternative_wait_ = process.waits() + 1;  // the number of the wait that is about to begin
   const Party& output = end_of(writer).waiting;
   if (hard() && output.process) look_at(output.since, writer);
 }
 
-// Wakes the process in an ALT for an output that waits from `at` on, unless another guard has.
+// Wakes the process in an ALT for an output that waits from date `at` on, unless another guard has
+// already woken it.
 void ChannelBase::wake_alternative(Seconds at) {
   Process& waiting = *alternative_.process;
   if (waiting.state() == Process::State::blocked && waiting.waits() == alternative_wait_)
     waiting.processor().make_ready(waiting, std::max(at, alternative_.since));
 }
 
-// Makes a process wait at an end of the link from its own time on, which may be ahead of the clock.
-// Schedules an event only if another process is affected. Returns whether that may be so.
+// Makes a process wait at its end of the link from its own time on, which may be ahead of the
+// clock. Schedules an event only if another process may be affected, and then returns true.
 bool ChannelBase::come_to_link(Side side, Process& process) {
   const Seconds date = process.blocked_since();
   end_of(side).waiting = {&process, date};
@@ -111,7 +113,7 @@ bool ChannelBase::come_to_link(Side side, Process& process) {
   return wakes_alternative && look_at(date, side);
 }
 
-// Calls look() when the clock reaches `date`. Returns whether that has an effect, or may have.
+// Calls look() when the clock reaches `date`. Returns false if that is now and has no effect.
 bool ChannelBase::look_at(Seconds date, Side side) {
   if (date <= link_->now()) return look();
   link_->come_at(date, side, [this] {
@@ -120,7 +122,7 @@ bool ChannelBase::look_at(Seconds date, Side side) {
   return true;
 }
 
-// Starts a transfer, wakes an ALT or reports a cut. Returns whether that had an effect.
+// Starts a transfer, wakes an ALT or reports a cut, if due. Returns true if it had an effect.
 bool ChannelBase::look() {
   const auto has_come = [&](const Party& p) { return p.process && p.since <= link_->now(); };
   Party &output = end_of(writer).waiting, &input = end_of(reader).waiting;
@@ -145,7 +147,7 @@ bool ChannelBase::look() {
   return matters;
 }
 
-// Cancels the current transfer, if there is one.
+// Cancels the current transfer if there is one.
 void ChannelBase::cancel_transfer() {
   if (!std::exchange(transfer_[0], nullptr)) return;
   transfer_[1] = nullptr;
@@ -177,7 +179,7 @@ bool ChannelBase::Exchange::go_on(Process& self) {
   return false;
 }
 
-// Moves one part of the message.
+// Executes the communication of one part of the message. Returns true when it is complete.
 bool ChannelBase::Exchange::communicate(Process& self) {
   Party& partner = channel_->end_of(other_side()).waiting;
   switch (stage_) {
@@ -216,14 +218,14 @@ bool ChannelBase::Exchange::stop_at(Stage next) {
   return false;
 }
 
-// Cost of the copy. An input copies as many bytes as the waiting output has.
+// Cost of copying the message. An input copies as many bytes as the waiting output has.
 Cycles ChannelBase::Exchange::cost_to_copy(const machine::Model::Channel& costs) const {
   const std::uint64_t bytes = side_ == writer ? bytes_ : channel_->bytes_;
   return static_cast<std::int64_t>((bytes + 3) / 4) * costs.copy_word;
 }
 
-// Spends the operation's cost before the rendezvous. The pay functions return false if the process
-// must give the CPU up first.
+// Charges the cost before the rendezvous. The functions pay, pay_to_come and pay_for_late_partner
+// return false if the process must first yield the CPU.
 bool ChannelBase::Exchange::pay_to_come(Process& self) const {
   const auto& costs = self.processor().model().channel;
   const bool is_outword = side_ == writer && bytes_ == 4;
@@ -236,8 +238,7 @@ bool ChannelBase::Exchange::pay_to_come(Process& self) const {
              wakes && channel_->alternative_.process ? wake : Cycles{});
 }
 
-// Spends the copy, too, if the partner has reached a soft channel while a low-priority process was
-// paying.
+// Charges the copy if the partner reached a soft channel while a low-priority process was paying.
 bool ChannelBase::Exchange::pay_for_late_partner(Process& self) const {
   const auto& costs = self.processor().model().channel;
   const Cycles wake = channel_->joins_cpus() ? costs.wake_companion : Cycles{};
@@ -254,8 +255,9 @@ bool ChannelBase::Exchange::pay(Process& self, Cycles instructions, Cycles copy)
   return !(at_once ? self.must_sync() : self.must_sync_if_long());
 }
 
-// Completes a rendezvous; this process came second. A high partner takes the CPU from a low
-// process. The low one first executes, unseen by others, up to its next payment.
+// Completes a rendezvous when this process arrived second. A partner of high priority pre-empts a
+// low-priority process. The latter may first execute up to its next payment, which no other process
+// can observe.
 void ChannelBase::Exchange::meet(Process& self, Party partner) {
   ++channel_->use_.messages;
   channel_->use_.bytes += channel_->bytes_;
@@ -269,8 +271,8 @@ void ChannelBase::Exchange::wait_for_partner(Process& self) {
   if (side_ == writer && channel_->alternative_.process) channel_->wake_alternative(own.since);
 }
 
-// Moves the start of a wait that begins ahead of the clock. Events for the old date find nothing to
-// do.
+// Moves the start of a wait that begins ahead of the clock. Events scheduled for the old date have
+// no effect.
 void ChannelBase::Exchange::on_stretch(Process& process, const machine::Stretch& /*stretch*/) {
   Party& own = channel_->end_of(side_).waiting;
   if (own.process != &process) return;
@@ -278,11 +280,11 @@ void ChannelBase::Exchange::on_stretch(Process& process, const machine::Stretch&
   if (channel_->hard()) channel_->come_to_link(side_, process);
 }
 
-// Ends the wait for a partner or for the end of a transfer, after a cut of the link.
+// Ends the wait for a partner, or for the end of a transfer, after a cut of the link.
 void ChannelBase::Exchange::on_cut(Process& process) {
   if (!channel_->cut()) return;
   if (process.blocked_since() > channel_->link_->now()) {
-    // Without may_fail_ an event would only delay the report of a deadlock.
+    // Without may_fail_, an event would only delay the report of a deadlock.
     if (may_fail_) channel_->look_at(process.blocked_since(), side_);
     return;
   }

@@ -1,8 +1,8 @@
 #pragma once
-// Channels: unbuffered, point to point, synchronised. The transfer happens when both ends are
-// ready. A soft channel joins two processes on one memory, of one processor or of companions; the
-// CPU of the later process copies the message. A hard channel is one direction of a link, and the
-// link's DMA engine moves the bytes.
+// Synchronous, unbuffered, point-to-point channels. A transfer begins when both ends are ready. A
+// soft channel joins two processes that share a memory, on one processor or on companions. The CPU
+// of the process that arrives second copies the message. A hard channel is one direction of a link,
+// whose DMA engine moves the bytes.
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -20,8 +20,8 @@ using machine::Proc;
 using machine::Process;
 using machine::this_process;
 
-/// A message without contents: one word. Every message type has a member `bytes()`: its size on a
-/// channel, which may depend on its contents.
+/// A message without contents, one word long. Every message type has a member `bytes()`, its size
+/// on a channel, which may depend on the contents.
 struct Signal {
   static constexpr std::uint64_t bytes() { return 4; }
 };
@@ -30,15 +30,16 @@ struct ChannelUse {
   std::uint64_t messages = 0, bytes = 0;
 };
 
-/// The untyped half of a channel: waiting processes and cost of the rendezvous.
+/// The untyped base of a channel: waiting processes and costs of the rendezvous.
 class ChannelBase {
  public:
   explicit ChannelBase(std::string name);
-  /// A hard channel; must outlive the machine's run. Throws Misuse if the link's direction has a
-  /// channel already.
+  /// Makes a hard channel, which must outlive the run. Throws Misuse if the link direction already
+  /// has a channel.
   ChannelBase(std::string name, machine::LinkDirection& link);
-  /// A soft channel between a processor and itself or its companion; waking a companion's process
-  /// costs the model's channel.wake_companion. Throws Misuse for other processors.
+  /// Makes a soft channel within a processor, or between a processor and its companion. Waking a
+  /// process of the companion costs the model's channel.wake_companion. Throws Misuse for other
+  /// pairs of processors.
   ChannelBase(std::string name, const machine::Processor& from, const machine::Processor& to);
   ChannelBase(const ChannelBase&) = delete;
   ChannelBase& operator=(const ChannelBase&) = delete;
@@ -46,29 +47,29 @@ class ChannelBase {
   const std::string& name() const { return name_; }
   const ChannelUse& use() const { return use_; }
   bool hard() const { return link_ != nullptr; }
-  /// True if its ends are on two CPUs: events at the other end are certain only up to the clock.
+  /// True if the two ends are on different CPUs. Events at the opposite end are then known only up
+  /// to the present date.
   bool joins_cpus() const { return joins_cpus_; }
-  /// True if the link has been cut by now. Nothing goes over it any longer: inputs and outputs
-  /// block for ever, unless called as `_or_fail`, and a guard is never ready.
+  /// True if the link has been cut. Inputs and outputs then block for ever, except those named
+  /// `_or_fail`, and guards are never ready.
   bool cut() const { return link_ && link_->is_cut(); }
 
-  /// The process that would have to output for an ALT on the channel to go on; 0 if that is not
-  /// known.
+  /// The process whose output would end an ALT's wait on this channel; 0 if unknown.
   machine::ProcessId last_writer() const { return end_of(writer).user; }
-  /// For ALT: whether an output is waiting, if only from a time to come on.
+  /// For ALT: true if an output is waiting, possibly from a future date on.
   bool has_output() const { return end_of(writer).waiting.process != nullptr; }
-  /// The same at time `at`; over a link only as far as the clock has come.
+  /// True if an output is waiting at date `at`. Over a link, dates ahead of the clock count as now.
   bool output_waits(machine::Seconds at) const {
     const Party& waiting = end_of(writer).waiting;
     return waiting.process && waiting.since <= (hard() ? std::min(at, link_->now()) : at) && !cut();
   }
-  /// For an ALT without a waiting output. The next output wakes the process, which waits since its
-  /// own time; so does an output that waits from a later time on.
+  /// For an ALT that finds no output: registers the process, which waits from its own time on. The
+  /// next output wakes it. An output that waits from a later date on also wakes it.
   void enable(Process& process);
   void disable() { alternative_ = {}; }
-  /// The process has enabled the guard ahead of the clock, and its own time has moved.
+  /// Updates the date of enabling, because the own time of a process ahead of the clock has moved.
   void move_enabling(machine::Seconds since) { alternative_.since = since; }
-  /// For ALT: reserves the input end for the process until leave_input(); see take().
+  /// For ALT: reserves the input end for the process until leave_input(), see take().
   void take_input(Process& process) { take(reader, process); }
   void leave_input() { leave(reader); }
 
@@ -77,13 +78,13 @@ class ChannelBase {
  protected:
   using Side = machine::LinkDirection::Side;
   static constexpr Side writer = Side::writer, reader = Side::reader;
-  /// The two parts of a message, in bytes: the tag or size, if the protocol has one, and the rest.
+  /// The two parts of a message in bytes: the tag or size, if the protocol has one, and the rest.
   struct Parts {
     std::uint64_t first, rest;
   };
-  /// Called before and after an operation of a process. Throws Misuse while another process uses
-  /// this end. Also for a process on the wrong processor: not at the link's end (hard channel), or
-  /// not where this end was used before (soft channel).
+  /// take() and leave() enclose every operation of a process. take() throws Misuse if another
+  /// process is using this end. It also throws for a process on the wrong processor: not at the
+  /// link's end (hard channel), or not where this end was used before (soft channel).
   void take(Side side, Process& process) {
     End& end = end_of(side);
     if (end.place != &process.processor() || end.taken_by) check_may_take(side, process);
@@ -97,13 +98,14 @@ class ChannelBase {
  private:
   struct Party {
     Process* process = nullptr;
-    machine::Seconds since{};  // process's own time of arrival; may be ahead of the clock
+    machine::Seconds since{};  // the process's own time at arrival, which may be ahead of the clock
   };
   struct End {
-    Party waiting;  // for its partner
+    Party waiting;  // the process that waits for its partner
     const Process* taken_by = nullptr;
-    const machine::Processor* place = nullptr;  // processor of its processes, once known
-    machine::ProcessId user = 0;                // last process at this end, for a deadlock report
+    const machine::Processor* place = nullptr;  // processor of the processes that use this end,
+                                                // once known
+    machine::ProcessId user = 0;                // last process at this end, for deadlock reports
   };
 
   End& end_of(Side side) { return ends_[static_cast<std::size_t>(side)]; }
@@ -118,22 +120,22 @@ class ChannelBase {
   void cancel_transfer();
   void wake_alternative(machine::Seconds at);
 
-  // Members used by ALTs and most exchanges come first, in the same cache lines of the host.
+  // Members used by ALTs and most exchanges come first, to share cache lines.
   bool joins_cpus_ = false;
-  bool rest_follows_ = false;  // the part being sent is not the whole message
+  bool rest_follows_ = false;  // the part being sent is not the last one
   bool rest_to_come_ = false;  // the first part has arrived, the rest has not
   machine::LinkDirection* link_ = nullptr;
-  Party alternative_;                   // process in an ALT with a guard on this channel
+  Party alternative_;                   // the process in an ALT with a guard on this channel
   std::uint64_t alternative_wait_ = 0;  // number of that wait among the process's waits
-  std::uint64_t bytes_ = 0;             // length of the output that waits or is under way
+  std::uint64_t bytes_ = 0;             // length of the current output
   End ends_[2];                         // by side
   ChannelUse use_;
-  Process* transfer_[2] = {};  // processes of the current transfer, in order of arrival
+  Process* transfer_[2] = {};  // the two processes of the current transfer, in order of arrival
   std::string name_;
 };
 
-/// Output or input of a whole message. It lasts from its process's arrival until the message has
-/// moved or, if that is allowed, the link has been cut. A Proc may co_await it.
+/// An output or input of a whole message. It lasts from the arrival of its process until the
+/// message has moved or, if failure is allowed, the link has been cut. A Proc may co_await it.
 class [[nodiscard]] ChannelBase::Exchange : public machine::Operation, machine::Wait {
  public:
   Exchange(ChannelBase& channel, Parts output, bool may_fail)
@@ -144,11 +146,11 @@ class [[nodiscard]] ChannelBase::Exchange : public machine::Operation, machine::
         may_fail_(may_fail) {
     channel.rest_follows_ = rest_ > 0;
   }
-  /// An input.
+  /// Makes an input.
   Exchange(ChannelBase& channel, bool may_fail)
       : channel_(&channel), side_(reader), may_fail_(may_fail) {}
   bool go_on(Process& self) final;
-  /// After the end: whether the link was cut before the whole message had moved.
+  /// After completion: true if the link was cut before the whole message had moved.
   bool failed() const { return failed_; }
 
  private:
@@ -175,9 +177,12 @@ class [[nodiscard]] ChannelBase::Exchange : public machine::Operation, machine::
   bool is_second_ = false, may_fail_ = false, failed_ = false;
 };
 
-/// Division of a message into communications. Simple: one. Variant, occam's PROTOCOL with CASE,
-/// `channel ! tag; contents`: the tag (a byte), then the contents, if any. Counted, for an array,
-/// `channel ! size::message`: the size (one word of the message's bytes), then the rest.
+/// Division of a message into communications.
+/// - simple: one communication.
+/// - variant, occam's PROTOCOL with CASE, `channel ! tag; contents`: the tag (a byte), then the
+///   contents, if any.
+/// - counted, for an array, `channel ! size::message`: the size (one word of the message's bytes),
+///   then the rest.
 enum class Protocol : std::uint8_t { simple, variant, counted };
 
 template <class Message>
@@ -191,23 +196,23 @@ class Channel : public ChannelBase {
           Protocol protocol = Protocol::simple)
       : ChannelBase(std::move(name), from, to), protocol_(protocol) {}
 
-  /// `channel ! message`: blocks until the partner has it. The message's bytes() exclude the tag
-  /// but include the size of a counted array.
+  /// `channel ! message`: blocks until the partner has received it. The message's bytes() do not
+  /// include the tag of a variant, but include the size of a counted array.
   void out(Message message) { this_process().carry_out(output(std::move(message))); }
-  /// The same, but returns false if the link is cut first: the partner gets no part of the message.
-  /// A failed operation costs as much as one that has to wait. (InputOrFail and OutputOrFail of
-  /// occam's library.)
+  /// Outputs the message and returns true, or returns false if the link is cut first. The partner
+  /// then receives no part of the message. A failed operation costs as much as one that has to
+  /// wait. (InputOrFail and OutputOrFail in occam's library.)
   bool out_or_fail(Message message) {
     return this_process().carry_out(output_or_fail(std::move(message))).await_resume();
   }
   /// `channel ? message`
   Message in() { return this_process().carry_out(input()).await_resume(); }
-  /// The same; returns nothing if the link is cut before the whole message has arrived.
+  /// Inputs a message; returns nothing if the link is cut before the whole message has arrived.
   std::optional<Message> in_or_fail() {
     return this_process().carry_out(input_or_fail()).await_resume();
   }
 
-  // The same for a Proc: co_await channel.output(message), message = co_await channel.input().
+  // Operations for a Proc: co_await channel.output(message), message = co_await channel.input().
   class OutputOrFail : public Exchange {
    public:
     using Exchange::Exchange;
@@ -241,7 +246,7 @@ class Channel : public ChannelBase {
     take(reader, this_process());
     return InputOrFail(*this);
   }
-  /// The message of a completed input; call it only once.
+  /// The message of a completed input; may be called only once.
   Message received() { return std::move(incoming_); }
 
  private:
@@ -260,7 +265,7 @@ class Channel : public ChannelBase {
   Message outgoing_, incoming_;
 };
 
-// Free functions in the style of occam, for the bodies of processes.
+// Free functions in the style of occam, for bodies of processes.
 template <class Message>
 void out(Channel<Message>& channel, Message message) {
   channel.out(std::move(message));
@@ -270,7 +275,8 @@ void in(Channel<Message>& channel, Message& message) {
   message = channel.in();
 }
 inline void in(Channel<Signal>& channel) { channel.in(); }
-/// Return false, or nothing, if the link is cut before the whole message has moved.
+/// Like out() and in(), but return false or nothing if the link is cut before the whole message has
+/// moved.
 template <class Message>
 [[nodiscard]] bool out_or_fail(Channel<Message>& channel, Message message) {
   return channel.out_or_fail(std::move(message));
@@ -285,11 +291,11 @@ inline Cycles compiled(Cycles instructions) {
   return machine::round_to_cycles(this_process().processor().software_factor() *
                                   static_cast<double>(instructions.value));
 }
-/// Spends compiled(instructions) cycles.
+/// Charges compiled(instructions).
 inline void charge(Cycles instructions) { this_process().charge(compiled(instructions)); }
-/// Spends a duration, without the software factor; see Process::charge.
+/// Charges a duration, not multiplied by the software factor; see Process::charge.
 void charge(machine::Seconds duration);
-/// Spends an instruction, by its name in the model file's [instruction]: charge("lend").
+/// Charges an instruction given by its name in the model file's [instruction]: charge("lend").
 void charge(std::string_view instruction);
 
 }  // namespace occam

@@ -1,5 +1,5 @@
 #pragma once
-// PAR and timers.
+// PAR, WHILE and timers.
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -19,23 +19,24 @@ struct Branch {
   machine::Process::Body body;
 };
 
-/// PAR: runs all branches on this process's processor and returns when the last has ended. The last
-/// branch with this process's priority runs in this process. The others are started by startp, or
-/// by runp for another priority (PRI PAR); each branch ends with endp.
+/// PAR: executes all branches on this processor and returns when the last one has ended. The last
+/// branch with this process's priority is executed by this process itself. The others are started
+/// by startp, or by runp if their priority differs (PRI PAR). Each branch ends with endp.
 void par(std::initializer_list<Branch> branches);
 void par(std::span<const Branch> branches);
 
-/// Spends one iteration of WHILE: test of the condition and of the loop's input, jump back. Returns
-/// the condition.
+/// Charges one iteration of WHILE and returns the condition. The cost covers the test of the
+/// condition and of the loop's input, and the jump back.
 bool turn(bool condition);
 
-/// TIMER ? now: the clock of this process's priority, in whole ticks (1 us high, 64 us low).
+/// TIMER ? now: reads the clock of this process's priority, in complete ticks (1 us for high
+/// priority, 64 us for low).
 std::int64_t read_timer();
-/// Blocks until the clock is at `tick` or later; occam's TIMER ? AFTER t is wait_until(t + 1).
+/// Blocks until the clock reaches `tick`. occam's TIMER ? AFTER t is wait_until(t + 1).
 void wait_until(std::int64_t tick);
-/// Date at which the clock of `process`'s priority reaches `tick`.
+/// The date at which the clock of `process`'s priority reaches `tick`.
 Seconds date_of(const Process& process, std::int64_t tick);
-/// A duration in ticks of this process's clock, rounded.
+/// Converts a duration to ticks of this process's clock, rounded to the nearest.
 std::int64_t ticks(Seconds duration);
 
 }  // namespace occam

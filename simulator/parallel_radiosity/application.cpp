@@ -33,7 +33,7 @@ Kernels::Kernels(const machine::Model& model, const radiosity::Mesh& mesh, const
   if (params.cycles_per_host_s) scratch = make_state(mesh, params.solve.sends);
 }
 
-// A block move copies the words of a colour between a table and the message.
+// Copying a colour between a table and a message takes a block move of its words.
 MessageWork::MessageWork(const machine::Model& model)
     : identification(kernels::message_costs(model)),
       colour_copied{get_instruction(model, "move_setup").value +
@@ -62,7 +62,7 @@ void Application::run() {
   }
 }
 
-// Keeps early messages, from processors that are ahead.
+// Stores a message that arrived early, from a processor that is ahead.
 void Application::keep(const Message& message) {
   case_of(
       read(message), [&](const Candidate& candidate) { candidates_.push_back(candidate); },
@@ -104,7 +104,7 @@ void Application::shoot(const Shot& shot) {
   charged_s_.emplace_back();
 }
 
-// Sends other processors the light of their shared vertices.
+// Sends other processors the light received by shared vertices.
 void Application::give() {
   for (const Border& border : node_.share.out)
     for (std::size_t first = 0; first < border.vertices.size(); first += MessageBytes::MOST) {
@@ -138,7 +138,8 @@ void Application::light(const radiosity::Eye& eye, const Shot& shot, State& stat
     receive_in_centres(eye, sender, node_.share.patches, state, work);
 }
 
-// As `light`, with geometry that may be on other processors; charges work between accesses.
+// Executes `light` with geometry that may be on other processors. Charges the work between
+// accesses.
 void Application::shoot_at_shared(const Shot& shot) {
   auto& kernels = common_.kernels;
   const double scale =
@@ -154,7 +155,7 @@ void Application::shoot_at_shared(const Shot& shot) {
   work_ += work;
 }
 
-// Returns as many vertices as fit into a message.
+// Returns the radiosity of as many vertices as fit into a message.
 Displayed Application::show(const Show& asked) const {
   const auto& vertices = node_.share.vertices;
   Displayed shown{asked.first, {}};
@@ -177,7 +178,7 @@ void Application::note_charged(Cycles cycles) {
   charged_s_.back() += static_cast<double>(cycles.value) / cpu.clock.value;
 }
 
-// Charges a message's identification and the colours copied into it or out of it.
+// Charges the making or reading of a message's header, and the copying of its colours.
 void Application::charge_message(Cycles kernels::MessageCosts::*identification,
                                  const AmpMessage::Content& content) {
   const auto colours = static_cast<std::int64_t>(count_colours(content));
@@ -215,7 +216,7 @@ void Root::run() {
   send(network::make_global(AMP_PROCESS), Stop{});
 }
 
-// Ends under the same conditions as radiosity::solve.
+// The same condition as in radiosity::solve.
 bool Root::is_over(const Candidate& best) const {
   const auto& solve = common_.params.solve;
   return shots_ >= solve.shots || eval_share(best.unshot) <= solve.tolerance || !best.shot;
@@ -226,8 +227,7 @@ bool Root::is_time_to_show() const {
   return every > 0 && shots_ > 0 && shots_ % every == 0;
 }
 
-// Polls the processors one after another, with one message under way (thesis, 5.3), so that the
-// routers' buffers suffice.
+// Polls the processors one at a time (thesis, 5.3), so that the routers' buffers suffice.
 void Root::take_frame(const Candidate& best) {
   Frame frame;
   frame.shots = shots_;

@@ -1,11 +1,12 @@
 #pragma once
-// The application process of a processor. AMP has separate processes for computing, tasks, data and
-// control beside the router (figure 5.3). Here they are one, as 5.1 proposes for IIRRA. A round:
+// The application process of a processor. In AMP, computing, tasks, data and control are separate
+// processes besides the router (figure 5.3). Here they are a single process, as 5.1 proposes for
+// IIRRA. In each round it executes:
 //   SEQ
-//     SEQ i = 0 FOR children         -- in whatever order they come
+//     SEQ i = 0 FOR children         -- in the order of arrival
 //       from.router ? candidate
 //     parent ! brightest
-//     from.router ? shot             -- GLOBAL, from the root; or show my vertices; or stop
+//     from.router ? shot             -- GLOBAL, from the root; or Show; or Stop
 //     receive
 //     others ! border, others ? border
 //     settle
@@ -19,7 +20,7 @@ namespace parallel_radiosity {
 
 using machine::Cycles;
 
-/// Kernels of all processes, with scratch states to run them again if costs are timed.
+/// Kernels of all processes, with scratch states for repeating them if costs are timed.
 struct Kernels {
   Kernels(const machine::Model& model, const radiosity::Mesh& mesh, const Params& params);
   kernels::KernelCost choose, receive, settle, draw;
@@ -27,11 +28,11 @@ struct Kernels {
   radiosity::State scratch;
 };
 
-/// A process's work on a message, beside the router's.
+/// Costs of a message for its sender or receiver, besides those of routers.
 struct MessageWork {
   explicit MessageWork(const machine::Model& model);
   kernels::MessageCosts identification;
-  Cycles colour_copied;  ///< into a message, or out of it
+  Cycles colour_copied;  ///< into a message or out of it
 };
 
 /// State shared by all processes.
@@ -40,36 +41,36 @@ struct Common {
   const Params& params;
   MessageBytes bytes;
   Kernels& kernels;
-  std::optional<shared_memory::SceneItems> items;  ///< if geometry is shared
+  std::optional<shared_memory::SceneItems> items;  ///< set if geometry is distributed
   int root = 0;
   kernels::ByModel<MessageWork> messages;
 };
 
-/// A processor's place in the tree, and its access to the network.
+/// Position of a processor in the tree, and its access to the network.
 struct Node {
-  int id = 0, parent = 0;  ///< the root's parent is itself
+  int id = 0, parent = 0;  ///< the root is its own parent
   std::size_t children = 0;
   Share share;
   network::Client* client = nullptr;
-  shared_memory::DataManager* manager = nullptr;  ///< if geometry is shared
+  shared_memory::DataManager* manager = nullptr;  ///< set if geometry is distributed
 };
 
 class Application {
  public:
   Application(const Common& common, const Node& node);
   virtual ~Application() = default;
-  /// Runs the process; returns on Stop.
+  /// Body of the process; returns on Stop.
   virtual void run();
 
   const Node& node() const { return node_; }
   const radiosity::State& state() const { return state_; }
   const renderer::Work& work() const { return work_; }
   Cycles kernel_cycles() const { return kernel_cycles_; }
-  /// Seconds charged for its kernels, by shot.
+  /// Seconds charged for this process's kernels, by shot.
   const std::vector<double>& charged_s() const { return charged_s_; }
 
  protected:
-  /// Returns the best of its own patches and those of its subtree.
+  /// Returns the brightest patch among its own and those of its subtree.
   Candidate reduce();
   void shoot(const radiosity::Shot& shot);
   network::Message wait_message();
@@ -79,7 +80,7 @@ class Application {
 
   const Common& common_;
   const Node node_;
-  radiosity::State state_;  ///< covers its own vertices and patches
+  radiosity::State state_;  ///< only its own vertices and patches are valid
 
  private:
   Candidate find_best();
@@ -97,15 +98,17 @@ class Application {
   renderer::Work work_;
   Cycles kernel_cycles_{};
   std::vector<double> charged_s_ = {0};
-  // Messages received early, from children and from processors that share vertices.
+  // Messages that arrived early, from children and from processors that share vertices.
   std::vector<Candidate> candidates_;
   std::vector<network::Message> borders_;
 };
 
-/// The root of AMP's tree: computes like all others, chooses the next shot, and is the display.
+/// The application at the root of AMP's tree. It computes like all others, also selects the next
+/// shot, and is the display.
 class Root : public Application {
  public:
-  /// `nodes`: all processors. `on_solved` is called when the last shot is done everywhere.
+  /// `nodes` are those of all processors. `on_solved` is called when all processors have finished
+  /// the last shot.
   Root(const Common& common, const Node& node, const std::vector<Node>& nodes,
        std::function<void()> on_solved)
       : Application(common, node), nodes_(nodes), on_solved_(std::move(on_solved)) {}

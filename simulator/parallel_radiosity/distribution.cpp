@@ -14,7 +14,7 @@ namespace {
 
 using List = std::vector<std::uint32_t>;
 
-// Cuts the sequence of patches into consecutive parts of equal total weight.
+// Divides the sequence of patches into consecutive parts of equal total weight.
 std::vector<List> cut(const std::vector<double>& weights, int processors) {
   const double whole = std::accumulate(weights.begin(), weights.end(), 0.0);
   std::vector<List> lists(static_cast<std::size_t>(processors));
@@ -33,11 +33,11 @@ bool is_facing(const Patch& a, const Patch& b) {
   return dot(a.normal, way) > 0 && dot(b.normal, way) < 0;
 }
 
-// Work of each patch's vertices per shot: a test, plus a ray if they face the sender. A sample of
-// evenly spaced patches serves as senders.
+// Estimates the work per shot for the vertices of each patch: a test, plus a ray if the patch faces
+// the sender. Evenly spaced patches are used as senders.
 std::vector<double> estimate_work(const Mesh& mesh) {
   constexpr std::size_t SENDERS = 64;
-  constexpr double TEST = 0.1;  // in units of a ray's work
+  constexpr double TEST = 0.1;  // relative to the work of a ray
   const std::size_t step = std::max<std::size_t>(1, mesh.patches.size() / SENDERS);
   std::vector<double> work;
   for (const Patch& patch : mesh.patches) {
@@ -49,7 +49,7 @@ std::vector<double> estimate_work(const Mesh& mesh) {
   return work;
 }
 
-// Bisects a list recursively, each time across its longest axis.
+// Bisects a list recursively, each time across the longest axis.
 void bisect(const Mesh& mesh, std::span<std::uint32_t> list, std::size_t parts,
             std::vector<List>& into) {
   if (parts == 1) {
@@ -67,7 +67,7 @@ void bisect(const Mesh& mesh, std::span<std::uint32_t> list, std::size_t parts,
   bisect(mesh, list.subspan(middle), parts - half, into);
 }
 
-// Gives each processor a tile of every face; larger tiles go to the processors with less.
+// Gives each processor a tile of every face. Larger tiles go to processors with fewer patches.
 std::vector<List> tile(const Mesh& mesh, int processors) {
   std::vector<List> lists(static_cast<std::size_t>(processors));
   std::vector<std::size_t> by_load(lists.size());

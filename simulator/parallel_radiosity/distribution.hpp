@@ -1,33 +1,35 @@
 #pragma once
-// Distribution of the patches over the processors (thesis 5.1: in AMP equally many each).
+// Distribution of patches over processors (thesis 5.1: in AMP, equal numbers).
 #include "renderer/radiosity/light/solve.hpp"
 
 namespace parallel_radiosity {
 
 enum class Distribution : std::uint8_t {
-  blocks,  ///< equally many consecutive patches: whole walls, or strips of them
-  tiles,   ///< an equal share of every face, as compact as possible
-  work,    ///< consecutive patches of equal estimated work: number of patches they face
+  blocks,  ///< equal numbers of consecutive patches: whole walls, or strips of them
+  tiles,   ///< equal parts of every face, as compact as possible
+  work,    ///< consecutive patches of equal total work, by the number of patches they face
 };
 
-/// Vertices whose light one processor sends to another in every shot.
+/// Vertices shared by two processors, one of which sends the other their light in every shot.
 struct Border {
   int other = 0;
   std::vector<std::uint32_t> vertices;  ///< ascending
 };
 
-/// A processor's part of the mesh.
+/// The part of the mesh assigned to a processor.
 struct Share {
-  std::vector<std::uint32_t> patches;   ///< ascending
-  std::vector<std::uint32_t> vertices;  ///< it computes their light; ascending
-  std::vector<Border> out, in;          ///< by number of the other processor
+  std::vector<std::uint32_t> patches;   ///< in ascending order
+  std::vector<std::uint32_t> vertices;  ///< corners of its patches, in ascending order
+  std::vector<Border> out, in;          ///< border vertices to send and to receive, by the other
+                                        ///< processor
 };
 
-/// One share per processor; every patch is in exactly one. A share's vertices are the corners of
-/// its patches, so border vertices are in several shares.
+/// Assigns each patch to one processor and returns the processors' shares. The vertices of a share
+/// are the corners of its patches, so border vertices belong to several shares.
 std::vector<Share> distribute(const radiosity::Mesh& mesh, int processors, Distribution how);
 
-/// Assigns each vertex to one of its processors, in turns; that one sends the light to the others.
+/// Assigns each shared vertex to one of its processors, in rotation. This processor computes the
+/// vertex's light and sends it to the others.
 void exchange_borders(std::vector<Share>& shares, std::size_t vertices);
 
 }  // namespace parallel_radiosity

@@ -7,32 +7,32 @@
 
 namespace parallel_radiosity {
 
-/// Second level of the addresses of all AMP processes.
+/// The process number of all AMP processes in addresses.
 constexpr int AMP_PROCESS = shared_memory::FIRST_FREE_PROCESS;
 
-/// Up the tree: the brightest patch of a subtree, and its unsent light.
+/// Sent up the tree: the brightest patch of a subtree, and the subtree's unshot light.
 struct Candidate {
-  std::optional<radiosity::Shot> shot;  ///< none if all patches are dark
+  std::optional<radiosity::Shot> shot;  ///< absent if no patch has light left
   radiosity::Unshot unshot;
 
-  /// Keeps the brighter shot, or the lower patch of equally bright ones, so that the order of
-  /// candidates does not matter.
+  /// Merges candidates of two subtrees: keeps the brighter patch, or the one with the lower number
+  /// if equally bright. The order of merging therefore does not matter.
   Candidate& operator+=(const Candidate& other);
 };
-/// Broadcast, like radiosity::Shot: the solution is complete.
+/// Broadcast by the root, as radiosity::Shot is: the solution is complete.
 struct Stop {};
-/// To a processor that shares vertices: light they received from the shot, starting at index
-/// `first` of Share::out.
+/// Sent to a processor that shares vertices: the light that these received from the shot, from
+/// index `first` of Share::out on.
 struct Given {
   std::size_t first = 0;
   std::vector<radiosity::Rgb> values;
 };
-/// From the display to a processor: requests its vertices' radiosity, starting at index `first` of
-/// its share.
+/// Sent by the display: requests the radiosity of a processor's vertices, from index `first` of its
+/// share on.
 struct Show {
   std::size_t first = 0;
 };
-/// Reply: as many values as fit into a message, starting at `first`.
+/// Reply to Show: as many values as fit into a message, from index `first` on.
 struct Displayed {
   std::size_t first = 0;
   std::vector<radiosity::Rgb> values;
@@ -46,13 +46,13 @@ struct AmpMessage : network::Contents {
 /// Number of colours in a message.
 std::size_t count_colours(const AmpMessage::Content& content);
 
-/// Message lengths in bytes (the model's [bytes] radiosity_*). A shot has one colour, or one per
-/// corner.
+/// Lengths of messages in bytes, from the model's [bytes] radiosity_*. A shot has one colour, or
+/// one for each corner.
 struct MessageBytes {
   MessageBytes(const machine::Model& model, radiosity::Sends sends);
   std::uint64_t candidate, shot, colour;
   static constexpr std::uint64_t WORD = 4;
-  static constexpr std::size_t MOST = 64;  ///< most values in a message
+  static constexpr std::size_t MOST = 64;  ///< maximum number of values in a message
 
   std::uint64_t of(const AmpMessage::Content& content) const;
   std::uint64_t longest() const;

@@ -6,19 +6,19 @@
 
 namespace parallel_radiosity {
 
-/// Measurements of the last picture.
+/// Measurements of the final picture.
 struct PictureSummary {
-  double radiosity_mean = 0;  ///< over patches of materials that the reference also has
-  double exposure = 0;        ///< > 0
-  double reference_mean = 0;  ///< if there is a reference
-  std::optional<radiosity::PictureError> error;  ///< if there is a reference
+  double radiosity_mean = 0;  ///< over patches whose material also exists in the reference
+  double exposure = 0;        ///< positive
+  double reference_mean = 0;  ///< only with a reference
+  std::optional<radiosity::PictureError> error;  ///< only with a reference
 };
 
-/// Picture of an intermediate frame: light reconstructed, drawn with a z-buffer.
+/// Draws an intermediate frame with reconstructed light and a z-buffer.
 radiosity::Picture draw(const ProgramParams& params, const renderer::View& view,
                         const radiosity::Mesh& mesh, const Frame& frame);
 
-/// The same picture as displayed, with its own exposure; black without a frame.
+/// Draws a frame as displayed, with its own exposure; black if `frame` is null.
 renderer::Bitmap look(const ProgramParams& params, const renderer::View& view,
                       const radiosity::Mesh& mesh, const Frame* frame);
 
@@ -26,12 +26,13 @@ renderer::Bitmap look(const ProgramParams& params, const renderer::View& view,
 struct Pictures {
   PictureSummary summary;
   std::vector<programs::Image> images;
-  std::vector<snapshots::Snapshot> previews;  ///< of all frames, as drawn by the display
-  int width = 0;                              ///< pixels
+  std::vector<snapshots::Snapshot> previews;  ///< all frames as drawn by the display
+  int width = 0;                              ///< in pixels
 };
 
-/// Pictures "N-shots" of all frames but the last, and "picture"; with a reference also "reference"
-/// and "difference". Figures 3.16 (c) and 3.18 (c) show the difference of displayed values.
+/// Makes the pictures "N-shots" of all frames except the last, and "picture" of the last one. With
+/// a reference also makes "reference" and "difference". Figures 3.16 (c) and 3.18 (c) show the
+/// difference of displayed values.
 Pictures show(const ProgramParams& params, const renderer::View& view, const radiosity::Mesh& mesh,
               const std::vector<Frame>& frames);
 

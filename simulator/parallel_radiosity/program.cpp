@@ -61,7 +61,7 @@ base::Fields<ProgramParams> make_fields() {
 struct Measured {
   std::size_t patches = 0, vertices = 0, left_out = 0;
   Result result;
-  bool has_data = false;  // data managers hold the geometry
+  bool has_data = false;  // true if data managers hold the geometry
   PictureSummary shown;
 };
 
@@ -162,8 +162,8 @@ Columns<Measured> picture_columns() {
        base::only_if(has_reference, base::lift_columns<Measured>(errors, error))});
 }
 
-// Sizes, times, losses, loads and picture measurements. Columns of data managers and of the
-// reference only where these exist.
+// Columns for sizes, times, losses, loads and pictures. Columns of data managers and of the
+// reference are empty if these do not exist.
 Columns<Measured> make_columns() {
   const auto data = [](const Measured& m) -> auto& { return m.result.data; };
   const auto loss = [](const Measured& m) -> auto& { return m.result.loss; };
@@ -177,7 +177,7 @@ Columns<Measured> make_columns() {
                      picture_columns()});
 }
 
-// "81.0 % of the time is useful; the largest loss: 9.0 % waiting for ...".
+// Makes a sentence such as "81.0 % of the time is useful; the largest loss: 9.0 % waiting for ...".
 std::string describe_loss(const Loss& loss, bool has_data) {
   const std::pair<double, const char*> losses[] = {
       {loss.repeated, "finding vertices that another processor finds too"},

@@ -1,5 +1,5 @@
 #pragma once
-// Radiosity as experiment programs.
+// Radiosity as programs for experiments.
 #include "simulator/parallel_radiosity/radiosity.hpp"
 #include "simulator/parallel_radiosity/rooms.hpp"
 #include "simulator/programs/declare/program.hpp"
@@ -8,15 +8,15 @@ namespace parallel_radiosity {
 
 struct ProgramParams {
   RoomParams room;
-  Params machine;                     ///< distribution of the work; `solve` is the room's
-  double amplify = 1;                 ///< factor of the difference image, 0 to 1e6
-  double peak_from = 0, peak_to = 1;  ///< part of the picture's width, 0 to 1, to search for the
-                                      ///< largest value of its central line
+  Params machine;                     ///< distribution and costs; `solve` is that of `room`
+  double amplify = 1;                 ///< factor for the difference image, 0 to 1e6
+  double peak_from = 0, peak_to = 1;  ///< horizontal range of the picture's central line in which
+                                      ///< its peak is searched, in fractions of the width, 0 to 1
 };
 
-/// "radiosity": progressive radiosity on a machine.
+/// The program "radiosity": progressive radiosity on a machine.
 programs::Program make_radiosity();
-/// "scan_line": a line of a room's picture, without a machine.
+/// The program "scan_line": a line of a room's picture, without a machine.
 programs::Program make_scan_line();
 
 }  // namespace parallel_radiosity

@@ -6,7 +6,7 @@
 
 namespace programs {
 
-// Each is defined in the file of its name.
+// Each function is defined in the source file of its program's name.
 Program make_message();
 Program make_soft();
 Program make_both_ways();

@@ -4,9 +4,9 @@
 
 namespace programs {
 
-/// In the order of the help text.
+/// All programs, in the order used by the help text.
 const std::vector<Program>& all_programs();
-/// Null for an unknown name.
+/// The program with this name; null if there is none.
 const Program* find_program(std::string_view name);
 
 }  // namespace programs

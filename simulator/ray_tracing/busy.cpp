@@ -12,7 +12,7 @@ using base::Columns;
 
 namespace {
 
-// Mean load of the processors of a role.
+// Mean load of the processors with this role.
 Load load_of(const observe::Use& use, const char* role, const char* name, const char* work) {
   double busy_s = 0, high_s = 0, n = 0;
   for (const auto& cpu : use.cpus)
@@ -30,7 +30,7 @@ Load load_of_workers(const observe::Use& use) {
   return load_of(use, Role::worker, "workers", "tasks");
 }
 
-// Workers of one model.
+// All workers of one model.
 struct Alike {
   std::string model;
   int count = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// The user's orders by time: those of the script and, on a watched run, manual ones ("hands"). A
-// manual order acts as if it were part of the script.
+// The user's orders, sorted by time: those of the script and, in a watched run, manual orders
+// ("hands"). A manual order has the same effect as if it were part of the script.
 #include <algorithm>
 #include <any>
 #include <cmath>
@@ -16,15 +16,15 @@ class Orders {
  public:
   using Order = ray_tracing::Order<Limits>;
 
-  /// `is_live`: manual orders may follow; else the user leaves after the script's last order. The
-  /// last order is always a Leave.
+  /// `is_live` allows manual orders. Without them, the user leaves after the script's last order.
+  /// The last order is always a Leave.
   Orders(const std::vector<Order>& script, bool is_live)
       : orders_(script.begin(), script.end()), is_open_(is_live) {}
 
   bool has_any() const { return is_open_ || !orders_.empty(); }
 
-  /// Called by the user's process: waits for the next order's time and returns its number, from 0.
-  /// Times count from `begun`.
+  /// Called by the user's process: waits until the next order is due and returns its number, from
+  /// 0. Times count from `begun`.
   std::size_t next(machine::Seconds begun) {
     user_ = &machine::this_process();
     begun_ = begun;
@@ -37,8 +37,8 @@ class Orders {
   }
   const Order& operator[](std::size_t number) const { return orders_.at(number); }
 
-  /// Called from outside the machine, between two events: see observe::ControlPanel::TakeOrder.
-  /// `check` throws for orders that the program does not allow.
+  /// Inserts a manual order. Called from outside the machine, between events; see
+  /// observe::ControlPanel::TakeOrder. `check` throws for orders that the program does not allow.
   double take(const OrderRecord<Limits>& record, machine::Seconds after,
               const std::function<void(const std::vector<Order>&)>& check) {
     if (!user_ || !is_open_)
@@ -46,7 +46,8 @@ class Orders {
                                  : "[[order]]: found one before the first task was at hand");
     if (has_left()) throw base::BadInput("[[order]]: found one after the user had left");
     const double tick_s = occam::date_of(*user_, 1).value;
-    // The user's process may be ahead of the clock, and has then seen no order up to its own time.
+    // The user's process may be ahead of the clock. It has then already decided that no order comes
+    // before its own time.
     const bool is_blocked = user_->state() == machine::Process::State::blocked;
     const auto own = is_blocked ? user_->blocked_since() : user_->own_time();
     const double from_s = std::max(after, own).value;
@@ -66,17 +67,17 @@ class Orders {
     return dated.at_s;
   }
 
-  /// True if the user's process waits for a manual order, with none left.
+  /// True if the user's process is waiting for a manual order and none is pending.
   bool waits_for_manual_order() const { return waits_for_manual_order_ && next_ == orders_.size(); }
   bool has_left() const {
     return !orders_.empty() && std::holds_alternative<Leave>(orders_.back().what);
   }
-  /// Ends manual orders: the user leaves after the last pending order.
+  /// Ends manual orders, so that the user leaves after the last pending order.
   void close() { is_open_ = false; }
 
  private:
-  // Like occam::wait_until, but it ends before all other events of its date, whenever the wait
-  // began, and a manual order may end it earlier.
+  // Like occam::wait_until, with two differences. The wait ends before all other events of its
+  // date, regardless of when it began. A manual order may end it earlier.
   void wait_for_time() {
     const auto& timer = user_->processor().model().timer;
     const bool is_past = user_->own_time() >= date_of_next();
@@ -90,7 +91,7 @@ class Orders {
     waits_for_manual_order_ = true;
     if (next_ == orders_.size())
       block();
-    else  // an order has come meanwhile
+    else  // an order has arrived meanwhile
       block_until_time();
     waits_for_manual_order_ = false;
   }
@@ -116,8 +117,8 @@ class Orders {
     waits_for_order_ = false;
   }
 
-  // Ends a wait for a manual order, or for a later order. A process still busy with the previous
-  // order will find the new one by itself.
+  // Wakes a process that waits for a manual order or for a later order. A process that is busy with
+  // the previous order will find the new one itself.
   void wake(machine::Seconds date) {
     if (waits_for_order_) user_->processor().wake_first_at(date, *user_, user_->waits());
   }

@@ -15,7 +15,7 @@ namespace {
 
 bool is_of_stage(const KeyImage& image) { return image.name.starts_with("stage"); }
 
-// End of each stage but the last: the time when its key image was complete.
+// End of each stage except the last: the date of its key image.
 std::vector<Cell> stage_cells(const Rendering& r) {
   std::vector<Cell> cells;
   for (const auto& image : r.key_images)

@@ -1,12 +1,12 @@
 #pragma once
-// Results of a run of any ray tracing program: pictures, columns, extras.
+// Results of a run, common to all ray tracing programs: pictures, columns and extras.
 #include "renderer/trace/render.hpp"
 #include "simulator/ray_tracing/scene.hpp"
 #include "simulator/snapshots/quality_curve.hpp"
 
 namespace ray_tracing {
 
-/// The picture at the time when the limits of a stage were reached, or at an order of the user.
+/// The picture at the end of a stage, or at an order of the user.
 struct KeyImage {
   machine::Seconds at;
   std::string name;
@@ -15,44 +15,50 @@ struct KeyImage {
 
 struct Rendering {
   renderer::Samples samples;
-  std::vector<std::uint8_t> rgb8;                     ///< the display's picture
+  std::vector<std::uint8_t> rgb8;                     ///< final picture of the display
   std::vector<KeyImage> key_images;                   ///< at the ends of stages and at orders
   std::vector<snapshots::Snapshot> pictures, growth;  ///< see snapshots::Recorder
   renderer::RayCounts rays;
-  double time_s = 0;                        ///< from the first task to the last ray shown complete
-  double setup_s = 0;                       ///< before it: send scene, deposit initial rays
-  std::optional<double> order_to_pixel_s;   ///< longest time from an order to a changed pixel
+  double time_s = 0;                        ///< from the first task until the last ray is displayed
+  double setup_s = 0;                       ///< before the first task: sending the scene, storing
+                                            ///< initial rays
+  std::optional<double> order_to_pixel_s;   ///< longest time from an order to the first pixel that
+                                            ///< it changed
   bool is_aborted = false;                  ///< by the user
-  observe::Use use;                         ///< loads over time_s
-  machine::End end = machine::End::done;    ///< if not done: all is measured up to this end
+  observe::Use use;                         ///< during time_s
+  machine::End end = machine::End::done;    ///< if not `done`, all measurements cover the run up to
+                                            ///< this end
   std::uint64_t events = 0;                 ///< number of simulated events
-  std::vector<observe::KernelUse> kernels;  ///< called kernels, over all processors
-  std::vector<std::string> notes;           ///< on orders without an effect, on a link given up
+  std::vector<observe::KernelUse> kernels;  ///< kernels called on any processor
+  std::vector<std::string> notes;           ///< orders without effect; a link removed for the
+                                            ///< coordinator
 };
 
-/// The final picture of every run, by the sequential renderer; empty if `goes_on` returns false.
+/// Renders the final picture of all runs with the sequential renderer. Returns an empty list if
+/// `goes_on` returns false.
 std::vector<std::uint8_t> render_sequentially(const renderer::Scene& scene,
                                               const renderer::Params& params,
                                               const std::function<bool()>& goes_on);
 
-// Groups of columns common to all programs.
+// Groups of columns that all programs share.
 
-/// time_s, time_per_ray_ms, and the columns of the speed-up; these are empty and need other runs.
+/// The columns time_s and time_per_ray_ms, and empty columns for the speed-up, which depend on
+/// other runs.
 base::Columns<Rendering> speed_columns();
-/// rays, and one column for each kind of ray.
+/// The column "rays", and one column for each kind of ray.
 base::Columns<Rendering> ray_columns();
-/// order_to_pixel_s, setup_s and total_s.
+/// The columns order_to_pixel_s, setup_s and total_s.
 base::Columns<Rendering> time_columns();
-/// End of each stage and lit share of its key image; aborted.
+/// Columns for the end of each stage and the lit fraction of its key image; the column aborted.
 base::Columns<Rendering> stage_columns();
 
-/// Results of a run beside its rows, and the figures of its picture's growth.
+/// Results of a run besides its rows, and quality over time.
 struct Given {
-  programs::Extras extras;    ///< all but the loads and the results of Setup::profile
+  programs::Extras extras;    ///< without loads and results of Setup::profile
   snapshots::Figures growth;  ///< empty if growth was not recorded
 };
-/// `max_cell`: side of the largest cells of the growing picture, pixels. Images: the last picture,
-/// key images, pictures at the requested times, and the growth as an animation.
+/// Collects the results. Images are the final picture, key images, pictures at the requested times,
+/// and the growth as an animation. `max_cell` is the side of the largest cells in pixels.
 Given make_given(const programs::Setup& setup, const SceneChoice& scene,
                  const renderer::Params& image, int max_cell, const Rendering& rendering);
 

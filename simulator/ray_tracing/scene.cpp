@@ -11,7 +11,7 @@ namespace ray_tracing {
 
 namespace {
 
-// True if the source itself fixes the scene's size, so that `objects` is void.
+// True if the source determines the scene's size, so that `objects` has no effect.
 bool has_own_objects(const SceneChoice& scene) { return scene.source.text != "spheres"; }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #pragma once
-// The user's session with a growing picture: [[stage]], successive sets of limits for the
-// interactive phase, and [[order]]. Each program defines its type Limits and the fields.
+// The user's interaction with a growing picture: [[stage]] lists successive limits for the
+// interactive phase, and [[order]] the orders. Each program defines its type Limits and the fields.
 #include <fmt/format.h>
 
 #include "simulator/programs/declare/program.hpp"
@@ -8,21 +8,21 @@
 namespace ray_tracing {
 
 struct NonInteractive {};  ///< leave the interactive phase now
-struct Interactive {};     ///< return to it from the non-interactive phase
-struct Abort {};           ///< stop giving out tasks: end with the picture as it is
-struct Leave {};           ///< leave the run: it is finished without the user
-struct Save {              ///< save the picture as it is now
-  std::string name;        ///< for a file
+struct Interactive {};     ///< return to the interactive phase
+struct Abort {};           ///< send no further tasks: end with the present picture
+struct Leave {};           ///< leave the run, which ends without the user
+struct Save {              ///< save the present picture
+  std::string name;        ///< part of the file name
 };
 
-/// An order of the user; its time counts from the first task.
+/// An order of the user. Its time counts from the first task.
 template <class Limits>
 struct Order {
   machine::Seconds at;
   std::variant<NonInteractive, Interactive, Abort, Leave, Save, Limits> what;
 };
 
-/// An [[order]] as given in the experiment file.
+/// An [[order]] as given in an experiment file.
 template <class Limits>
 struct OrderRecord {
   double at_s = 0;
@@ -31,14 +31,14 @@ struct OrderRecord {
   std::optional<Limits> limits;  ///< set if any limit is given
 };
 
-/// True if `name` can be part of a file's name: up to 40 letters, digits and dashes.
+/// True if `name` can be part of a file name: at most 40 letters, digits and dashes.
 bool is_picture_name(const std::string& name);
-/// Throws base::BadInput for equal names of pictures, and for names that begin like those given by
-/// the program (stage, order, shown, growth, borders).
+/// Throws base::BadInput if two names are equal, or if a name starts like those of the program's
+/// own pictures (stage, order, shown, growth, borders).
 void check_saved_names(const std::vector<std::string>& names);
 
-/// Throws base::BadInput for orders not sorted by time or after a Leave, and for invalid names of
-/// pictures.
+/// Throws base::BadInput if orders are not sorted by time, if one follows a Leave, or if names of
+/// pictures are invalid.
 template <class Limits>
 void check_script(const std::vector<Order<Limits>>& script) {
   std::vector<std::string> names;
@@ -55,7 +55,8 @@ void check_script(const std::vector<Order<Limits>>& script) {
           fmt::format("order {}: found one after the user has left, expected none", i + 1));
 }
 
-/// at_s, non_interactive, interactive, abort, leave, save, and the fields of the limits.
+/// The fields at_s, non_interactive, interactive, abort, leave and save, followed by those of the
+/// limits.
 template <class Limits>
 base::Fields<OrderRecord<Limits>> order_fields(const base::Fields<Limits>& limit_fields) {
   using Record = OrderRecord<Limits>;
@@ -88,7 +89,8 @@ base::Fields<OrderRecord<Limits>> order_fields(const base::Fields<Limits>& limit
       {base::lift_optional<Record>(limit_fields, &Record::limits)});
 }
 
-/// Throws base::BadInput for a record that does not contain exactly one order.
+/// Converts a record to an order. Throws base::BadInput if the record does not contain exactly one
+/// order.
 template <class Limits>
 Order<Limits> make_order(const OrderRecord<Limits>& record) {
   std::vector<Order<Limits>> orders;
@@ -107,8 +109,9 @@ Order<Limits> make_order(const OrderRecord<Limits>& record) {
   return orders[0];
 }
 
-/// A list of tables of the experiment file in a program's parameters P. `list`: a member of P, or a
-/// function from P& to a reference. `append`: converts a record to an element of the list.
+/// Makes a list of tables in the experiment file, stored in a program's parameters P. `list` is a
+/// pointer to a member of P, or a function from P& to a reference. `append` converts a record to an
+/// element of the list.
 template <class P, class Record, class Access, class Append>
 programs::RecordList make_list(const std::string& key, const std::string& help,
                                const base::Fields<Record>& fields, Access list, Append append) {
@@ -125,8 +128,8 @@ programs::RecordList make_list(const std::string& key, const std::string& help,
           }};
 }
 
-/// [[stage]] and [[order]]; `stages` and `script` are the members of P with the vectors of Limits
-/// and of Order<Limits>.
+/// Makes the lists [[stage]] and [[order]]. `stages` and `script` are the members of P with the
+/// vectors of Limits and of Order<Limits>.
 template <class P, class Limits, class Stages, class Script>
 std::vector<programs::RecordList> make_lists(const base::Fields<Limits>& limit_fields,
                                              Stages stages, Script script) {

@@ -36,7 +36,7 @@ void CompanionManager::access(Item item) {
   auto& self = this_process();
   const std::size_t record = manager_.record_of(item);
   self.charge(costs_.look_up);
-  self.sync();  // so that the cache is as the manager left it
+  self.sync();  // the cache must reflect all actions of the manager
   if (!manager_.holds(record)) {
     out(orders_, Order{record});
     in(fetched_);
@@ -46,7 +46,7 @@ void CompanionManager::access(Item item) {
   if (manager_.is_resident(record)) return;
   self.charge(queue_step_);
   self.sync();
-  while (noted_.size() == MOST_NOTED) out(orders_, Order{});  // until there is room
+  while (noted_.size() == MOST_NOTED) out(orders_, Order{});  // waits for room in the queue
   noted_.push_back(record);
   if (is_asleep_) out(orders_, Order{});
 }
@@ -71,7 +71,8 @@ void CompanionManager::run_manager() {
   }
 }
 
-// Updates the list before a record arrives, so that the cache evicts what a single processor would.
+// Updates the LRU list before a record arrives, so that the cache evicts the same records as on a
+// single processor.
 void CompanionManager::obey(Order order) {
   if (noted_.size() == MOST_NOTED) note_first();
   if (!order.record) return;

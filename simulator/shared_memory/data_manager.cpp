@@ -109,7 +109,7 @@ void DataManager::take(Message message) {
       });
 }
 
-// Figure 5.20, without waiting.acknowledge: see fetch().
+// The process of figure 5.20, without waiting.acknowledge; see fetch().
 void DataManager::look() {
   network::Handed handed;
   for (bool serving = true; serving;)
@@ -117,8 +117,8 @@ void DataManager::look() {
             occam::otherwise(true, [&] { serving = false; }));
 }
 
-// An idle process looks every period: it finds what is there by then. (Looks that find nothing are
-// not simulated.)
+// Waits for a message. An idle process polls once per period and finds all messages that have
+// arrived by then. Polls that find nothing are not simulated.
 void DataManager::wait_for_message(Seconds period) {
   const Seconds since = this_process().now();
   const occam::Guard guards[] = {occam::Guard(&client_.from_router())};

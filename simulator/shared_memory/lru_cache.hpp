@@ -1,6 +1,6 @@
 #pragma once
-// Cache of fixed size that evicts the least recently used record (5.1.2.2). Its list starts with
-// the most recent. Records are numbered from 0.
+// A cache of fixed size that evicts the least recently used record (5.1.2.2). Its list is ordered
+// by last use, most recent first. Records are numbered from 0.
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -9,20 +9,20 @@ namespace shared_memory {
 
 class LruCache {
  public:
-  /// `bytes[r]` is the size of record r. Throws base::BadInput, naming `key`, if any record is
+  /// `bytes[r]` is the size of record r. Throws base::BadInput that names `key` if a record is
   /// larger than the cache.
   LruCache(std::vector<std::uint64_t> bytes, std::uint64_t capacity, const std::string& key);
 
   bool holds(std::size_t record) const { return next_.at(record) != NOT_HELD; }
-  /// Moves a held record to the top of the list.
+  /// Moves a record in the cache to the top of the list.
   void touch(std::size_t record);
-  /// Inserts a record at the top and evicts the last ones to make room; returns their number. If
-  /// the record is held already, touches it.
+  /// Inserts a record at the top of the list and evicts the last ones to make room. Returns the
+  /// number of evicted records. If the record is already in the cache, moves it to the top.
   int insert(std::size_t record);
 
-  std::uint64_t capacity() const { return capacity_; }  // bytes
+  std::uint64_t capacity() const { return capacity_; }  // in bytes
   std::uint64_t used() const { return used_; }
-  std::vector<std::size_t> order() const;  ///< most recent first
+  std::vector<std::size_t> order() const;  ///< records, most recently used first
 
  private:
   static constexpr std::size_t NOT_HELD = ~std::size_t{0};
@@ -31,7 +31,7 @@ class LruCache {
 
   std::vector<std::uint64_t> bytes_;
   std::uint64_t capacity_, used_ = 0;
-  // Linked list by record; the additional last entry is both ends.
+  // Doubly linked list, by record. The additional last entry is the sentinel at both ends.
   std::vector<std::size_t> next_, previous_;
 };
 

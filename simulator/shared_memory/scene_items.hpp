@@ -1,6 +1,6 @@
 #pragma once
-// A scene as items of virtual shared memory: boxes of its hierarchy ("clusters") and objects are
-// items (5.1.2.1). Surfaces, lights and the view are embedded in every processor.
+// A scene as items of virtual shared memory. Items are the objects and the boxes of their hierarchy
+// ("clusters") (5.1.2.1). Every processor holds all surfaces, lights and the view.
 #include "renderer/trace/intersect.hpp"
 #include "simulator/shared_memory/data_manager.hpp"
 
@@ -11,8 +11,9 @@ constexpr int BOX_ITEMS = 0, OBJECT_ITEMS = 1;
 
 class SceneItems {
  public:
-  /// The model gives the records' sizes. Objects are numbered kind by kind in the order of the
-  /// hierarchy's leaves, boxes depth first, so neighbours have close numbers.
+  /// The model determines the sizes of records. Objects are numbered by kind, in the order of the
+  /// hierarchy's leaves; boxes are numbered depth first. Neighbouring items therefore have similar
+  /// numbers.
   SceneItems(const machine::Model& model, const renderer::Scene& scene);
 
   const Catalogue& catalogue() const { return catalogue_; }
@@ -28,11 +29,11 @@ class SceneItems {
   std::array<int, 4> first_of_kind_{};
 };
 
-/// A kernel's reads of the scene through a data manager. Charges the work counted so far before
-/// each read, so that time passes as in a program that computes between accesses.
+/// Reads the scene for a kernel through a data manager. Before each read, charges the work counted
+/// since the last one, so that time passes as in a program that computes between accesses.
 class SceneReader : public renderer::Access {
  public:
-  /// `scale`: factor on the cost of counted work, to match a timed kernel's duration.
+  /// `scale` multiplies the cost of counted work, to match the duration of a timed kernel.
   SceneReader(const SceneItems& items, DataManager& manager, const machine::OperationCosts& costs,
               double scale)
       : items_(items), manager_(manager), costs_(costs), scale_(scale) {}
@@ -45,7 +46,7 @@ class SceneReader : public renderer::Access {
     charge(done);
     manager_.access(items_.object(place));
   }
-  /// Charges this_process() the part of `done` that was not charged yet.
+  /// Charges this_process() for that part of `done` which has not been charged yet.
   void charge(const renderer::Work& done);
   Cycles charged() const { return charged_; }
 

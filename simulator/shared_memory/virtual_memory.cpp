@@ -10,7 +10,8 @@ using occam::this_process;
 
 namespace {
 
-// DM: a cache for the local application. Reads by others do not change it.
+// DM: manager with a cache for the local application. Reads by other processors do not change the
+// LRU list.
 class ItemManager : public CacheManager {
  public:
   ItemManager(DataManagerMeans means, const Catalogue& catalogue, const DataParams& params)
@@ -62,14 +63,14 @@ class ItemManager : public CacheManager {
   const Catalogue& catalogue_;
   const DataParams params_;
   std::optional<std::size_t> asked_;
-  std::vector<Waiting> waiting_;  // WRQu of the requested record
+  std::vector<Waiting> waiting_;  // WRQu: requests of others for the record asked_
 };
 
 struct DiskWait : machine::Wait {
   std::string describe() const override { return "the disk"; }
 };
 
-// Reads a record from the host's disk over the host link; blocks the process meanwhile.
+// Reads a record from the host's disk over the host link; the process blocks meanwhile.
 void read_disk(std::uint64_t bytes) {
   auto& self = this_process();
   const auto& disk = self.processor().model().disk;
@@ -79,14 +80,14 @@ void read_disk(std::uint64_t bytes) {
   self.block(wait);
 }
 
-// DMS on the coordinator: a cache for the requests of others, readable by the local application.
-// Reads misses from the disk and serves nobody meanwhile.
+// DMS: manager of the coordinator, whose cache serves other processors and can be read by the local
+// application. Reads missing records from the disk, and serves no requests meanwhile.
 class ItemServer : public DataManager {
  public:
   ItemServer(DataManagerMeans means, const Catalogue& catalogue)
       : DataManager(std::move(means)), catalogue_(catalogue) {}
 
-  // Local misses bypass the cache, so that they do not evict items that others request.
+  // Local accesses that miss bypass the cache, so that they do not evict items requested by others.
   void access(Item item) override {
     look();
     this_process().charge(costs_.look_up);
@@ -117,7 +118,7 @@ class ItemServer : public DataManager {
   const Catalogue& catalogue_;
 };
 
-// Placement of pages on processors.
+// Assignment of pages to processors.
 struct Pages {
   Pages(const Catalogue& catalogue, int items_of_page, int processors)
       : catalogue(catalogue),
@@ -136,12 +137,13 @@ struct Pages {
   }
 
   const Catalogue& catalogue;
-  std::size_t items_of_page, count;  // items in a page; pages
-  std::uint64_t bytes;               // size of a page: items_of_page times the largest item
+  std::size_t items_of_page, count;  // items per page; number of pages
+  std::uint64_t bytes;               // size of a page: items_of_page times the size of the largest
+                                     // item
   std::size_t processors;
 };
 
-// A resident block of pages, and a cache for pages of others.
+// Manager with a resident block of pages, and a cache for pages of other processors.
 class PageManager : public CacheManager {
  public:
   PageManager(DataManagerMeans means, const Pages& pages)
@@ -167,7 +169,7 @@ class PageManager : public CacheManager {
   }
 
   const Pages pages_;
-  const int here_;  // processor
+  const int here_;  // this processor
 };
 
 class WholeManager : public DataManager {

@@ -1,9 +1,9 @@
 #pragma once
-// Data managers of a network's processors, in two schemes:
-// - items are fetched one by one from the caches on the way to the coordinator, or at last from its
-//   disk (5.1.2.3);
-// - pages of fixed size hold all items. They are spread over the resident blocks of the processors,
-//   in one address space, and fetched from their owners (Badouel, 5.1.2.1).
+// Data managers of a network's processors, with two schemes for distributing data:
+// - items: an item is fetched from a cache on the route to the coordinator, or otherwise from the
+//   coordinator's disk (5.1.2.3);
+// - pages: pages of fixed size hold all items. Each processor owns a resident block of pages of a
+//   common address space, and others fetch them from it (Badouel, 5.1.2.1).
 #include <memory>
 
 #include "simulator/observe/control_panel.hpp"
@@ -15,37 +15,40 @@ enum class Scheme : std::uint8_t { items, pages };
 
 struct DataParams {
   Scheme scheme = Scheme::items;
-  std::uint64_t cache_bytes = 0;  ///< each processor's cache; pages: beside its resident block
+  std::uint64_t cache_bytes = 0;  ///< each processor's cache; with pages, in addition to the
+                                  ///< resident block
   // Items only:
   int coordinator = 0;
-  std::uint64_t server_cache_bytes = 0;  ///< the coordinator's cache
-  bool in_path = true;                   ///< processors on the way are offered the requests
-  bool waiting_queue = true;             ///< WRQu
+  std::uint64_t server_cache_bytes = 0;  ///< cache of the coordinator
+  bool in_path = true;                   ///< requests are offered to all processors on the route
+  bool waiting_queue = true;             ///< enables WRQu
   // Pages only:
   int page_items = 8;
 };
 
-/// Bytes of the longest message's contents: a lower bound for network::Params::longest.
+/// Maximum length of a message's contents in bytes, a lower bound for network::Params::longest.
 std::uint64_t longest_message(const machine::Model& model, const Catalogue& catalogue,
                               const DataParams& params);
 
-/// Manager of a processor that holds all data: each access finds its item at no cost, and there are
-/// no requests.
+/// Makes the manager of a processor that holds all data. Accesses find their items at no cost, and
+/// there are no requests.
 std::unique_ptr<DataManager> make_whole_manager(network::Network& network,
                                                 const machine::Model& model, int processor);
 
 class VirtualMemory {
  public:
-  /// Allocates caches and resident blocks. A processor's manager uses its client number 0.
-  /// `companions`: by processor, the companion that runs its application and has client number 1 to
-  /// itself, or null; empty: none. With items, the coordinator has none. The catalogue must outlive
-  /// it. Throws base::BadInput for a cache below a record's size or above the memory left, a
+  /// Allocates caches and resident blocks. A processor's manager uses client number 0. `companions`
+  /// gives, by processor, the companion that runs its application and uses client number 1, or
+  /// null. An empty list means no companions; with items, the coordinator must not have one. The
+  /// catalogue must outlive this object.
+  ///
+  /// Throws base::BadInput for a cache smaller than a record or larger than the free memory, a
   /// missing coordinator, or pages without items.
   VirtualMemory(machine::Machine& machine, network::Network& network, const Catalogue& catalogue,
                 const DataParams& params, int first = 0,
                 const std::vector<machine::Processor*>& companions = {});
 
-  /// The interface for the application of a processor.
+  /// The manager to be called by the application of a processor.
   DataManager& manager(int processor) {
     auto& companion = companions_.at(processor);
     return companion ? *companion : *managers_.at(processor);
@@ -54,15 +57,15 @@ class VirtualMemory {
     const auto& companion = companions_.at(processor);
     return companion ? *companion : *managers_.at(processor);
   }
-  DataUse use() const;  ///< sum over all managers
+  DataUse use() const;  ///< total over all managers
   int processors() const { return static_cast<int>(managers_.size()); }
 
  private:
   std::vector<std::unique_ptr<DataManager>> managers_, companions_;  // by processor, or null
 };
 
-/// Adds the memory's counts and cache fill to the view. Its processors have the ids `first`,
-/// `first` + 1, ... in the machine.
+/// Adds counts and fill levels of caches to the view. The processors have the ids `first`, `first`
+/// + 1, ... in the machine.
 void show(observe::ControlPanel& view, const VirtualMemory& memory, int first = 0);
 
 }  // namespace shared_memory

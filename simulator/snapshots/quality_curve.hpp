@@ -1,15 +1,16 @@
 #pragma once
-// QualityCurve of a picture, in numbers and as an animation: each intermediate picture is compared
-// with the last one.
+// Quality of a growing picture as numbers and as an animation. Each intermediate picture is
+// compared with the final one.
 #include "simulator/programs/declare/program.hpp"
 #include "simulator/snapshots/recorder.hpp"
 
 namespace snapshots {
 
-/// Figures of merit of quality (structural similarity with the last picture) over time, s.
+/// Quality over time, where quality is the structural similarity to the final picture.
 struct Figures {
-  std::optional<double> area;                       ///< mean quality
-  std::optional<double> to_50_s, to_90_s, to_99_s;  ///< time until 50, 90, 99 % of the last's
+  std::optional<double> area;                       ///< mean quality over the run
+  std::optional<double> to_50_s, to_90_s, to_99_s;  ///< time in seconds until quality reaches 50,
+                                                    ///< 90, 99 % of its final value
 };
 base::Columns<Figures> figure_columns();
 
@@ -17,12 +18,12 @@ struct QualityCurve {
   std::vector<base::Row> rows;  ///< rows of growth.csv
   Figures figures;
 };
-/// Compares pictures with the last one; empty without pictures. `width`: pixels per row;
-/// `max_cell`: side of the largest cells in pixels.
+/// Compares each picture with the last one. Returns an empty result without pictures. `width` is
+/// the image width and `max_cell` the side of the largest cells, both in pixels.
 QualityCurve make_quality_curve(const std::vector<Snapshot>& pictures, int width, int max_cell);
 
-/// Makes an animation in WebP. It lasts MOVIE_S, each picture in proportion to the time it was
-/// shown; the last picture stays for LAST_S more.
+/// Makes an animation in WebP that lasts MOVIE_S seconds. Each picture is shown in proportion to
+/// its actual time on the display. The last picture stays LAST_S seconds longer.
 programs::Image make_movie(const std::string& name, const std::vector<Snapshot>& pictures,
                            int width);
 inline constexpr double MOVIE_S = 6, LAST_S = 2;

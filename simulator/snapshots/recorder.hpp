@@ -1,6 +1,6 @@
 #pragma once
-// Recorder of the displayed picture while it grows. It works outside the machine and takes no
-// simulated time.
+// Recorder of the growing picture on the display. It works outside the simulated machine and takes
+// no simulated time.
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -10,35 +10,35 @@
 
 namespace snapshots {
 
-/// The displayed picture at a given time.
+/// The displayed picture at one time.
 struct Snapshot {
-  double at_s = 0;                           ///< time since the first task
+  double at_s = 0;                           ///< in seconds since the first task
   std::optional<std::uint64_t> rays = {};    ///< number of rays shown
   std::optional<std::uint64_t> cycles = {};  ///< cycles charged to kernels so far
   std::vector<std::uint8_t> rgb8;
 };
 
-/// Times for recording the picture.
+/// Times at which the picture is recorded.
 struct Schedule {
-  std::vector<double> at_s;  ///< times since the first task, ascending
-  double every_s = 0;        ///< also at multiples of this, at most 1000 of them; 0: at none
-  int growth = 0;            ///< also at least so often, at equal intervals; 0: never
+  std::vector<double> at_s;  ///< in seconds since the first task, ascending
+  double every_s = 0;        ///< also at multiples of this interval, at most 1000 times; 0 for none
+  int growth = 0;            ///< also at least this number of times, at equal intervals; 0 for none
 };
 
-/// Records pictures at the times of `looks`. The picture changes only when the display paints; each
-/// change is preceded by a call of note().
+/// Records pictures at the times given by `looks`. The picture changes only when the display
+/// paints. The display must call note() before each change.
 class Recorder {
  public:
-  /// `monitor`: its observer is also notified before each change; may be null.
+  /// `monitor` may be null. Its observer is also notified before each change.
   explicit Recorder(Schedule snapshot_times, const observe::RunMonitor* monitor = nullptr);
 
-  /// Notes the picture valid from the last call until `now_s`. `look` returns it; the recorder sets
-  /// its time. Called by the painting process.
+  /// Records the picture if a recording time lies between the previous call and `now_s`. `look`
+  /// returns the picture; the recorder sets its time. Called by the painting process.
   void note(double now_s, const std::function<Snapshot()>& look);
-  /// The same for the last picture at the end, which also ends the growth.
+  /// Records the final picture and ends the recording.
   void end(double now_s, const std::function<Snapshot()>& look);
 
-  /// Pictures at the requested times, and those of the growth.
+  /// pictures() are those at the requested times, growth() those at equal intervals.
   const std::vector<Snapshot>& pictures() const { return pictures_; }
   const std::vector<Snapshot>& growth() const { return growth_; }
 

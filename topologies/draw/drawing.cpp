@@ -13,11 +13,12 @@ namespace {
 
 using Curve = std::array<Place, 4>;
 
-// The place of a port number at the link's first end: beside the link, just outside the processor.
-// Without given places Graphviz would search for free ones: minutes for large networks.
+// The position of a port number at the link's first end: beside the link, just outside the
+// processor. Without given positions, Graphviz would search for free ones, which takes minutes for
+// large networks.
 Place place_port(const Curve& curve) {
   constexpr double ALONG = 0.6, ASIDE = 0.16;
-  const auto at_quarter = [&](double Place::*axis) {  // the point at t = 1/4 of the curve
+  const auto at_quarter = [&](double Place::*axis) {  // the point at parameter t = 1/4 of the curve
     return (27 * curve[0].*axis + 27 * curve[1].*axis + 9 * curve[2].*axis + curve[3].*axis) / 64;
   };
   const Place from = curve[0];

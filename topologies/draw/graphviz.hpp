@@ -6,11 +6,11 @@
 
 namespace topologies {
 
-/// Quotes a text as a DOT string on one line; escapes backslashes, quotes and &.
+/// Quotes a text as a one-line DOT string; escapes backslashes, quotes and &.
 std::string quote_dot(const std::string& text);
 
-/// The output of a Graphviz program for the text `dot`; `name` is the topology's, for messages.
-/// Throws std::runtime_error if Graphviz is not installed or fails.
+/// Returns the output of a Graphviz program for the DOT text `dot`. `name` is the topology's name,
+/// for messages. Throws std::runtime_error if Graphviz is not installed or fails.
 std::string run_graphviz(const std::string& program, const std::vector<std::string>& arguments,
                          const std::string& dot, const std::string& name);
 

@@ -15,7 +15,8 @@
 namespace topologies {
 namespace {
 
-// Adds `count` places in rows of alternating direction, evenly spaced, `width` wide from `left` on.
+// Adds `count` places in `rows` rows of alternating direction. Each row is evenly spaced from
+// `left` to `left` + `width`.
 void add_rows(Places& places, int count, int rows, double left, double width) {
   for (int row = 0; row < rows; ++row) {
     const int first = count * row / rows, last = count * (row + 1) / rows;
@@ -44,7 +45,8 @@ Places make_circle(int n) {
   return places;
 }
 
-// Draws a large ring as an even number of rows in alternating directions; it returns on the left.
+// Draws a large ring as an even number of rows in alternating directions. A column of processors on
+// the left leads from the last row back to the first.
 Places make_ring_places(int n) {
   constexpr int LARGEST_CIRCLE = 36;
   if (n <= LARGEST_CIRCLE) return make_circle(n);
@@ -62,7 +64,7 @@ Places make_grid(int n, double spacing, Column column, Row row) {
   return places;
 }
 
-// The processors of each level below the root, in the order of their parents.
+// Processors by level below the root. Within a level, children follow the order of their parents.
 std::vector<std::vector<int>> make_levels(const SpanningTree& tree) {
   std::vector<std::vector<int>> levels{{tree.root}};
   while (!levels.back().empty()) {
@@ -75,7 +77,8 @@ std::vector<std::vector<int>> make_levels(const SpanningTree& tree) {
   return levels;
 }
 
-// The middle between each processor's first and last leaf; leaves stand at 0, 1, 2 ...
+// By processor: the middle between the first and last leaf of its subtree. Leaves have positions 0,
+// 1, 2 ...
 std::vector<double> make_middles(const SpanningTree& tree) {
   std::vector<double> from(tree.parent.size()), to(tree.parent.size());
   double leaves = 0;
@@ -90,8 +93,8 @@ std::vector<double> make_middles(const SpanningTree& tree) {
   return from;
 }
 
-// Places levels as rings around the root and leaves a gap above it. A level that is too dense for
-// one ring zigzags.
+// Places each level as a ring around the root and leaves a gap above the root. A level with too
+// many processors for one ring zigzags.
 Places make_rings(const SpanningTree& tree, const std::vector<double>& turns) {
   constexpr double PITCH = 1.15, GAP = 1.7, ZIGZAG = 1.1;
   Places places(tree.parent.size());
@@ -114,8 +117,8 @@ Places make_rings(const SpanningTree& tree, const std::vector<double>& turns) {
   return places;
 }
 
-// Places processors by the spanning tree from the root: downwards if the topology is a small tree,
-// else around the root.
+// Places processors by the spanning tree from the root. A small tree grows downwards; any other
+// topology is placed around the root.
 Places make_tree_places(const Topology& topology) {
   const auto tree = make_spanning_tree(topology, topology.root);
   auto middles = make_middles(tree);
@@ -131,7 +134,7 @@ Places make_tree_places(const Topology& topology) {
   return places;
 }
 
-// Rotates the places about their middle so that `root` is above it.
+// Rotates the places about their centroid until `root` is at the top.
 void turn_upwards(Places& places, int root) {
   Place middle;
   for (const auto& [x, y] : places) middle.x += x, middle.y += y;
@@ -165,7 +168,8 @@ Places make_found_places(const Topology& topology) {
   return places;
 }
 
-// Swerves for a grid: links run along its lines; links that skip processors run beside them.
+// Swerves for a grid: straight for links between adjacent processors, sideways for links that would
+// cross other processors.
 Places make_swerves(const Topology& topology, const Places& places, double spacing) {
   std::vector<Place> swerves(topology.links.size());
   for (size_t i = 0; i < swerves.size(); ++i) {
@@ -178,7 +182,7 @@ Places make_swerves(const Topology& topology, const Places& places, double spaci
   return swerves;
 }
 
-// Spreads parallel links between the same two processors to both sides of their common course.
+// Spreads parallel links between the same two processors to both sides of the direct line.
 void part_parallel_links(const Topology& topology, Layout& layout) {
   constexpr double APART = 0.3;
   const auto& links = topology.links;
@@ -198,7 +202,7 @@ void part_parallel_links(const Topology& topology, Layout& layout) {
   }
 }
 
-// The index of a two-bit Gray code: 00 01 11 10 are 0 1 2 3.
+// Decodes a two-bit Gray code: maps 00, 01, 11, 10 to 0, 1, 2, 3.
 int from_gray(int bits) { return bits ^ (bits >> 1); }
 
 }  // namespace
@@ -218,13 +222,13 @@ std::array<Place, 4> make_half_curve(const Place& from, const Place& to, const P
 }
 
 std::string format_points(const Place& place) {
-  constexpr double UNIT = 36;  // points
+  constexpr double UNIT = 36;  // in points, 1/72 inch
   return fmt::format("{:.2f},{:.2f}", UNIT * place.x, UNIT * place.y);
 }
 
 Layout make_layout(const Topology& topology) {
   constexpr double SPACING = 1.6;
-  constexpr int MAX_FOUND = 1024;  // Graphviz places so many in one or two seconds
+  constexpr int MAX_FOUND = 1024;  // Graphviz needs one or two seconds for this number
   const int n = topology.processors;
   base::require(n <= MAX_DRAWN, "topology " + topology.name,
                 "found {} processors, expected at most {} in a drawing (formats dot, graphml and "

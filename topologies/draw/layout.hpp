@@ -1,5 +1,6 @@
 #pragma once
-// Places of processors in a drawing. The unit is the smallest distance of two; y grows upwards.
+// Places of processors in a drawing. The unit is the smallest distance between two processors; y
+// grows upwards.
 
 #include <array>
 #include <string>
@@ -9,7 +10,7 @@
 
 namespace topologies {
 
-constexpr int MAX_DRAWN = 16384;  ///< processors of a drawing; some 15 MB at this limit
+constexpr int MAX_DRAWN = 16384;  ///< processors in a drawing; at this limit an SVG has some 15 MB
 
 struct Place {
   double x = 0, y = 0;
@@ -19,26 +20,31 @@ using Places = std::vector<Place>;
 
 struct Layout {
   Places processors;
-  /// Offset of each link's midpoint from the straight line, by index into Topology::links. Links
-  /// that join the same two processors run side by side.
+  /// Offset of each link's midpoint from the straight line, by index into Topology::links. Parallel
+  /// links have different offsets.
   Places swerves;
 };
 
-/// The control points of a link's Bezier curve; its midpoint is `swerve` off the straight line.
+/// The control points of a link's Bezier curve. `swerve` is the offset of its midpoint from the
+/// straight line.
 std::array<Place, 4> make_curve(const Place& from, const Place& to, const Place& swerve);
 
-/// The control points of that curve's first half, next to `from`.
+/// The control points of the half of this curve that starts at `from`.
 std::array<Place, 4> make_half_curve(const Place& from, const Place& to, const Place& swerve);
 
-/// Formats a place for Graphviz, in points on paper: "36.00,72.00".
+/// Formats a place for Graphviz in points: "36.00,72.00".
 std::string format_points(const Place& place);
 
-/// Places processors by Topology::shape. Lines and rings are rows in alternating directions (small
-/// rings: a circle). Meshes and tori are grids with closing links between the lines; hypercubes are
-/// drawn as tori. Minimum-path networks are rings around the root with a gap above it. Small trees
-/// grow downwards from the root, large ones around it. Graphviz's neato places other topologies,
-/// from a fixed start, turned so that the root is on top; beyond 1024 processors they are rings
-/// too. Throws std::runtime_error if Graphviz is missing, BadInput beyond MAX_DRAWN processors.
+/// Places processors by Topology::shape:
+/// - Lines and large rings are rows in alternating directions; small rings are circles.
+/// - Meshes and tori are grids, with closing links between the grid lines; hypercubes are drawn as
+///   tori.
+/// - Minimum-path networks are rings around the root with a gap above it.
+/// - Small trees grow downwards from the root, large trees around it.
+/// - Other topologies are placed by Graphviz's neato from a fixed start and turned until the root
+///   is at the top. With more than 1024 processors they are rings around the root.
+/// Throws std::runtime_error if Graphviz is not installed, and BadInput for more than MAX_DRAWN
+/// processors.
 Layout make_layout(const Topology& topology);
 
 }  // namespace topologies

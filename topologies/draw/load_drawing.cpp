@@ -13,14 +13,15 @@
 namespace topologies {
 namespace {
 
-constexpr double UNIT_PT = 36;       // length of a layout's unit on paper
-constexpr double PROCESSOR_PT = 27;  // diameter
+constexpr double UNIT_PT = 36;       // points per unit of a layout
+constexpr double PROCESSOR_PT = 27;  // diameter in points
 
 struct Colour {
   double r, g, b;
 };
 
-// Colours with decreasing lightness (CIE L* 88, 76, 60, 41, 20), safe for colour-blind readers.
+// Colours with decreasing lightness (CIE L* 88, 76, 60, 41, 20), distinguishable by colour-blind
+// readers.
 constexpr std::array<Colour, 5> SCALE{
     {{219, 222, 226}, {246, 178, 66}, {229, 110, 60}, {174, 45, 96}, {72, 15, 95}}};
 
@@ -36,7 +37,7 @@ const char* text_colour(double share) { return is_dark_load(share) ? "white" : "
 
 std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
 
-struct Half {  // of a link
+struct Half {  // half of a link: the direction from -> to
   int from, to;
   Place swerve;
   double load;
@@ -61,7 +62,7 @@ std::string write_processor(int id, const Node& node, bool is_root, bool is_extr
       is_root ? 3 : 0.75, quote_dot(fmt::format("{}: busy {}", node.name, percent(node.load))));
 }
 
-// Draws the half of a link next to `from`; it shows the traffic that `from` sends.
+// Draws the half of a link that is next to `from`. It shows the traffic sent by `from`.
 std::string write_half(const Half& half, const std::vector<Node>& nodes) {
   const auto& [from, to, swerve, load] = half;
   const auto [p0, p1, p2, p3] = make_half_curve(nodes[from].place, nodes[to].place, swerve);
@@ -72,7 +73,7 @@ std::string write_half(const Half& half, const std::vector<Node>& nodes) {
       quote_dot(fmt::format("{} to {}: busy {}", nodes[from].name, nodes[to].name, percent(load))));
 }
 
-// The index of the first extra processor with this name; the number of extras without one.
+// Index of the extra processor with this name, or the number of extras if there is none.
 size_t find_extra(const Loads& loads, const std::string& name) {
   return static_cast<size_t>(std::ranges::find(loads.extras, name, &Loads::Extra::name) -
                              loads.extras.begin());
@@ -108,7 +109,8 @@ void check_loads(const Topology& topology, const Loads& loads) {
   }
 }
 
-// Places extra processors in rows above the topology, by their distance in links from the root.
+// Places extra processors in rows above the topology. The row is the distance in links from the
+// root.
 std::vector<Place> place_extras(const Loads& loads, const Place& root, double top) {
   std::vector<size_t> row;
   std::vector<int> width, place;
@@ -124,11 +126,11 @@ std::vector<Place> place_extras(const Loads& loads, const Place& root, double to
   return places;
 }
 
-// The colour scale below the drawing, with its left end at `place`.
+// Draws the colour scale below the drawing; `place` is its left end.
 std::string write_legend(const Place& place) {
   constexpr int STEPS = 20;
   constexpr double WIDTH = 0.3, HEIGHT = 0.35;
-  constexpr double LETTER = 0.1;  // inches a letter, so that the drawing is wide enough for text
+  constexpr double LETTER = 0.1;  // inches per letter, so that Graphviz reserves room for text
   const auto text = [&](const char* name, double x, double y, const std::string& words) {
     return fmt::format(
         "{} [class=legend, shape=plaintext, style=solid, label={}, width={:.2f}, height=0.25, "
@@ -183,8 +185,8 @@ std::vector<Half> make_halves(const Topology& topology, const Loads& loads, cons
   return halves;
 }
 
-// Orders processors by their busiest outgoing link. Graphviz draws links in this order, so busy
-// links cover others.
+// Orders processors by the load of their busiest outgoing link. Graphviz draws in this order, so
+// that busy links cover idle ones.
 std::vector<int> make_order(size_t nodes, const std::vector<Half>& halves) {
   std::vector<double> busiest(nodes, 0);
   for (const auto& half : halves) busiest[half.from] = std::max(busiest[half.from], half.load);

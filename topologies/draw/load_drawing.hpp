@@ -9,37 +9,44 @@
 
 namespace topologies {
 
-/// Loads as shares of the time, 0 to 1.
+/// Loads as fractions of time, 0 to 1.
 struct Loads {
   std::string title;
   std::vector<double> processors;            ///< by processor
-  std::vector<std::array<double, 2>> links;  ///< by index into Topology::links: a to b, b to a
-  std::vector<std::string> labels = {};      ///< by processor; empty: the topology's names
+  std::vector<std::array<double, 2>> links;  ///< by index into Topology::links: from a to b, from b
+                                             ///< to a
+  std::vector<std::string> labels = {};      ///< by processor; if empty, the topology's names are
+                                             ///< shown
 
-  /// A processor outside the topology, wired to its root or to an earlier extra.
+  /// A processor outside the topology, linked to the root or to an earlier extra processor.
   struct Extra {
     std::string name;
     double load = 0;
-    std::string to = {};                  ///< the name of an earlier extra; empty: the root
-    std::array<double, 2> link = {0, 0};  ///< load towards `to`, and from there
+    std::string to = {};                  ///< the name of an earlier extra processor, or "" for the
+                                          ///< root
+    std::array<double, 2> link = {0, 0};  ///< load towards `to`, and load from `to`
   };
-  std::vector<Extra> extras = {};  ///< with distinct names
+  std::vector<Extra> extras = {};  ///< names must be distinct
 };
 
-/// Draws an SVG by Graphviz. Load sets the fill of processors and the colour and width of links;
-/// the half of a link next to a processor shows the traffic that this processor sends. The root has
-/// a thick rim. Tooltips show the shares; a scale is below. There is one element of class
-/// "processor" per processor and extra, and two of class "link" per link. One version of Graphviz
-/// gives one result. Throws BadInput if sizes do not match, a load is no share or an extra's `to`
-/// is unknown; std::runtime_error if Graphviz is not installed.
+/// Draws an SVG by Graphviz. Load determines the fill of processors, and the colour and width of
+/// links. Each half of a link shows the traffic sent by the nearer processor. The root has a thick
+/// rim. Tooltips show the loads, and a colour scale is below.
+///
+/// Each processor, and each extra processor, is one element of class "processor"; each link is two
+/// elements of class "link". The bytes depend only on the version of Graphviz.
+///
+/// Throws BadInput if sizes do not match, a load is not in [0, 1] or an extra's `to` is unknown.
+/// Throws std::runtime_error if Graphviz is not installed.
 std::string to_load_svg(const Topology& topology, const Loads& loads);
 
-/// The colour of a share, "#rrggbb": darkens from light grey at 0 to dark violet at 1.
+/// The colour of a load as "#rrggbb", from light grey at 0 to dark violet at 1.
 std::string load_colour(double share);
-/// The colour of a share as red, green and blue from 0 to 1; is_dark_load: it needs white text.
+/// The colour of a load as red, green and blue from 0 to 1. is_dark_load returns true if text on
+/// that colour must be white.
 std::array<double, 3> eval_load_colour(double share);
 bool is_dark_load(double share);
-/// The width of a link with this load, in points; processors are 27 points wide.
+/// The width in points of a link with this load. For comparison, processors are 27 points wide.
 double eval_load_width(double share);
 
 }  // namespace topologies

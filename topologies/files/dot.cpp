@@ -30,7 +30,8 @@ size_t skip_past(std::string_view text, size_t from, std::string_view end) {
   return found == text.npos ? text.size() : found + end.size();
 }
 
-// The length of the token at `at`: white space, comment, quoted string, HTML, word or one symbol.
+// Length of the token at `at`: white space, a comment, a quoted string, HTML, a word or a single
+// symbol.
 size_t measure_token(std::string_view text, size_t at) {
   const auto rest = text.substr(at);
   const auto run = [&](auto belongs) {
@@ -66,7 +67,7 @@ bool is_identifier(std::string_view token) {
   return !token.empty() && (is_word(token[0]) || token[0] == '"');
 }
 
-// True if a bare word is a DOT keyword, in upper or lower case.
+// True if an unquoted word is a DOT keyword. Keywords ignore case.
 bool is_keyword(std::string_view word) {
   std::string lower;
   for (const unsigned char c : word) lower += static_cast<char>(std::tolower(c));
@@ -82,18 +83,18 @@ std::string unquote(std::string_view token) {
   return result;
 }
 
-// Preprocessed text for Boost's DOT reader, and the order of names, which that reader loses.
+// Preprocessed text for Boost's DOT reader, and the order of names, which the reader does not keep.
 struct DotText {
-  std::string text;                  // with the keyword `subgraph` before every nested brace
-  std::map<std::string, int> place;  // of each identifier in the order of first mention, from 0
+  std::string text;                  // has the keyword `subgraph` before every nested brace
+  std::map<std::string, int> place;  // index by identifier, in the order of first mention
 };
 
-// Makes one pass over the tokens of `text`. Refuses node:port, since the reader would drop the
-// port. Limits nested braces, since the reader recurses. Refuses an edge between two groups: the
-// reader would link all pairs and could exhaust the memory.
+// Scans the tokens of `text` once. Refuses three things that Boost's reader cannot handle. It would
+// drop the port in node:port, overflow the stack on deeply nested braces, and link all pairs of
+// nodes for an edge between two groups.
 DotText make_dot_text(const std::string& text, const std::string& file) {
   DotText result;
-  std::string_view before, last;  // tokens
+  std::string_view before, last;  // the last two tokens
   int line = 1, braces = 0, last_braces = 0, brackets = 0, named = 0;
   const auto refuse = [&](const std::string& what) {
     throw base::BadInput(fmt::format("{}: line {}: {}", file, line, what));
@@ -117,7 +118,7 @@ DotText make_dot_text(const std::string& text, const std::string& file) {
     result.text += token;
     line += static_cast<int>(std::ranges::count(token, '\n'));
     if (is_gap(token)) continue;
-    const bool assigned = c == '=' || before == "=";  // an attribute's name or value
+    const bool assigned = c == '=' || before == "=";  // is the name or value of an attribute
     const bool is_node = last_braces > 0 && before != "subgraph" && !is_keyword(last);
     if (brackets == 0 && is_identifier(last) && is_node && !assigned)
       named += result.place.try_emplace(unquote(last), named).second;
@@ -132,7 +133,8 @@ struct Edge {
   std::string port_a, port_b, tailport, headport;
 };
 
-// Our attribute, or Graphviz's if it is a number and not a compass point.
+// Returns our port attribute if present. Otherwise returns Graphviz's, unless it is a compass
+// point.
 std::string choose_port(const std::string& ours, const std::string& graphviz) {
   const bool is_number =
       !graphviz.empty() && graphviz.find_first_not_of("0123456789") == std::string::npos;
@@ -165,7 +167,7 @@ RawGraph read_raw(const std::string& text) {
   return raw;
 }
 
-// Restores the file's order of vertices; the reader sorts them by name.
+// Restores the file's order of vertices, because Boost's reader sorts them by name.
 void restore_order(RawGraph& raw, const std::map<std::string, int>& place) {
   std::vector<int> order(raw.vertices.size()), now(raw.vertices.size());
   std::iota(order.begin(), order.end(), 0);
@@ -196,8 +198,8 @@ RawGraph read_raw(const std::string& text, const std::string& name) {
   }
 }
 
-// True if a quoted string can hold the text. The reader keeps a backslash, and a quote after one
-// does not end the string.
+// True if the text can be written as a quoted string. Boost's reader keeps backslashes, and a quote
+// after a backslash does not end the string.
 bool can_quote(std::string_view text) {
   for (size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '\\') continue;
@@ -238,7 +240,7 @@ std::string to_dot(const Topology& topology) {
                   name);
     names.push_back(quote(name));
   }
-  auto title = topology.name;  // ignored by the reader
+  auto title = topology.name;  // the reader ignores it
   if (!can_quote(title)) std::ranges::replace(title, '\\', '/');
   std::string text =
       fmt::format("graph G {{\nlabel={};\nroot={};\nnode [shape=circle];\nedge [fontsize=8];\n",

@@ -1,5 +1,5 @@
 #pragma once
-// Topologies in DOT, read with Boost.Graph.
+// DOT files of topologies, read with Boost.Graph.
 
 #include <string>
 
@@ -7,12 +7,14 @@
 
 namespace topologies {
 
-/// Reads a text by the rules of load_topology; `name` stands for the path. Refuses node:port, since
-/// Boost's reader would drop the port, and an edge from one group in braces to another.
+/// Reads a DOT text by the rules of load_topology; `name` replaces the path in messages. Refuses
+/// node:port, because Boost's reader would drop the port. Refuses an edge between two groups in
+/// braces.
 Topology read_dot(const std::string& text, const std::string& name);
 
 /// Writes DOT that `read_dot` restores with the same processors, root, ports and labels. Throws
-/// BadInput for a label that DOT cannot hold: a backslash at the end, before a quote or a line end.
+/// BadInput for a label that DOT cannot hold: one with a backslash at its end, before a quote or
+/// before a line end.
 std::string to_dot(const Topology& topology);
 
 }  // namespace topologies

@@ -15,7 +15,7 @@
 namespace topologies {
 namespace {
 
-// The attributes that a file declares for its graph, nodes and edges.
+// The attributes declared by a GraphML file for its graph, nodes and edges.
 class Attributes {
  public:
   explicit Attributes(const pugi::xml_node& graphml) {
@@ -24,7 +24,7 @@ class Attributes {
                        key.attribute("attr.name").value(), key.child("default").child_value()});
   }
 
-  // The value of the attribute with one of these names; "" without one.
+  // The value of the first declared attribute with one of these names; "" if there is none.
   std::string find(const pugi::xml_node& element,
                    std::initializer_list<std::string_view> names) const {
     for (const auto& key : keys_) {
@@ -54,7 +54,7 @@ std::string require_attribute(const pugi::xml_node& element, const char* key,
 RawGraph read_raw(const pugi::xml_node& graph, const Attributes& attributes,
                   const std::string& file) {
   RawGraph raw;
-  std::map<std::string, int> vertices;  // by id
+  std::map<std::string, int> vertices;  // by GraphML id
   std::set<std::string> names;
   for (const auto& node : graph.children("node")) {
     const auto id = require_attribute(node, "id", file);
@@ -80,7 +80,7 @@ RawGraph read_raw(const pugi::xml_node& graph, const Attributes& attributes,
                          attributes.find(edge, {"port_a", "tailport"}),
                          attributes.find(edge, {"port_b", "headport"})});
   }
-  // The graph's attribute gives the root by name or by id.
+  // The graph's attribute `root` may hold a name or an id.
   raw.root = attributes.find(graph, {"root"});
   const auto by_id = vertices.find(raw.root);
   if (!names.contains(raw.root) && by_id != vertices.end())

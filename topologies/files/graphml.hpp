@@ -1,5 +1,5 @@
 #pragma once
-// Topologies in GraphML, read with pugixml.
+// GraphML files of topologies, read with pugixml.
 
 #include <string>
 
@@ -7,7 +7,7 @@
 
 namespace topologies {
 
-/// Reads a text by the rules of load_topology; `name` stands for the path.
+/// Reads a GraphML text by the rules of load_topology; `name` replaces the path in messages.
 Topology read_graphml(const std::string& text, const std::string& name);
 
 /// Writes GraphML that `read_graphml` restores with the same processors, root, ports and labels.

@@ -14,8 +14,8 @@
 namespace topologies {
 namespace {
 
-// The processor number of each vertex: its name if the names are exactly 0 .. n-1, else its place
-// in the file. Fills the labels in the latter case.
+// The processor number of each vertex. It is the vertex's name if the names are exactly 0 .. n-1.
+// Otherwise it is the vertex's position in the file, and the names become labels.
 std::vector<int> number_vertices(const RawGraph& graph, Topology& topology) {
   std::vector<int> in_file(graph.vertices.size()), processor;
   std::iota(in_file.begin(), in_file.end(), 0);
@@ -31,7 +31,7 @@ std::vector<int> number_vertices(const RawGraph& graph, Topology& topology) {
   return processor;
 }
 
-// True if every file format, and JSON, can hold the name.
+// True if JSON and every file format can hold the name.
 bool is_name(const std::string& text) {
   const auto is_control = [](unsigned char c) { return c < ' ' && c != '\t' && c != '\n'; };
   return !text.empty() && base::trim(text) == text && base::is_utf8(text) &&
@@ -42,14 +42,15 @@ bool read_flag(const RawVertex& vertex, const std::string& file) {
   const auto is_one_of = [&](std::initializer_list<std::string_view> texts) {
     return std::ranges::find(texts, vertex.root) != texts.end();
   };
-  // Python, and so networkx, writes True and False.
+  // networkx writes True and False, as Python does
   if (is_one_of({"", "false", "False", "0"})) return false;
   if (is_one_of({"true", "True", "1"})) return true;
   throw base::BadInput(fmt::format("{}: vertex \"{}\": root is \"{}\", expected true or false",
                                    file, vertex.name, vertex.root));
 }
 
-int find_root(const RawGraph& graph, const std::string& file) {  // a vertex, or -1
+int find_root(const RawGraph& graph, const std::string& file) {  // returns a vertex, or -1 if none
+                                                                 // is designated
   int root = -1;
   const auto designate = [&](int v) {
     base::require(root < 0 || root == v, file, "both \"{}\" and \"{}\" are designated as root",
@@ -67,7 +68,7 @@ int find_root(const RawGraph& graph, const std::string& file) {  // a vertex, or
 }
 
 int read_port(const RawGraph& graph, const RawEdge& edge, const std::string& text,
-              const std::string& file) {  // -1 when absent
+              const std::string& file) {  // returns -1 if the attribute is missing
   if (text.empty()) return -1;
   if (text.size() == 1 && text[0] >= '0' && text[0] < '0' + PORTS) return text[0] - '0';
   throw base::BadInput(fmt::format("{}: edge \"{}\" to \"{}\": found port \"{}\", expected 0 to {}",
@@ -75,7 +76,8 @@ int read_port(const RawGraph& graph, const RawEdge& edge, const std::string& tex
                                    graph.vertices[edge.target].name, text, PORTS - 1));
 }
 
-// Gives each end without a port the lowest free one, or leaves -1 for `check` to refuse.
+// Gives each end without a port the lowest free one. If no port is free, leaves -1, which `check`
+// refuses.
 void assign_ports(Topology& topology) {
   std::vector<std::array<bool, PORTS>> used(topology.processors);
   const auto each_end = [&](auto visit) {

@@ -1,6 +1,5 @@
 #pragma once
-// An unchecked graph as read from a file, before it becomes a topology. Readers of files use it,
-// and callers with a graph in another form.
+// An unchecked graph, as read from a file. It becomes a topology after checks.
 
 #include <string>
 #include <vector>
@@ -11,26 +10,26 @@ namespace topologies {
 
 struct RawVertex {
   std::string name;
-  std::string root;  ///< text of attribute `root`, "" without one
+  std::string root;  ///< text of the attribute `root`, or "" if it is missing
 };
 
 struct RawEdge {
-  int source = 0, target = 0;  ///< indices of vertices
-  std::string port_a, port_b;  ///< text of the attributes, "" without one
+  int source = 0, target = 0;  ///< indices into `vertices`
+  std::string port_a, port_b;  ///< text of the port attributes, or "" if missing
 };
 
 struct RawGraph {
   std::vector<RawVertex> vertices;  ///< in the order of first mention in the file
   std::vector<RawEdge> edges;       ///< in the file's order
   std::string root;                 ///< name of a vertex, or ""
-  bool has_arrows = false;          ///< the graph is directed
+  bool has_arrows = false;          ///< the file's graph is directed
 };
 
-/// Makes a topology by the rules of formats.hpp; it has passed `check`. Throws BadInput; messages
-/// begin with `name`.
+/// Makes a topology by the rules of formats.hpp; the result passes `check`. Throws BadInput;
+/// messages start with `name`.
 Topology make_topology(const RawGraph& graph, const std::string& name);
 
-/// The processors' names in a file: their labels, else their numbers.
+/// The names of processors in files: their labels, or their numbers if there are no labels.
 std::vector<std::string> names_of(const Topology& topology);
 
 }  // namespace topologies

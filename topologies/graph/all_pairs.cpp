@@ -10,7 +10,7 @@
 namespace topologies {
 namespace {
 
-// A processor or a distance in two bytes, so that the data of a search stays in the cache.
+// A processor or a distance in two bytes, so that the data of a search fits into the cache.
 using Short = std::uint16_t;
 static_assert(MAX_PROCESSORS - 1 <= std::numeric_limits<Short>::max());
 using ShortPeers = std::vector<std::array<Short, PORTS>>;
@@ -25,8 +25,8 @@ ShortPeers make_short_peers(const Topology& topology) {
   return peers;
 }
 
-// A breadth-first search that also finds the port towards the start in the same pass. It follows
-// the routing table's rule: the lowest port to a processor that is one link nearer.
+// Breadth-first search that also finds each processor's port towards the start. As in the routing
+// table, this is the lowest port to a neighbour that is one link nearer.
 class Gathering {
  public:
   explicit Gathering(const ShortPeers& peers)
@@ -36,7 +36,7 @@ class Gathering {
         port_(peers.size()),
         forwarded_(peers.size()) {}
 
-  // Distances stay below UNSEEN in a connected topology that is not a tree.
+  // In a connected topology that is not a tree, all distances are less than UNSEEN.
   void search(int to) {
     std::ranges::fill(distance_, UNSEEN);
     Short* const distance = distance_.data();
@@ -48,7 +48,8 @@ class Gathering {
       const int p = order[i], here = distance[p];
       const auto& peers = peers_[p];
       int back = 0;
-      for (int port = PORTS - 1; port >= 0; --port) {  // branch-free: branches are unpredictable
+      for (int port = PORTS - 1; port >= 0; --port) {  // without branches, since they would be
+                                                       // unpredictable
         const Short peer = peers[port], there = distance[peer];
         back = there < here ? port : back;
         order[found] = peer;
@@ -61,8 +62,9 @@ class Gathering {
     longest_ = std::max<int>(longest_, distance[order[found - 1]]);
   }
 
-  // Sends one message from every processor to the start of the last search, and counts them per
-  // orbit. The farthest processors come first, so that the count a processor forwards is complete.
+  // Sends one message from every processor to the start of the last search, and counts messages per
+  // orbit of processors. Visits the farthest processors first, so that each count is complete
+  // before it is forwarded.
   void add_messages(const Orbits& orbits) {
     sent_.resize(static_cast<std::size_t>(orbits.count()) * PORTS);
     std::ranges::fill(forwarded_, 1);
@@ -93,11 +95,11 @@ class Gathering {
   Sent sent_;
 };
 
-// Searches from one processor of each orbit, on all cores of the host. Integer sums do not depend
-// on the order.
+// Searches from one processor of each orbit, on all cores of the host. The sums are integers and
+// therefore independent of the order of threads.
 template <typename Visit>
 std::vector<Gathering> search_orbits(const ShortPeers& peers, const Orbits& orbits, Visit visit) {
-  constexpr std::int64_t LEAST = 1 << 22;  // pairs that repay the start of a thread
+  constexpr std::int64_t LEAST = 1 << 22;  // minimum number of pairs that justifies a thread
   const std::int64_t pairs = static_cast<std::int64_t>(peers.size()) * orbits.count();
   const std::int64_t cores = std::max(1u, std::thread::hardware_concurrency());
   const int parts = static_cast<int>(std::clamp<std::int64_t>(pairs / LEAST, 1, cores));
@@ -140,7 +142,7 @@ AllPairs search_all_pairs(const Topology& topology) {
   return {add_distances(topology, orbits, gatherings), make_load(topology, sent)};
 }
 
-// In a tree, a link carries exactly the messages of the pairs that it separates.
+// For trees: each link carries one message for every ordered pair that it separates.
 AllPairs eval_tree(const Topology& topology) {
   const std::int64_t n = topology.processors;
   const auto search = make_search(topology, topology.root);
@@ -159,7 +161,7 @@ AllPairs eval_tree(const Topology& topology) {
   return all;
 }
 
-// True if the ports follow the convention of a mesh: 0 north, 1 west, 2 east, 3 south.
+// True if the ports follow the convention for meshes: 0 north, 1 west, 2 east, 3 south.
 bool has_ports_of_mesh(const Topology& topology, const Grid& grid) {
   if (grid.down.closed || grid.along.closed) return false;
   return std::ranges::all_of(topology.links, [&](const Link& link) {
@@ -168,17 +170,19 @@ bool has_ports_of_mesh(const Topology& topology, const Grid& grid) {
   });
 }
 
-// Routes by lowest port on a mesh: north along the own column, along the row, then south along the
-// destination's column.
+// For meshes. The lowest port first means: north along the source's column, along the row, then
+// south along the destination's column.
 AllPairs eval_mesh(const Topology& topology, const Grid& grid) {
   const std::int64_t rows = grid.down.size, columns = grid.along.size;
   AllPairs all{{grid.sum_of_distances(), grid.diameter()}, {}};
   for (const auto& [a, b] : topology.links) {
     const std::int64_t row = a.processor / columns, column = a.processor % columns;
     const std::int64_t above = row + 1, below = rows - above, left = column + 1;
-    if (a.port == 3)  // both ways: between all rows above and the column's processors below
+    if (a.port == 3)  // north-south link: between all processors above and those of the same column
+                      // below, in both directions
       all.load.push_back({above * below * columns, below * above * columns});
-    else  // along the destination's row, or along the source's row before going south
+    else  // east-west link: along the destination's row, or along the source's row before going
+          // south
       all.load.push_back({(below + below + 1) * left * (columns - left),
                           (below + below + 1) * left * (columns - left)});
   }
@@ -189,8 +193,8 @@ AllPairs eval_mesh(const Topology& topology, const Grid& grid) {
 
 Load make_load(const Topology& topology, const Sent& sent) {
   const auto parallel = parallel_ports(topology);
-  // The share of one port. `turn` is its rank among the ports to the same neighbour, lowest first;
-  // `sum` is the number of messages sent to that neighbour.
+  // One link's share of the messages to a neighbour. `sum` is the number of those messages. `turn`
+  // is the link's rank among the parallel links, by ascending port.
   const auto at = [&](const End& end) {
     const auto& next = parallel[end.processor];
     std::int64_t sum = 0, count = 0, turn = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// Distances and link loads of messages between all pairs of processors.
+// Distances and link loads for one message between every pair of processors.
 
 #include <array>
 #include <cstdint>
@@ -9,36 +9,38 @@
 
 namespace topologies {
 
-/// Distances between all ordered pairs of a connected topology's processors.
+/// Distances over all ordered pairs of processors in a connected topology.
 struct Distances {
-  std::int64_t sum = 0;  ///< links
-  int longest = 0;       ///< links: the diameter
+  std::int64_t sum = 0;  ///< in links
+  int longest = 0;       ///< the diameter, in links
 };
 
-/// Messages on each link: [0] from a to b, [1] from b to a.
+/// Number of messages by link: [0] from a to b, [1] from b to a.
 using Load = std::vector<std::array<std::int64_t, 2>>;
 
-/// At [processor * PORTS + port]: messages that the processor sends through the port.
+/// Number of messages that a processor sends through a port, at [processor * PORTS + port].
 using Sent = std::vector<std::int64_t>;
 
-/// Spreads the messages to a neighbour evenly over the links to it, whatever port `sent` counts
-/// them at. The lowest ports take the remainder.
+/// Spreads the messages to each neighbour evenly over all parallel links, even if `sent` counts
+/// them at one port. The lowest ports take the remainder.
 Load make_load(const Topology& topology, const Sent& sent);
 
 struct AllPairs {
   Distances distances;
-  Load load;  ///< by index into `links`: one message per ordered pair, routed as by make_routes
+  Load load;  ///< by index into `links`, for one message per ordered pair on the routes of
+              ///< make_routes
 };
 
-/// Measures a topology that passes `check`. Trees and grids take O(processors) time. Others take
-/// one search per orbit of equivalent processors, on all of the host's cores: some 10 ns a pair on
-/// one core. Every number is exact.
+/// Measures a topology that passes `check`. Trees and grids take O(processors) time. Other
+/// topologies take one search per orbit of equivalent processors, on all cores of the host (about
+/// 10 ns per pair and core). All numbers are exact.
 AllPairs eval_all_pairs(const Topology& topology);
 
-/// The distances alone; without a closed form, in three quarters of that time.
+/// The distances alone. For topologies other than trees and grids, this takes three quarters of the
+/// time.
 Distances eval_distances(const Topology& topology);
 
-/// The mean distance of ordered pairs of distinct processors; 0 for one processor.
+/// The mean distance over ordered pairs of distinct processors; 0 for a single processor.
 double eval_mean_distance(const Topology& topology);
 
 }  // namespace topologies

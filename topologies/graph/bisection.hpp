@@ -3,11 +3,11 @@
 
 namespace topologies {
 
-/// Largest number of processors for an exact bisection, which is then quick.
+/// Largest number of processors for which the exact search is fast.
 constexpr int MOST_BISECTED = 32;
 
-/// The bisection width: the fewest links between two halves that differ by at most one processor.
-/// Exact, by branch and bound; throws BadInput beyond MOST_BISECTED processors.
+/// The bisection width: the minimum number of links between two halves whose sizes differ by at
+/// most one. Exact, by branch and bound. Throws BadInput for more than MOST_BISECTED processors.
 int eval_bisection(const Topology& topology);
 
 }  // namespace topologies

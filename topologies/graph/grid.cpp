@@ -6,7 +6,7 @@
 namespace topologies {
 namespace {
 
-// Links along one line of an axis. A closed axis of two has one link, not a double one.
+// Number of links along one line of an axis. A closed axis of size two has a single link.
 std::int64_t count_links(const Axis& axis) {
   return axis.closed && axis.size > 2 ? axis.size : axis.size - 1;
 }
@@ -21,7 +21,8 @@ bool is_grid(const Topology& topology, const Grid& grid) {
          });
 }
 
-// Candidate numbers of rows and columns, from the topology's shape; else one row.
+// Candidate numbers of rows and columns from the topology's shape; a single row if the shape does
+// not fit.
 std::pair<int, int> find_sizes(const Topology& topology) {
   const auto& [form, rows, columns] = topology.shape;
   const bool fits =
@@ -29,7 +30,7 @@ std::pair<int, int> find_sizes(const Topology& topology) {
   return fits ? std::pair{rows, columns} : std::pair{1, topology.processors};
 }
 
-// True if `shift`, a permutation of the processors, preserves the wiring and its ports.
+// True if the permutation `shift` maps each link to a link with the same ports.
 template <typename Shift>
 bool keeps(const Peers& peers, Shift shift) {
   for (int p = 0; p < static_cast<int>(peers.size()); ++p)

@@ -1,5 +1,5 @@
 #pragma once
-// Topologies whose distances follow from rows and columns: meshes, tori and rings.
+// Topologies with distances given by rows and columns: meshes, tori and rings.
 
 #include <cstdint>
 #include <optional>
@@ -8,33 +8,36 @@
 
 namespace topologies {
 
-/// Places in a line; in a closed one the last is next to the first.
+/// A line of places, or a closed line, in which the last place is next to the first.
 struct Axis {
   int size = 1;
   bool closed = false;
 
-  int distance(int a, int b) const;       ///< steps between two places, 0 to size - 1
-  int diameter() const;                   ///< the largest distance
-  std::int64_t sum_of_distances() const;  ///< over all ordered pairs of places
+  int distance(int a, int b) const;       ///< steps between places `a` and `b`, each from 0 to size
+                                          ///< - 1
+  int diameter() const;                   ///< the largest distance between two places
+  std::int64_t sum_of_distances() const;  ///< sum of distances over all ordered pairs of places
 };
 
-/// Processors numbered row by row; exactly the adjacent ones in a row or a column are linked.
+/// A rectangle of processors, numbered row by row. Links join exactly the adjacent processors of
+/// each row and column.
 struct Grid {
   Axis down, along;  ///< `down.size` rows, `along.size` columns
 
-  int distance(int a, int b) const;  ///< links between two processors
+  int distance(int a, int b) const;  ///< number of links between processors `a` and `b`
   int diameter() const { return down.diameter() + along.diameter(); }
-  std::int64_t sum_of_distances() const;  ///< over all ordered pairs of processors
+  std::int64_t sum_of_distances() const;  ///< sum of distances over all ordered pairs of processors
 };
 
-/// The grid that a topology's links form, or none. The shape gives the size to try; the links are
-/// verified. Neighbours may be on any port.
+/// The grid formed by a topology's links, or none. Takes the size from the topology's shape and
+/// verifies the links. Ports may be arbitrary.
 std::optional<Grid> find_grid(const Topology& topology);
 
-/// Orbits under translation: the wiring, ports included, looks the same from every processor of an
-/// orbit. The `rows` x `columns` processors at the grid's first corner represent all orbits.
+/// Orbits of processors under translation. Seen from any two processors of one orbit, links and
+/// ports are the same. The first `rows` x `columns` processors of the grid represent all orbits.
 struct Orbits {
-  int rows = 1, columns = 1;          ///< size of the corner, with one processor of each orbit
+  int rows = 1, columns = 1;          ///< size of the corner that contains one processor of each
+                                      ///< orbit
   int all_rows = 1, all_columns = 1;  ///< size of the grid
 
   int count() const { return rows * columns; }
@@ -42,12 +45,12 @@ struct Orbits {
   int orbit_of(int processor) const {
     return processor / all_columns % rows * columns + processor % all_columns % columns;
   }
-  /// The orbit's processor in the corner.
+  /// The representative of an orbit.
   int first_of(int orbit) const { return orbit / columns * all_columns + orbit % columns; }
 };
 
-/// Tests whether shifts by one row, and by one column, of the topology's shape preserve all links
-/// and ports; checks every link. Without such a shift, each processor is its own orbit.
+/// Finds orbits from the topology's shape. Checks for every link whether a shift by one row, or by
+/// one column, preserves links and ports. If neither does, each processor is an orbit of its own.
 Orbits find_orbits(const Topology& topology);
 
 }  // namespace topologies

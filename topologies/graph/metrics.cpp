@@ -16,18 +16,19 @@ BusiestLink eval_farm(const Topology& topology, const std::vector<std::vector<Ne
     const int parent = search.parent[*p];
     const auto way = std::ranges::find(around[*p], parent, &Neighbour::processor);
     below[parent] += below[*p];
-    load[way->link] = {below[*p], below[*p]};  // messages and replies
+    load[way->link] = {below[*p], below[*p]};  // messages to the root, and replies
   }
   return find_busiest(topology, load);
 }
 
-constexpr int NEVER = MAX_PROCESSORS;  // more links than any tree has
+constexpr int NEVER = MAX_PROCESSORS;  // exceeds the number of links in any tree
 
-// At [k]: the fewest links cut within a subtree if k of its processors, its root among them, are on
-// the root's side.
+// At [k]: the minimum number of links cut within a subtree if k of its processors are on one side.
+// The subtree's root is one of these k.
 using Cuts = std::vector<int>;
 
-// Adds subtree `child` to `parent`: on the same side, or on the other side for one more cut.
+// Merges the table of subtree `child` into that of `parent`. The child's root is on the parent's
+// side, or on the opposite side at the cost of one more cut.
 Cuts merge_cuts(const Cuts& parent, const Cuts& child) {
   const size_t size = child.size() - 1;
   Cuts joined(child.size());
@@ -39,7 +40,7 @@ Cuts merge_cuts(const Cuts& parent, const Cuts& child) {
   return result;
 }
 
-// True if one link divides a tree into halves.
+// True if cutting a single link divides the tree into halves.
 bool is_halved_by_a_link(const Search& search) {
   const int n = static_cast<int>(search.order.size());
   std::vector<int> below(n, 1);

@@ -8,8 +8,8 @@
 
 namespace topologies {
 
-/// The link direction with the most messages. Ties go to the first link, and on it to a to b.
-/// Processors are -1 without a link.
+/// The direction of a link with the most messages. Ties go to the first link, and there to the
+/// direction from a to b. Processors are -1 if there are no links.
 struct BusiestLink {
   int from = -1, to = -1;
   std::int64_t messages = 0;
@@ -20,19 +20,22 @@ BusiestLink find_busiest(const Topology& topology, const Load& load);
 struct Metrics {
   int processors = 0;
   int links = 0;
-  int degree_min = 0, degree_max = 0;  ///< links of a processor
-  int diameter = 0;                    ///< links
-  double mean_distance = 0;            ///< links, over ordered pairs of distinct processors
-  std::optional<int> bisection_width;  ///< fewest links between two halves (sizes differ by <= 1)
-  /// Load if every processor sends the root one message and gets a reply, along the spanning tree
-  /// from the root: a link carries one message per processor of its subtree each way.
+  int degree_min = 0, degree_max = 0;  ///< number of links at a processor
+  int diameter = 0;                    ///< in links
+  double mean_distance = 0;            ///< in links, over ordered pairs of distinct processors
+  std::optional<int> bisection_width;  ///< minimum number of links between two halves, whose sizes
+                                       ///< differ by at most one
+  /// Link load of a task farm: every processor sends one message to the root and receives a reply
+  /// along the spanning tree. In each direction, a link carries one message per processor in its
+  /// subtree.
   BusiestLink farm;
-  BusiestLink all_to_all;  ///< load of one message per ordered pair, by the routing table
+  BusiestLink all_to_all;  ///< link load of one message per ordered pair of processors, on the
+                           ///< routes of make_routes
 };
 
 /// Measures a topology that passes `check`, in O(processors) memory and the time of eval_all_pairs.
-/// The bisection width is the generator's. Otherwise it is exact for trees and for up to 32
-/// processors, and absent for others.
+/// The bisection width comes from the generator if known. Otherwise it is exact for trees and for
+/// up to 32 processors, and absent for larger topologies.
 Metrics eval_metrics(const Topology& topology);
 
 }  // namespace topologies

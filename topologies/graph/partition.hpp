@@ -3,9 +3,10 @@
 
 namespace topologies {
 
-/// The part of each processor: parts of nearly equal size with few links between them (METIS,
-/// k-way), numbered from 0 without gaps. There are `parts` > 0 of them, or fewer if the topology is
-/// too small or METIS leaves some empty. The same on any host.
+/// Partitions the processors into at most `parts` > 0 parts of nearly equal size with few links
+/// between them (METIS, k-way). Returns the part of each processor, numbered from 0 without gaps.
+/// There are fewer parts if the topology is too small or METIS leaves parts empty. The result is
+/// the same on any host.
 std::vector<int> make_partition(const Topology& topology, int parts);
 
 }  // namespace topologies

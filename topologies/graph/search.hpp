@@ -1,5 +1,5 @@
 #pragma once
-// Breadth-first search with neighbours by ascending port, for routes, trees and metrics.
+// Breadth-first search that visits neighbours by ascending port, for routes, trees and metrics.
 
 #include <functional>
 #include <vector>
@@ -9,19 +9,19 @@
 namespace topologies {
 
 struct Search {
-  std::vector<int> order;     ///< reached processors, in the order of the search
-  std::vector<int> parent;    ///< by processor; -1 for the start and unreached processors
-  std::vector<int> distance;  ///< by processor: links from the start; -1 if unreached
+  std::vector<int> order;     ///< reached processors in visiting order
+  std::vector<int> parent;    ///< by processor; -1 for the start and for unreached processors
+  std::vector<int> distance;  ///< by processor, in links from the start; -1 if unreached
 };
 
-/// Searches a topology; its links must end at valid processors, but it need not be connected.
+/// Searches from `start`. Links must end at valid processors, but the topology may be disconnected.
 Search make_search(const Topology& topology, int start);
 
-/// True if every processor can reach every other one.
+/// True if every processor can reach all others.
 bool is_connected(const Topology& topology);
 
-/// Calls `visit` with a search for each connected component: first from the root, then from the
-/// lowest unreached processor.
+/// Searches each connected component and calls `visit`. The first search starts at the root, each
+/// later one at the lowest unreached processor.
 void for_each_piece(const Topology& topology,
                     const std::function<void(int start, const Search&)>& visit);
 

@@ -93,7 +93,7 @@ namespace {
 
 using base::require;
 
-// The beginning of a message about a topology.
+// First words of messages about a topology.
 std::string place_of(const Topology& t) { return "topology " + t.name; }
 
 void check_ends(const Topology& t) {

@@ -24,7 +24,7 @@ void exchange(Peers& peers, int a, int b, int c, int d) {
   replace(peers, c, d, a), replace(peers, d, c, b);
 }
 
-// Links each processor to the next, and to the one sqrt(n) places on.
+// Links each processor to its successor and to the processor sqrt(n) places further on.
 Peers make_chordal_ring(int n) {
   Peers peers(n);
   int step = 2;
@@ -34,7 +34,7 @@ Peers make_chordal_ring(int n) {
   return peers;
 }
 
-// Links every pair of at most five processors.
+// Links every pair of processors; n is at most 5.
 Peers make_complete(int n) {
   Peers peers(n);
   for (int p = 0; p < n; ++p)
@@ -43,10 +43,10 @@ Peers make_complete(int n) {
 }
 
 template <size_t WORDS>
-using Sources = std::array<std::uint64_t, WORDS>;  // a bit for each processor of a group
+using Sources = std::array<std::uint64_t, WORDS>;  // a bit set with one bit per search
 
 template <size_t WORDS>
-std::int64_t count(const Sources<WORDS>& sources) {  // population count, inline and branch-free
+std::int64_t count(const Sources<WORDS>& sources) {  // inline, branch-free population count
   std::uint64_t bytes = 0;
   for (std::uint64_t x : sources) {
     x -= (x >> 1) & 0x5555555555555555u;
@@ -57,9 +57,9 @@ std::int64_t count(const Sources<WORDS>& sources) {  // population count, inline
   return static_cast<std::int64_t>((bytes * 0x0001000100010001u) >> 48);
 }
 
-// The sum of distances over all ordered pairs, or some number above `limit` if the sum exceeds it.
-// Searches breadth first from 64 * WORDS processors at a time, one bit each. A pair at distance d
-// counts in the rounds 0 .. d - 1, before the two meet.
+// The sum of distances over all ordered pairs, or any number above `limit` if the sum exceeds it.
+// Runs 64 * WORDS breadth-first searches at a time, one bit for each start. A pair at distance d
+// adds 1 in each of the rounds 0 .. d - 1, in which the search has not yet arrived.
 template <size_t WORDS>
 std::int64_t eval_distances(const Peers& peers, std::int64_t limit) {
   const auto n = static_cast<std::int64_t>(peers.size());
@@ -89,7 +89,8 @@ struct Exchange {
   int a, b, c, d;
 };
 
-// Draws two links a-b and c-d at random, on ports from `first` on, and exchanges them if possible.
+// Draws two random links a-b and c-d with ports not less than `first`, and exchanges their ends if
+// possible.
 std::optional<Exchange> try_exchange(Peers& peers, std::mt19937_64& random, int first) {
   const auto draw = [&](size_t below) { return static_cast<int>(random() % below); };
   const int a = draw(peers.size()), b = peers[a][first + draw(PORTS - first)];
@@ -100,20 +101,21 @@ std::optional<Exchange> try_exchange(Peers& peers, std::mt19937_64& random, int 
   return Exchange{a, b, c, d};
 }
 
-// The number of exchanges to try; depends on n alone, so that every host finds the same network.
+// Number of exchanges to try. It depends only on n, so that every host makes the same network.
 std::int64_t steps_for(std::int64_t n) {
-  constexpr std::int64_t MOST = 16384;  // processors; beyond, the few steps would gain nothing
+  constexpr std::int64_t MOST = 16384;  // processors; more would allow too few steps to be useful
   if (n > MOST) return 0;
   return std::min({std::int64_t{100'000}, 10'000'000 / n, 10'000'000'000 / (n * n)});
 }
 
-// Shuffles the chords, then keeps exchanges that do not lengthen the distances. Large random
-// networks skip the second step: their means differ too little for such a search.
+// Shuffles the chords, then keeps those exchanges that do not increase the distances. Large
+// networks skip the second step, because mean distances of random networks differ little.
 void shorten(Peers& peers) {
   const auto n = static_cast<std::int64_t>(peers.size());
   const auto eval = n <= 64 ? eval_distances<1> : eval_distances<4>;
   std::mt19937_64 random(peers.size());
-  constexpr int CHORDS = 2;  // first port of a chord; the ring keeps the network connected
+  constexpr int CHORDS = 2;  // first port of a chord; ports below it form the ring, which keeps the
+                             // network connected
   for (std::int64_t i = 0; i < 8 * n; ++i) try_exchange(peers, random, CHORDS);
   std::int64_t steps = steps_for(n);
   if (steps == 0) return;
@@ -128,7 +130,7 @@ void shorten(Peers& peers) {
     }
 }
 
-// Renumbers level by level from processor 0, with the peers of each processor in ascending order.
+// Renumbers processors level by level from processor 0, and sorts each processor's peers.
 Peers in_levels(const Peers& peers) {
   std::vector<int> order{0}, number(peers.size(), -1);
   number[0] = 0;
@@ -148,7 +150,7 @@ Peers in_levels(const Peers& peers) {
   return renumbered;
 }
 
-// Assigns ports by ascending number of the neighbour; leaves the root's port 0 free.
+// Assigns ports in the order of the neighbours' numbers. Port 0 of the root stays free.
 std::vector<Link> make_links(const Peers& peers) {
   std::vector<Link> links;
   std::vector<int> port(peers.size(), 0);

@@ -81,7 +81,7 @@ Topology make_tree(int n, int arity) {
       make_empty(arity == 3 ? fmt::format("tree:{}", n) : fmt::format("tree:{}:{}", n, arity), n);
   expect(t, n >= 1, "at least 1 processor");
   expect(t, arity >= 1 && arity <= 3, "an arity of 1, 2 or 3 (the fourth link is the parent's)");
-  int first = 0, width = 1;  // the parents are first .. first + width - 1
+  int first = 0, width = 1;  // the parents are processors first .. first + width - 1
   for (int level = 1; level < n;) {
     const int nodes = std::min(width * arity, n - level);
     for (int k = 0; k < nodes; ++k) add(t, {first + k % width, 1 + k / width}, {level + k, 0});
@@ -90,7 +90,7 @@ Topology make_tree(int n, int arity) {
   return sorted(std::move(t));
 }
 
-// A tree with at most two children per node, on ports 1 and 2.
+// A tree with at most two children per processor, on ports 1 and 2.
 Topology make_binary(int n) {
   auto t = make_tree(n, 2);
   t.name = fmt::format("binary:{}", n);
@@ -108,7 +108,7 @@ Topology make_mesh(int rows, int columns) {
     if ((p + 1) % columns) add(t, {p, 2}, {p + 1, 1});
     if (p + columns < t.processors) add(t, {p, 3}, {p + columns, 0});
   }
-  // Cuts across the longer side: straight if it is even, else with one step in the middle line.
+  // Cuts across the longer side. If it is odd, the cut has one step in the middle line.
   const auto [narrow, wide] = std::minmax(rows, columns);
   t.bisection_width = wide == 1 ? 0 : narrow + (wide % 2 && narrow > 1 ? 1 : 0);
   return sorted(std::move(t));
@@ -230,7 +230,8 @@ namespace {
 Topology make_generated(std::string_view spec) {
   const auto colon = std::min(spec.find(':'), spec.size());
   const auto& generator = find_generator(spec, spec.substr(0, colon));
-  const auto form = generator.form.substr(generator.form.find(':') + 1);  // "RxC", "N[:ARITY]"
+  const auto form = generator.form.substr(generator.form.find(':') + 1);  // such as "RxC" or
+                                                                          // "N[:ARITY]"
   const char separator = form.find('x') == form.npos ? ':' : 'x';
   const auto most = 1 + std::ranges::count(form, separator);
   const auto fewest = most - std::ranges::count(form, '[');

@@ -1,6 +1,6 @@
 #pragma once
-// Generators of regular topologies: each is one function from sizes to a wiring. The root is
-// processor 0; its port 0 stays free if it has a free port.
+// Generators of regular topologies. Each is a function from sizes to a wiring. The root is
+// processor 0; its port 0 stays free unless all four ports are needed.
 
 #include <functional>
 #include <string>
@@ -11,30 +11,31 @@
 
 namespace topologies {
 
-// All throw BadInput if a size is out of range or there would be more than MAX_PROCESSORS
-// processors. Drawings with ports are in generators.cpp.
+// All generators throw BadInput if a size is out of range or if there would be more than
+// MAX_PROCESSORS processors. Drawings with ports are in generators.cpp.
 Topology make_line(int n);                   ///< n >= 1
 Topology make_ring(int n);                   ///< n >= 3
 Topology make_tree(int n, int arity = 3);    ///< n >= 1, arity 1..3; thesis, figure 4.21
 Topology make_binary(int n);                 ///< make_tree(n, 2)
 Topology make_mesh(int rows, int columns);   ///< rows, columns >= 1
-Topology make_torus(int rows, int columns);  ///< rows, columns >= 1; a ring of two is one link
+Topology make_torus(int rows, int columns);  ///< rows, columns >= 1; a row or column of two has one
+                                             ///< link
 Topology make_hypercube(int dimensions);     ///< 0..4
 Topology make_star(int n);                   ///< a centre and n - 1 leaves, n in 1..5
 
 struct Generator {
-  std::string form;  ///< "mesh:RxC": its name, and its sizes with their separator
-  std::string help;  ///< one line: the topology and the range of its sizes
+  std::string form;  ///< the name, then the sizes with their separator: "mesh:RxC"
+  std::string help;  ///< one line that describes the topology and the range of its sizes
   std::function<Topology(const std::vector<int>& sizes)> make;
 
   std::string name() const { return form.substr(0, form.find(':')); }
 };
 
-/// All generators, in the order of the help text.
+/// All generators, in the order used by the help text.
 const std::vector<Generator>& generators();
 
 /// Makes a topology from a spec: a generator ("tree:7", "mesh:4x4") or the path of a .dot, .gv or
-/// .graphml file (see formats.hpp). The result has passed `check`. Throws BadInput.
+/// .graphml file (formats.hpp). The result passes `check`. Throws BadInput.
 Topology make_topology(std::string_view spec);
 
 }  // namespace topologies

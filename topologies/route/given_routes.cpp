@@ -21,11 +21,11 @@ const std::vector<std::string> COLUMNS{"from", "to", "path"};
 
 struct Row {
   int line;
-  std::string text;  // the path as the file spells it
+  std::string text;  // the path as spelled in the file
   std::vector<int> path;
 };
 
-// The next processor on a given path to an end, and the row that gives it.
+// The next processor on a given path, and the row that contains the path.
 struct Step {
   int next;
   const Row* row;
@@ -33,7 +33,7 @@ struct Step {
 
 class Reader {
  public:
-  using Steps = std::map<int, Step>;  // by the processor at the start of the step
+  using Steps = std::map<int, Step>;  // by the processor where the step starts
 
   Reader(const Topology& topology, const std::string& text, const std::string& name)
       : topology_(topology), around_(neighbours(topology)), csv_(text, name) {
@@ -90,7 +90,7 @@ class Reader {
                               path[i], path[i + 1], topology_.name));
   }
 
-  // Adds the steps of a row's path in one direction.
+  // Adds the steps of a row's path in one direction to the known steps.
   void add_steps(const Row& row, const std::vector<int>& path) {
     for (size_t i = 0; i + 1 < path.size(); ++i) {
       const int at = path[i], next = path[i + 1];
@@ -109,11 +109,11 @@ class Reader {
   std::vector<std::vector<Neighbour>> around_;
   base::CsvReader csv_;
   std::deque<Row> rows_;
-  std::set<std::pair<int, int>> given_;  // pairs of processors with a row
+  std::set<std::pair<int, int>> given_;  // pairs of processors that have a row
   std::map<int, Steps> steps_;           // by destination
 };
 
-// Routes along the given paths to their ends; other pairs use the routes in `others`.
+// Follows given paths to their destinations; other pairs use the routes in `others`.
 class GivenRule : public Rule {
  public:
   GivenRule(const Topology& topology, RoutingTable others,

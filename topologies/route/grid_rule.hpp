@@ -1,5 +1,5 @@
 #pragma once
-// Shortest routes of meshes, tori and rings, from rows and columns.
+// Shortest routes of meshes, tori and rings, computed from rows and columns.
 
 #include <algorithm>
 
@@ -8,23 +8,25 @@
 
 namespace topologies {
 
-/// Takes the lowest port to a nearer neighbour; rows and columns give the distances.
+/// Takes the lowest port to a neighbour nearer to the destination. Distances follow from rows and
+/// columns.
 class GridRule : public Rule {
  public:
-  /// `grid` is the topology's grid from find_grid.
+  /// `grid` is the result of find_grid for the topology.
   GridRule(const Topology& topology, const Grid& grid) : Rule(topology), grid_(grid) {}
 
   int next_port(int from, int to) const override;
   int distance(int from, int to) const override { return grid_.distance(from, to); }
   RouteSum sum() const override;
-  /// Adds all turns at once, in O(processors) time. The choice of port depends only on the sides of
-  /// the destination's row and column. Destinations within two steps, or within two steps of the
-  /// farthest place, already show every change after one step.
+  /// Adds all turns at once in O(processors) time, using sample destinations. A port depends only
+  /// on the directions to the destination's row and column. These change only near the processor
+  /// itself and near the farthest place. Destinations within two steps of either are therefore
+  /// sufficient.
   void add_turns(Turns& turns, int first, int last) const override;
 
  protected:
   const Grid& grid() const { return grid_; }
-  /// The lowest port to a nearer neighbour that `fits` accepts.
+  /// The lowest port to a nearer neighbour for which `fits` returns true.
   int find_port(int from, int to, auto fits) const {
     const auto& around = peers()[from];
     const int here = grid_.distance(from, to);
@@ -38,7 +40,7 @@ class GridRule : public Rule {
   Grid grid_;
 };
 
-/// Dimension order: first along the row, then along the column.
+/// Dimension-order routing: first along the row, then along the column.
 class XyRule : public GridRule {
  public:
   using GridRule::GridRule;

@@ -3,7 +3,8 @@
 namespace topologies {
 namespace {
 
-// Adds up messages over routing trees: the routes to one processor form a tree with it at the root.
+// Counts messages along routing trees. The routes to one destination form a tree with the
+// destination as its root.
 class Collecting {
  public:
   explicit Collecting(const RoutingTable& routes)
@@ -13,7 +14,8 @@ class Collecting {
         messages_(routes.processors),
         sent_(static_cast<std::size_t>(routes.processors) * PORTS) {}
 
-  // Adds a message from each processor to `to`. A processor forwards once all before it are done.
+  // Adds a message from each processor to `to`. A processor forwards only after all its
+  // predecessors in the tree have sent.
   void add_messages_to(int to) {
     const auto& peers = routes_.rule->peers();
     const auto next = [&](int p) { return peers[p][port_[p]]; };
@@ -36,7 +38,7 @@ class Collecting {
   static constexpr int DONE = -1;
 
   const RoutingTable& routes_;
-  std::vector<int> port_, before_;  // ports; neighbours that still have to send to a processor
+  std::vector<int> port_, before_;  // `before_`: neighbours that have not yet sent to the processor
   std::vector<std::int64_t> messages_;
   Sent sent_;
 };

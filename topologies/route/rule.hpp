@@ -1,5 +1,5 @@
 #pragma once
-// The interface of all kinds of routes: next port, distance, turns.
+// Interface of all routing rules: next port, distance, turns.
 
 #include <cstdint>
 #include <vector>
@@ -17,28 +17,29 @@ struct RouteSum {
   }
 };
 
-/// At [processor * PORTS + port]: a bit for each port of the neighbour there, set if some route
-/// takes both ports in a row.
+/// Pairs of ports that some route takes in succession. At [processor * PORTS + port]: a bit for
+/// each outgoing port of the neighbour at that port.
 using Turns = std::vector<std::uint8_t>;
 
-/// Routes of one topology: one loop-free route from each processor to each other, so that the next
-/// port depends only on processor and destination. Kinds that find routes on demand keep them.
-/// Threads may query ports and distances concurrently.
+/// The routes of one topology. Each ordered pair of processors has at most one route, without
+/// loops. The next port depends only on the current processor and the destination. Rules that
+/// compute routes on demand cache them. Threads may query ports and distances concurrently.
 class Rule {
  public:
   explicit Rule(const Topology& topology) : peers_(make_peers(topology)) {}
   virtual ~Rule() = default;
 
-  /// The port of `from` that leads to `to`, another processor; -1 if there is no route.
+  /// The port of `from` that leads to a different processor `to`; -1 if there is no route.
   virtual int next_port(int from, int to) const = 0;
-  /// Links on the route; -1 if there is none. By default walks the route.
+  /// Number of links on the route; -1 if there is none. The default implementation follows the
+  /// route.
   virtual int distance(int from, int to) const;
-  /// The sum over all routes to one processor.
+  /// Total length of all routes to one processor.
   virtual RouteSum sum_to(int to) const;
-  /// The sum over all routes.
+  /// Total length of all routes.
   virtual RouteSum sum() const;
-  /// Adds all turns on routes to the processors `first` to `last` - 1; may add turns of other
-  /// routes.
+  /// Adds all turns on routes to the processors `first` to `last` - 1. An implementation may also
+  /// add turns of routes to other processors.
   virtual void add_turns(Turns& turns, int first, int last) const;
 
   int processors() const { return static_cast<int>(peers_.size()); }

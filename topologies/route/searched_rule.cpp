@@ -7,12 +7,14 @@
 
 namespace topologies {
 
-// State of a search from all ends of a group; each step goes one link farther.
+// State of simultaneous searches from the destinations of a group. Each step extends all searches
+// by one link.
 struct SearchedRule::Work {
-  std::vector<Word> met;          // by processor: the ends that have reached it
-  std::vector<Word> news;         // by processor: the ends that this step adds
-  std::vector<int> seen;          // by processor: the last step that examined it
-  std::vector<int> active, next;  // processors reached by the last step, and by this one
+  std::vector<Word> met;          // by processor: bit set of the destinations whose search has
+                                  // arrived
+  std::vector<Word> news;         // by processor: destinations whose search arrives in this step
+  std::vector<int> seen;          // by processor: the last step in which it was examined
+  std::vector<int> active, next;  // processors reached in the previous step, and in this step
   int step = 0;
 };
 
@@ -27,8 +29,8 @@ SearchedRule::SearchedRule(const Topology& topology)
   found_.resize(groups());
 }
 
-// In this step a processor meets all ends that had reached its neighbours. Neighbours that know an
-// end new to the processor are one link nearer to that end.
+// Extends all searches by one link. A search arrives at a processor if it had arrived at one of the
+// neighbours before. The neighbours from which it comes are one link nearer to the destination.
 void SearchedRule::add_step(const Peers& peers, Work& work, Routes& routes) {
   ++work.step;
   work.next.clear();
@@ -100,7 +102,7 @@ SearchedRule::Word SearchedRule::ends_reached(int from, int group) const {
 void SearchedRule::add_turns(Turns& turns, int first, int last) const {
   for (int group = first / GROUP; group * GROUP < last; ++group) {
     const auto routes = find_routes(group);
-    // By processor and port: the ends that the port leads to.
+    // by processor and port: destinations reached through the port
     std::vector<std::array<Word, PORTS>> led(peers().size());
     for (int p = 0; p < processors(); ++p) {
       const auto [low, high] = routes.port[p];

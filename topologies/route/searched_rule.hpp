@@ -1,5 +1,5 @@
 #pragma once
-// Shortest routes of any topology, found on demand.
+// Shortest routes of arbitrary topologies, found on demand.
 
 #include <array>
 #include <memory>
@@ -9,12 +9,12 @@
 
 namespace topologies {
 
-/// Takes the lowest port to a neighbour that is one link nearer. Finds routes to 64 processors at a
-/// time, by searches with one bit of a word each, and keeps them in two bits a pair. For 64 ends
-/// among 65536 processors that takes 1 MB and some milliseconds.
+/// Takes the lowest port to a neighbour that is one link nearer to the destination. Finds the
+/// routes to 64 destinations at a time by bit-parallel search, and caches them in two bits per
+/// pair. In a machine of 65536 processors, 64 destinations take 1 MB and some milliseconds.
 class SearchedRule : public Rule {
  public:
-  /// The topology may have lost links.
+  /// The topology may have lost links since its check.
   explicit SearchedRule(const Topology& topology);
 
   int next_port(int from, int to) const override;
@@ -22,10 +22,11 @@ class SearchedRule : public Rule {
   void add_turns(Turns& turns, int first, int last) const override;
 
  private:
-  static constexpr int GROUP = 64;  // ends with one bit of a word each
+  static constexpr int GROUP = 64;  // destinations per search, one bit of a word each
   using Word = std::uint64_t;
   struct Routes {
-    std::vector<std::array<Word, 2>> port;  // by processor: the bits of its port to each end
+    std::vector<std::array<Word, 2>> port;  // by processor: low and high bits of its port to each
+                                            // destination of the group
     RouteSum sum;
   };
   struct Work;
@@ -33,10 +34,11 @@ class SearchedRule : public Rule {
   Routes find_routes(int group) const;
   static void add_step(const Peers& peers, Work& work, Routes& routes);
   int groups() const { return (processors() + GROUP - 1) / GROUP; }
-  Word ends_reached(int from, int group) const;  // reachable ends other than `from`
+  Word ends_reached(int from, int group) const;  // reachable destinations of a group other than
+                                                 // `from`
 
   std::vector<int> piece_;                                    // connected component, by processor
-  bool is_whole_ = false;                                     // connected
+  bool is_whole_ = false;                                     // true if the topology is connected
   mutable std::vector<std::unique_ptr<const Routes>> found_;  // by group
   mutable std::vector<std::once_flag> finds_;                 // by group
 };

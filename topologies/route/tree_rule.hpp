@@ -1,15 +1,15 @@
 #pragma once
-// Routes of a tree, by interval routing.
+// Routes in a tree, by interval routing.
 
 #include "topologies/route/rule.hpp"
 
 namespace topologies {
 
-/// Numbers processors in preorder from the root. The processors below a link are an interval of
-/// these numbers; all other destinations are upwards.
+/// Numbers processors in preorder from the root. The subtree below a link is an interval of these
+/// numbers. All destinations outside the intervals of the children lie upwards.
 class TreeRule : public Rule {
  public:
-  /// The topology is connected and has no cycles.
+  /// The topology must be connected and have no cycles.
   explicit TreeRule(const Topology& topology);
 
   int next_port(int from, int to) const override;
@@ -18,12 +18,12 @@ class TreeRule : public Rule {
   void add_turns(Turns& turns, int first, int last) const override;
 
  private:
-  bool is_below(int p, int top) const {  // or equal
+  bool is_below(int p, int top) const {  // true also if p == top
     return begin_[p] >= begin_[top] && begin_[p] < begin_[top] + size_[top];
   }
 
   std::vector<int> parent_, depth_;
-  std::vector<int> begin_, size_;  // interval of a processor's subtree
+  std::vector<int> begin_, size_;  // the interval of numbers in each processor's subtree
 };
 
 }  // namespace topologies

@@ -13,13 +13,13 @@ namespace topologies {
 
 namespace {
 
-// A processor's route to one destination: its length in links, and its first port.
+// A processor's route to one destination: length in links, and first port.
 struct Way {
   static constexpr int FAR = std::numeric_limits<int>::max() / 2;
   int length = FAR, port = 0;
 };
 
-// Finds the routes to a destination on demand, and keeps them.
+// Up*/down* routes, found on demand and cached by destination.
 class UpDown : public Rule {
  public:
   explicit UpDown(const Topology& topology)
@@ -57,12 +57,14 @@ class UpDown : public Rule {
   std::vector<Way> find_ways(int to) const {
     std::vector<Way> ways(peers().size());
     ways[to].length = 0;
-    // Downward links, from the bottom up, so that the processors below already have their routes.
+    // Downward routes: visit processors from the bottom up, so that those below already have
+    // routes.
     for (auto p = downwards_.rbegin(); p != downwards_.rend(); ++p)
       for (int port = 0; port < PORTS; ++port)
         if (const int peer = peers()[*p][port]; is_above(*p, peer))
           improve(ways[*p], ways[peer], port);
-    // The others send upwards; from the top down, so that the processors above have their routes.
+    // All other processors send upwards: visit from the top down, so that those above already have
+    // routes.
     for (const int p : downwards_)
       if (ways[p].length >= Way::FAR)
         for (int port = 0; port < PORTS; ++port)
@@ -80,9 +82,9 @@ class UpDown : public Rule {
   mutable std::vector<std::once_flag> finds_;  // by destination
 };
 
-// True if the graph of turns has a cycle. Its vertices are the directions of links: PORTS *
-// processor + outgoing port. Removes vertices without predecessors repeatedly; the rest are on a
-// cycle or behind one.
+// True if the graph of turns has a cycle. Its vertices are link directions, numbered PORTS *
+// processor + outgoing port. Repeatedly removes vertices without predecessors. If any vertices
+// remain, there is a cycle.
 bool has_cycle(const Turns& turns, const Peers& peers) {
   const auto for_each_next = [&](std::size_t way, auto visit) {
     const int peer = peers[way / PORTS][way % PORTS];
@@ -102,7 +104,7 @@ bool has_cycle(const Turns& turns, const Peers& peers) {
   return free.size() < turns.size();
 }
 
-// The turns of broadcast messages, which follow `tree` from any of its processors.
+// The turns of broadcast messages, which can start at any processor and follow the edges of `tree`.
 Turns make_tree_turns(const Topology& topology, const Peers& peers, const TreeLinks& tree) {
   const std::set<std::pair<int, int>> links(tree.begin(), tree.end());
   std::vector<std::uint8_t> branches(peers.size());  // a bit for each port
@@ -127,7 +129,7 @@ RoutingTable make_up_down_routes(const Topology& topology) {
 }
 
 bool closes_cycle(const Topology& topology, const RoutingTable& routes, const TreeLinks& tree) {
-  constexpr int FIRST_LOOK = 64;  // destinations; cycles usually show early
+  constexpr int FIRST_LOOK = 64;  // destinations in the first batch, as cycles usually show early
   const auto peers = make_peers(topology);
   auto turns = make_tree_turns(topology, peers, tree);
   int last = 0;

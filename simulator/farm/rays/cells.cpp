@@ -56,7 +56,7 @@ std::uint64_t Cells::place_of(std::uint32_t sample) const {
   if (order == CellOrder::sequential) return sample;
   if (order != CellOrder::recursive) return 0;
   const auto p = pixel_of(sample, width);
-  std::uint64_t place = 0;  // bits of x and y interleaved
+  std::uint64_t place = 0;  // interleaves the bits of x and y
   for (int bit = 0; bit < 17; ++bit) {
     place |= static_cast<std::uint64_t>((p.x - x) >> bit & 1) << (2 * bit);
     place |= static_cast<std::uint64_t>((p.y - y) >> bit & 1) << (2 * bit + 1);
@@ -88,7 +88,7 @@ std::vector<renderer::Ray> make_initial_rays(const renderer::Scene& scene,
                                              std::uint64_t seed) {
   const Area area = renderer::get_area(params);
   using Key = std::tuple<int, std::uint64_t, std::uint64_t, std::uint32_t>;
-  std::vector<Key> order;  // -cell, place, random, sample
+  std::vector<Key> order;  // sort keys: -size, place, random number, sample
   for (int y = area.y; y < area.y + area.height; ++y)
     for (int x = area.x; x < area.x + area.width; ++x) {
       const auto sample = static_cast<std::uint32_t>(y * params.width + x);
@@ -161,12 +161,12 @@ void FrameBuffer::add(const renderer::Block& block, renderer::Work& work) {
     }
 }
 
-// True if the sample's own pixel shows its cell or a smaller one.
+// True if the sample's pixel shows the sample's own cell or a smaller one.
 bool FrameBuffer::is_sampled(std::uint32_t sample) const {
   return owner_[sample] <= cells_.fineness_of(sample);
 }
 
-// Size of the sample's cell after its subdivision so far.
+// Size of the sample's cell after the divisions so far.
 int FrameBuffer::size_now(std::uint32_t sample) const {
   const auto p = pixel_of(sample, width_);
   const auto is_done = [&](int x, int y) {
@@ -180,7 +180,7 @@ int FrameBuffer::size_now(std::uint32_t sample) const {
   return size;
 }
 
-// Claims the pixels of the sample's cell from larger cells.
+// Takes over the pixels of the sample's cell from larger cells.
 void FrameBuffer::own(std::uint32_t sample) {
   if (is_sampled(sample)) return;
   const auto fineness = cells_.fineness_of(sample);
@@ -192,8 +192,8 @@ void FrameBuffer::own(std::uint32_t sample) {
     }
 }
 
-// Paints the sample's cell. (Cells of one size do not overlap, so equal fineness marks its own
-// pixels.)
+// Paints the sample's cell. Cells of one size do not overlap, so pixels with this cell's fineness
+// belong to it.
 bool FrameBuffer::paint(std::uint32_t sample, renderer::Work& work) {
   bool changed = false;
   const auto colour = renderer::make_rgb8(colour_of(sample));
@@ -219,7 +219,7 @@ bool FrameBuffer::paint(std::uint32_t sample, renderer::Work& work) {
   return changed;
 }
 
-// Repaints cells with this sample at one of their other corners.
+// Repaints the cells that have this sample at one of their other corners.
 bool FrameBuffer::paint_neighbours(std::uint32_t sample, renderer::Work& work) {
   bool changed = false;
   const auto p = pixel_of(sample, width_);
@@ -232,8 +232,8 @@ bool FrameBuffer::paint_neighbours(std::uint32_t sample, renderer::Work& work) {
   return changed;
 }
 
-// Bilinear colour at pixel (x, y) between the samples at the corners of the cell of `sample`. A
-// corner without a sample takes the colour of `sample`.
+// Interpolates the colour at pixel (x, y) bilinearly between the corners of the sample's cell.
+// Corners without a sample take the colour of `sample`.
 Rgb FrameBuffer::eval_smooth(std::uint32_t sample, int x, int y) const {
   const auto p = pixel_of(sample, width_);
   const int size = size_now(sample);

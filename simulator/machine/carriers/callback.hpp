@@ -1,5 +1,5 @@
 #pragma once
-// Callbacks of events.
+// A callback type for events.
 #include <cstdint>
 #include <cstring>
 #include <new>
@@ -7,8 +7,8 @@
 
 namespace machine {
 
-/// A small function object, copied as plain bytes (std::function would need an allocation or a call
-/// for each move, millions of times).
+/// A small function object that is copied bytewise. std::function would need an allocation or an
+/// indirect call for each of millions of moves.
 class Callback {
  public:
   Callback() = default;
@@ -21,8 +21,8 @@ class Callback {
     new (body_) Body(body);
   }
   void operator()() { call_(body_); }
-  /// Prefetches the object that the body's first member points to. (If that is no pointer, the
-  /// prefetch is useless but harmless.)
+  /// Prefetches the object to which the first member of the body points. If that member is not a
+  /// pointer, the prefetch is useless but harmless.
   void prefetch() const {
     std::uintptr_t at = 0;
     std::memcpy(&at, body_, sizeof at);

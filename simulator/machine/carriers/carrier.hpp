@@ -1,7 +1,9 @@
 #pragma once
-// Carriers move the messages over the links and so drive the clock: SimGrid, or our own rules.
+// Interface of the carriers, which move messages over links and drive the clock. One implementation
+// uses SimGrid, another its own rules.
 //
-// A carrier numbers the directions of links; a link has two consecutive numbers, the first even.
+// A carrier numbers the directions of links. The two directions of a link have consecutive numbers,
+// the first of them even.
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -11,54 +13,57 @@
 
 namespace machine {
 
-/// Implementation of process bodies. Results are the same, byte by byte.
+/// Implementation of process bodies. The results do not depend on it.
 enum class Processes : std::uint8_t {
-  fibers,  ///< our own stacks, see make_fiber; several times faster
-  actors,  ///< SimGrid actors, each on the SimGrid host of its processor
+  fibers,  ///< stacks switched by tlab, see make_fiber; several times faster
+  actors,  ///< SimGrid actors on the SimGrid host of their processor
 };
 
 struct LinkRates {
-  double one_way;    ///< bytes/s of a direction alone
-  double both_ways;  ///< bytes/s of both directions together
+  double one_way;    ///< bytes/s of one direction while the opposite one is idle
+  double both_ways;  ///< bytes/s of both directions together while both are busy
 };
 
 class Carrier {
  public:
   virtual ~Carrier() = default;
 
-  /// Builds the network; only before run(). Processors are numbered from 0 in order of creation.
+  /// Adds a processor before run(). Processors are numbered from 0 in the order of these calls.
   virtual void add_processor(const std::string& name) = 0;
-  /// Returns the number of the direction from a to b. `rank`: rank of the link in the machine.
+  /// Adds a link before run() and returns the number of its direction from a to b. `rank` is the
+  /// link's position in the machine's order of links.
   virtual std::size_t add_link(int a, int b, LinkRates rates, std::size_t rank) = 0;
   virtual std::unique_ptr<Coroutine> make_coroutine(int processor, const std::string& name,
                                                     Coroutine::Body body) = 0;
 
-  /// Moves `bytes` (> 0) over an idle direction, from now on, then handles `arrived`.
+  /// Moves `bytes` (> 0) over an idle direction, starting now, then calls `arrived`.
   virtual void start(std::size_t direction, std::uint64_t bytes, Callback arrived) = 0;
-  /// Bytes still to move at `date`, if no message starts or ends on the link before; 0 without a
-  /// message.
+  /// Bytes of the current message left at `date`, provided that no message starts or ends on the
+  /// link before; 0 if the direction is idle.
   virtual double left_of(std::size_t direction, double date) const = 0;
-  /// Cuts a direction. The message under way never arrives, and no new one may start.
+  /// Cuts a direction. The current message never arrives, and no message may start afterwards.
   virtual void cut(std::size_t direction) = 0;
-  /// Handles events and moves messages until neither is left, or the events are stopped.
+  /// Handles events and moves messages until both are exhausted or the events are stopped.
   virtual void run() = 0;
 
-  /// For the engines of a machine's parts, see Parts: next() returns the moment of the next event,
-  /// run_before() handles all events before `bound`. Throw InvariantBroken if the carrier cannot.
+  /// For a machine in several parts, see Parts. next() returns the moment of the next event, and
+  /// run_before() handles all events before `bound`. Both throw InvariantBroken if the carrier does
+  /// not support parts.
   virtual Moment next() = 0;
   virtual void run_before(const Moment& bound) = 0;
 };
 
-/// SimGrid: a processor is a SimGrid host, a message a communication. A link is a SimGrid link with
-/// the unidirectional rate for one message and the bidirectional rate shared by two. Its engine is
-/// a singleton: one in the life of a host process.
+/// Makes a carrier on SimGrid. Each processor is a SimGrid host and each message a communication.
+/// Each link is a SimGrid link with the one-way rate for one message and the two-way rate shared by
+/// two. SimGrid's engine is a singleton that lives as long as the host process.
 std::unique_ptr<Carrier> make_simgrid(Events& events, Processes processes);
 
-/// The same links without SimGrid: the end of a message follows from the two rates. One event per
-/// message, any number of carriers in a host process; processes run on fibers.
+/// Makes a carrier without SimGrid that models links in the same way. It computes the end of a
+/// message from the two rates, with one event per message. A host process may have any number of
+/// these carriers; simulated processes run on fibers.
 std::unique_ptr<Carrier> make_direct(Events& events);
 
-/// Version of the linked SimGrid: "3.32".
+/// Version of the linked SimGrid, such as "3.32".
 std::string simgrid_version();
 
 }  // namespace machine

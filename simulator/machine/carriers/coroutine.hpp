@@ -1,5 +1,5 @@
 #pragma once
-// A function on its own stack that alternates with the code that resumes it.
+// A coroutine with its own stack.
 #include <cstddef>
 #include <functional>
 #include <memory>
@@ -9,21 +9,22 @@ namespace machine {
 class Coroutine {
  public:
   using Body = std::function<void()>;
-  static constexpr std::size_t STACK_BYTES = 128 * 1024;  ///< of address space; memory on first use
+  static constexpr std::size_t STACK_BYTES = 128 * 1024;  ///< address space; pages get memory on
+                                                          ///< first use
 
   virtual ~Coroutine() = default;
-  /// Enters the body, until it suspends or returns. The body must not throw.
+  /// Runs the body until it suspends or returns. The body must not throw.
   virtual void resume() = 0;
-  /// Called by the body: returns to the caller of resume(), until the next resume().
+  /// Called by the body: returns control to the caller of resume() until the next resume().
   virtual void suspend() = 0;
-  /// True once the body has returned; only then may the coroutine be destroyed.
+  /// True after the body has returned. Only then may the coroutine be destroyed.
   bool has_ended() const { return has_ended_; }
 
  protected:
   bool has_ended_ = false;
 };
 
-/// A coroutine that only switches stacks when it is entered and left.
+/// Makes a coroutine that switches stacks without any scheduler.
 std::unique_ptr<Coroutine> make_fiber(Coroutine::Body body);
 
 }  // namespace machine

@@ -46,7 +46,7 @@ class Direct final : public Carrier {
         events_.handle_next();
         continue;
       }
-      // Changed links are updated only when the clock is about to advance.
+      // Predictions are updated only before the clock advances.
       forecast_.settle();
       const double next_end = forecast_.next_date();
       if (events_.pace() && std::min(events_.next(), next_end) > events_.now() && !may_go_on())

@@ -13,13 +13,14 @@ namespace machine {
 
 namespace {
 
-constexpr int PLACE_BITS = 24;   // 2^24 events in the heap at one time
-constexpr std::size_t FEW = 64;  // pending events of a machine that fits the host's caches
+constexpr int PLACE_BITS = 24;   // limits the heap to 2^24 pending events
+constexpr std::size_t FEW = 64;  // number of pending events up to which a machine fits into the
+                                 // host's caches
 
 __extension__ using Key = unsigned __int128;
 
-// Date, order of scheduling and place of the callback in one number: comparisons need no branch
-// prediction. (Dates are not negative, and -0 becomes 0, so their bits sort like their values.)
+// Date, order of scheduling and callback index in one number, so that comparisons need no branches.
+// Dates are not negative, and -0 becomes 0, so their bits sort like their values.
 struct Event {
   Key key;
   Event(double date, std::uint64_t order, std::size_t place)
@@ -29,7 +30,7 @@ struct Event {
   std::size_t place() const {
     return static_cast<std::size_t>(key) & ((std::size_t{1} << PLACE_BITS) - 1);
   }
-  bool operator<(const Event& o) const { return key > o.key; }  // the next event is on top
+  bool operator<(const Event& o) const { return key > o.key; }  // reversed: the next one is on top
 };
 
 std::atomic<bool> stop_requested = false;  // set by a signal handler
@@ -72,8 +73,8 @@ void Events::handle_next() {
   next_ = heap_->empty() ? NEVER : heap_->top().date();
   free_.push_back(static_cast<std::uint32_t>(event.place()));
   now_ = event.date();
-  // On a large machine the next event's processor is outside the host's near caches. Prefetching it
-  // saves 8 % of the time on meshes of 8 x 8 and more.
+  // In a large machine, the processor of the next event is not in the host's near caches.
+  // Prefetching it saves 8 % of the time on meshes of at least 8 x 8.
   if (heap_->size() > FEW) callbacks_[heap_->top().place()].prefetch();
   handle(callbacks_[event.place()]);
 }
@@ -93,7 +94,7 @@ void Events::handle(Callback callback) {
 
 void Events::finish() {
   for (std::size_t i = 0; i < soon_.size() && !stopped_; ++i) {
-    Callback then = soon_[i];  // it may schedule more
+    Callback then = soon_[i];  // it may call soon() itself
     then();
   }
   soon_.clear();

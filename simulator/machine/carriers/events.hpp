@@ -1,5 +1,5 @@
 #pragma once
-// The simulated clock and the event queue, without the messages on links.
+// The simulated clock and the event queue, without messages on links.
 #include <compare>
 #include <cstdint>
 #include <limits>
@@ -10,24 +10,26 @@
 
 namespace machine {
 
-/// Hook called before each advance of the clock; it may block, to pace the simulation.
+/// Interface of a hook that is called before the clock advances. It may block, to pace the
+/// simulation.
 struct Pace {
   virtual ~Pace() = default;
-  /// `date` is that of the next event, or NEVER. Returns whether the clock may advance; false if
-  /// another event after now has been scheduled meanwhile. It is then called again.
+  /// Returns true if the clock may advance to `date`, the date of the next event or NEVER. Returns
+  /// false if a later event has been scheduled meanwhile; the hook is then called again.
   virtual bool before(double date) = 0;
 };
 
-/// Date of an event, and its order among those of the same date. Messages end after all events.
+/// Position of an event in the simulation's order: its date, then its order among events of the
+/// same date. Ends of messages come after all other events of a date.
 struct Moment {
   double date = std::numeric_limits<double>::infinity();
-  std::uint64_t order = 0;  // of an event; Events::ENDS for the end of a message
-  double since = 0;         // of a message's end: date of its prediction
-  std::uint64_t rank = 0;   // of ends predicted together: rank of the link
+  std::uint64_t order = 0;  // Events::ENDS for the end of a message
+  double since = 0;         // for the end of a message: the date of its prediction
+  std::uint64_t rank = 0;   // rank of the link, for message ends predicted at the same date
   auto operator<=>(const Moment&) const = default;
 };
 
-/// Ends the simulation in this host process at its next event. Signal handlers may call it.
+/// Ends the simulation in this host process at its next event. Safe to call in a signal handler.
 void request_stop();
 
 class Events {
@@ -38,18 +40,18 @@ class Events {
   Events();
   ~Events();
 
-  double now() const { return now_; }                  ///< seconds
-  double last_useful() const { return last_useful_; }  ///< date of the last event not ignored
-  double until() const { return until_; }              ///< end of simulated time
+  double now() const { return now_; }                  ///< in seconds
+  double last_useful() const { return last_useful_; }  ///< of the last event with an effect
+  double until() const { return until_; }              ///< limit of simulated time
   void set_until(double date) { until_ = date; }
 
-  /// Null: the clock advances freely.
+  /// Sets the hook that paces the clock. With a null pointer the clock advances freely.
   void set_pace(Pace* pace) { pace_ = pace; }
   Pace* pace() const { return pace_; }
 
-  /// Schedules a callback at `date`, not before now. Callbacks of one date come in this order:
-  /// those of first_at(), of ranked_at() by rank, of at(), and of last_at(). Otherwise the order is
-  /// that of scheduling.
+  /// Schedules a callback at `date`, which must not be in the past. The order at one date is:
+  /// callbacks of first_at(), of ranked_at() by rank, of at(), of last_at(). Callbacks of the same
+  /// kind run in the order of scheduling.
   void at(double date, auto then) { new (ask(date, asked_++)) Callback(then); }
   void first_at(double date, auto then) { new (ask(date, asked_first_++)) Callback(then); }
   void ranked_at(double date, std::uint64_t rank, auto then) {
@@ -57,52 +59,54 @@ class Events {
     ++asked_;
   }
   void last_at(double date, auto then) { new (ask(date, LAST + asked_++)) Callback(then); }
-  /// Schedules a callback right after the current event, at the same instant.
+  /// Schedules a callback directly after the current event, at the same date.
   void soon(auto then) { soon_.emplace_back(then); }
 
-  // Starts of the orders of ranked events, of usual ones, of the last ones and of messages' ends.
-  // Lower orders are those of first_at().
+  // First order numbers of ranked events, of usual events, of last_at() and of message ends. Lower
+  // numbers belong to first_at().
   static constexpr std::uint64_t RANKED = std::uint64_t{1} << 37, USUAL = std::uint64_t{1} << 38,
                                  LAST = std::uint64_t{1} << 39, ENDS = std::uint64_t{1} << 40;
 
-  /// The date of the next event; NEVER if there is none.
+  /// The date of the next event; NEVER if the queue is empty.
   double next() const { return next_; }
-  /// The same with its order; now, if callbacks of soon() are pending between events.
+  /// Date and order of the next event. Equals the present moment if callbacks of soon() are pending
+  /// between events.
   Moment next_moment() const;
-  /// Calls the callbacks of soon() that are pending between events.
+  /// Runs callbacks of soon() that are pending between events.
   void finish();
-  /// Takes the next event, which must exist, and advances the clock to its date.
+  /// Removes the next event from the queue, which must not be empty, and handles it at its date.
   void handle_next();
-  /// Advances the clock to `date`, unless it is there already.
+  /// Advances the clock to `date`; no effect if `date` is in the past.
   void advance(double date) { now_ = date > now_ ? date : now_; }
-  /// Handles an event now: calls it and its callbacks of soon(). Stops instead if the time is up or
+  /// Handles an event now, including its callbacks of soon(). Stops instead at the time limit or
   /// after request_stop().
   void handle(Callback callback);
 
-  /// Marks the current event as without effect: it does not extend the run.
+  /// Marks the current event as one without effect, so that it does not extend the run.
   void ignore() { ignored_ = true; }
-  /// Sets the clock back.
+  /// Sets the clock back to `date`.
   void rewind_to(double date) { now_ = date; }
-  /// Ends all callbacks. The first reason counts.
+  /// Drops all pending callbacks. After several calls, end() returns the first reason.
   void stop(End why);
   bool stopped() const { return stopped_; }
   End end() const { return end_; }
 
   std::uint64_t handled() const { return handled_; }
-  /// Counter that grows with each event scheduled during the current event.
+  /// Counter that grows whenever an event is scheduled.
   std::uint64_t asked() const { return asked_ + soon_.size(); }
 
  private:
-  struct Heap;  // defined in the source: its library compiles slowly, and machines include this
-  // Returns the address for the callback, which is constructed in place: a copy of data just
-  // written would stall the host.
+  struct Heap;  // defined in the source file, because Boost.Heap compiles slowly and many files
+                // include this header
+  // Returns the address where the callback is constructed. Copying an object just written would
+  // stall the host's processor.
   Callback* ask(double date, std::uint64_t order);
 
   double now_ = 0, until_ = NEVER, last_useful_ = 0;
-  double next_ = NEVER;  // the heap's next date, read at every event
+  double next_ = NEVER;  // date on top of the heap, cached because every event reads it
   std::unique_ptr<Heap> heap_;
-  std::vector<Callback> callbacks_;  // of the heap's events, which the heap moves often
-  std::vector<std::uint32_t> free_;  // free places in callbacks_
+  std::vector<Callback> callbacks_;  // stored outside the heap, which moves its elements often
+  std::vector<std::uint32_t> free_;  // unused indices of callbacks_
   std::vector<Callback> soon_;
   std::uint64_t asked_first_ = 0, asked_ = USUAL, handled_ = 0;
   Pace* pace_ = nullptr;

@@ -7,7 +7,7 @@
 
 #include "simulator/machine/carriers/coroutine.hpp"
 
-// The sanitizers need a call at each change of stack; no effect on any result.
+// The sanitizers require a call at each switch of stacks, which has no effect on results.
 #ifdef __SANITIZE_ADDRESS__
 #include <sanitizer/common_interface_defs.h>
 #endif
@@ -19,7 +19,7 @@ namespace machine {
 
 namespace {
 
-// The host thread's stack, as reported by the sanitizer.
+// The host thread's own stack, as reported by the sanitizer.
 thread_local const void* scheduler_stack = nullptr;
 thread_local std::size_t scheduler_stack_size = 0;
 
@@ -56,10 +56,10 @@ void arrived([[maybe_unused]] void* kept, [[maybe_unused]] const void** from,
 #endif
 }
 
-// Pool of stacks for reuse, since the branches of a PAR come and go. Stacks lie side by side in
-// blocks of the host's address space; the host assigns memory by page at first use, and most bodies
-// need one page. Neighbouring stacks start at different offsets within their pages. Otherwise the
-// frames of all waiting processes would compete for the same few cache sets.
+// A pool of stacks for reuse, because branches of PARs are short-lived. Stacks are adjacent in
+// blocks of address space. The host assigns memory page by page on first use, and most bodies need
+// one page. Adjacent stacks start at different offsets within a page. Otherwise the frames of all
+// waiting processes would compete for the same few cache sets.
 class StackPool {
  public:
   boost::context::stack_context allocate() {
@@ -79,14 +79,15 @@ class StackPool {
 
  private:
   static constexpr std::size_t STACKS = 64;               // per block
-  static constexpr std::size_t PLACES = 16, APART = 128;  // offsets of stacks; bytes between them
+  static constexpr std::size_t PLACES = 16, APART = 128;  // number of different offsets; bytes
+                                                          // between offsets
 
   void add_block() {
     void* block = mmap(nullptr, STACKS * Coroutine::STACK_BYTES, PROT_READ | PROT_WRITE,
                        MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (block == MAP_FAILED) throw std::bad_alloc();
     blocks_.push_back(block);
-    free_.reserve(blocks_.size() * STACKS);  // deallocate() must not throw
+    free_.reserve(blocks_.size() * STACKS);  // because deallocate() must not throw
     for (std::size_t i = STACKS; i-- > 0;) {
       const std::size_t size = Coroutine::STACK_BYTES - i % PLACES * APART;
       boost::context::stack_context stack;
@@ -121,7 +122,8 @@ class Fiber final : public Coroutine {
     };
     PooledStack allocator;
     const auto stack = allocator.allocate();
-    stack_ = static_cast<const char*>(stack.sp) - stack.size;  // it grows downwards
+    stack_ = static_cast<const char*>(stack.sp) - stack.size;  // lowest address, since stacks grow
+                                                               // downwards
     stack_size_ = stack.size;
     fiber_ = boost::context::fiber(std::allocator_arg,
                                    boost::context::preallocated(stack.sp, stack.size, stack),

@@ -21,7 +21,7 @@ double Forecast::left(std::size_t direction, double date) const {
   return way(direction).busy ? left(links_[direction / 2], direction % 2, date) : 0;
 }
 
-// Updates the bytes left, at the rates valid until `date`, before the rates change.
+// Updates the bytes left, using the rates valid until `date`, before the rates change.
 Forecast::Link& Forecast::change(std::size_t direction, double date) {
   Link& link = links_[direction / 2];
   const std::array left_now{left(link, 0, date), left(link, 1, date)};
@@ -52,7 +52,8 @@ void Forecast::foresee_changed() {
   changed_.clear();
 }
 
-// Both share the link until the shorter message ends. SimGrid's rounding grows with the date.
+// Predicts the end of a message. Two messages share the link until the shorter one ends. The
+// tolerance grows with the date, like SimGrid's rounding error.
 void Forecast::foresee(Link& link, std::size_t direction) {
   Way& own = link.ways[direction % 2];
   const Way& other = link.ways[1 - direction % 2];

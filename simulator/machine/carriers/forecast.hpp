@@ -1,5 +1,5 @@
 #pragma once
-// Predicted end dates of messages, from a fluid model of each link by itself.
+// Predicts when messages arrive, by a fluid model of each single link.
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -11,34 +11,35 @@ namespace machine {
 
 class Forecast {
  public:
-  /// Rates in bytes/s: of one direction while the other is idle, and of both together. `rank` grows
-  /// from link to link. Returns the number of the forward direction; the direction back has the
-  /// next number.
+  /// Adds a link and returns the number of its forward direction; the backward direction has the
+  /// next number. `one_way` is the rate in bytes/s of one direction while the other is idle.
+  /// `both_ways` is the total rate while both are busy. `rank` must increase from link to link.
   std::size_t add_link(double one_way, double both_ways, std::size_t rank = 0);
 
-  /// start(): a message of `bytes` begins on an idle direction. end(): it has arrived or is lost.
-  /// Dates are in seconds, ascending.
+  /// start() begins a message of `bytes` on an idle direction. end() ends it when it has arrived or
+  /// is lost. Dates are in seconds and must not decrease.
   void start(std::size_t direction, double bytes, double date);
   void end(std::size_t direction, double date);
-  /// Updates the predictions of links after starts and ends of messages.
+  /// Updates the predictions for links on which messages have started or ended.
   void settle() {
     if (!changed_.empty()) foresee_changed();
   }
 
-  /// Bytes of a message left at `date`, if none starts or ends on its link before; 0 without one.
+  /// Bytes left of a message at `date`, provided that none starts or ends on its link before; 0 if
+  /// the direction is idle.
   double left(std::size_t direction, double date) const;
 
-  /// Predicted end of a message. Another message that starts on its link can only delay it.
+  /// Predicted end of a message. Further messages on the same link can only delay it.
   struct End {
-    double date = std::numeric_limits<double>::infinity();  ///< infinite without a message
-    double hair = 0;  ///< tolerance in seconds, for SimGrid's rounding
+    double date = std::numeric_limits<double>::infinity();  ///< infinite if the direction is idle
+    double hair = 0;  ///< tolerance for SimGrid's rounding, in seconds
     std::size_t direction = 0;
     double earliest() const { return date - hair; }
     double latest() const { return date + hair; }
     bool contains(double other) const { return earliest() <= other && other <= latest(); }
   };
-  /// The earliest predicted end, and the end of one message under way. Ties: the earlier prediction
-  /// comes first, then the link of lower rank. On one link the newer message comes first, as on
+  /// The earliest predicted end of all messages. Ties are resolved by the earlier prediction, then
+  /// by the lower rank of the link. On the same link the message started last comes first, as in
   /// SimGrid.
   const End& next() {
     static constexpr End NONE = {};
@@ -53,26 +54,27 @@ class Forecast {
 
  private:
   struct Way {
-    double left = 0;  // bytes, at the link's `since`
+    double left = 0;  // in bytes, at the link's date `since`
     bool busy = false;
-    std::uint64_t valid = 0;  // number of its end in the heap
+    std::uint64_t valid = 0;  // number of its valid entry in the heap
     End end = {};
   };
   struct Link {
-    double alone, shared;  // bytes/s of a direction: other one idle, both busy
+    double alone, shared;  // bytes/s of a direction: opposite one idle, both busy
     std::size_t rank;
     double since = 0;
     std::array<Way, 2> ways = {};
-    std::size_t newest = 0;  // way with the message started last
+    std::size_t newest = 0;  // direction of the message started last
     bool changed = false;
   };
-  // Entries with an outdated number are dropped when they reach the top.
+  // An entry of the heap. Outdated entries, whose number is not valid any longer, are removed when
+  // they reach the top.
   struct Entry {
     double date, since;
     std::uint64_t number;
     std::size_t direction;
     bool is_newest;
-    bool operator<(const Entry& o) const {  // the next end is the top of the heap
+    bool operator<(const Entry& o) const {  // reversed, so that the next end is on top of the heap
       if (date != o.date) return date > o.date;
       if (since != o.since) return since > o.since;
       return direction / 2 != o.direction / 2 ? direction > o.direction : o.is_newest;
@@ -86,7 +88,7 @@ class Forecast {
   void foresee(Link& link, std::size_t direction);
 
   std::vector<Link> links_;
-  std::vector<std::size_t> changed_;  // link numbers
+  std::vector<std::size_t> changed_;  // numbers of links
   std::vector<Entry> heap_;
   std::uint64_t numbers_ = 0;
 };

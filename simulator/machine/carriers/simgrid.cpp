@@ -34,8 +34,8 @@ std::string simgrid_version() {
 
 namespace {
 
-// Calls with different names in SimGrid 3 and 4. They are templates so that only the existing one
-// is compiled.
+// Wrappers of calls that have different names in SimGrid 3 and 4. As templates, only the existing
+// call is compiled.
 auto make_zone(auto& engine, const auto& name) {
   if constexpr (requires { engine.get_netzone_root()->add_netzone_full(name); })
     return engine.get_netzone_root()->add_netzone_full(name);
@@ -72,8 +72,7 @@ void add_actor(auto& engine, const std::string& name, s4u::Host* host, auto body
     s4u::Actor::create(name, host, body);
 }
 
-// Restores the program's signal handlers and terminate handler, which SimGrid replaces at its
-// start.
+// Restores the signal handlers and the terminate handler, which SimGrid replaces at start-up.
 class KeptSignals {
  public:
   KeptSignals() {
@@ -86,30 +85,31 @@ class KeptSignals {
 
  private:
   static constexpr int SIGNALS[] = {SIGINT, SIGTERM, SIGSEGV};
-  // Holds signals back meanwhile: SimGrid's handlers would end the program.
+  // Blocks signals meanwhile, because SimGrid's handlers would end the program.
   const base::HeldSignals held_{SIGNALS};
   struct sigaction kept_[std::size(SIGNALS)];
   std::terminate_handler terminate_ = std::get_terminate();
 };
 
-// Thrown by the deadlock callback, see run().
+// Thrown by the callback for deadlocks to leave SimGrid's run, see run().
 struct AllWait {};
 
 class ActorCoroutine;
 
-// A SimGrid actor, reused for one body after another: the branches of a PAR come and go, and
-// SimGrid frees ended actors only when its clock advances.
+// A SimGrid actor that executes one body after another. Actors are reused because branches of PARs
+// are short-lived, and SimGrid frees ended actors only when its clock advances.
 struct Hand {
   s4u::SemaphorePtr own_turn = s4u::Semaphore::create(0), others_turn = s4u::Semaphore::create(0);
   ActorCoroutine* works_for = nullptr;
 };
 using Hands = std::vector<std::shared_ptr<Hand>>;
 
-// A body on an actor. SimGrid's maestro resumes actors one after the other; a semaphore for each
-// side makes the body and its caller alternate.
+// A coroutine on a SimGrid actor. SimGrid's maestro resumes actors one at a time. A semaphore for
+// each side makes the body and its caller alternate.
 class ActorCoroutine final : public Coroutine {
  public:
-  // `idle`: idle actors of this SimGrid host. An actor keeps the name of its first body.
+  // `idle` holds the idle actors of this SimGrid host. A reused actor keeps the name of its first
+  // body.
   ActorCoroutine(s4u::Engine& engine, s4u::Host* host, Hands& idle, std::string name, Body body)
       : engine_(engine), host_(host), idle_(idle), name_(std::move(name)), body_(std::move(body)) {}
 
@@ -126,7 +126,7 @@ class ActorCoroutine final : public Coroutine {
       hand_->works_for = this;
       hand_->own_turn->release();
     }
-    if (s4u::Actor::is_maestro())  // after the run
+    if (s4u::Actor::is_maestro())  // possible after the run
       engine_.run_until(s4u::Engine::get_clock());
     else
       hand_->others_turn->acquire();
@@ -143,7 +143,7 @@ class ActorCoroutine final : public Coroutine {
       std::exchange(coroutine->body_, {})();
       coroutine->has_ended_ = true;
       idle.push_back(hand);
-      hand->others_turn->release();  // from here on the coroutine may be gone
+      hand->others_turn->release();  // the coroutine may be destroyed from here on
       hand->own_turn->acquire();
     }
   }
@@ -156,10 +156,11 @@ class ActorCoroutine final : public Coroutine {
   std::shared_ptr<Hand> hand_;
 };
 
-// There are two kinds of events: ours, and the ends of SimGrid's communications. A round of SimGrid
-// costs more than most of our events. We therefore run ahead of its clock while no communication
-// can end (conservative lookahead), then set a timer unless a communication surely ends before it.
-// The forecast never decides when a message ends.
+// A carrier on SimGrid, with two sources of events: our queue, and the ends of SimGrid's
+// communications. A round of SimGrid costs more than most of our events. The carrier therefore
+// handles our events ahead of SimGrid's clock while no communication can end (conservative
+// lookahead). Then it sets a timer, unless a communication will certainly end before the timer. The
+// forecast never decides when a message ends.
 class OnSimGrid final : public Carrier {
  public:
   OnSimGrid(Events& events, Processes processes);
@@ -199,14 +200,15 @@ class OnSimGrid final : public Carrier {
   [[noreturn]] static void throw_in_parts() {
     throw base::InvariantBroken("SimGrid runs a machine in one part, expected the direct engine");
   }
-  // A direction; index as in the forecast and in the data of SimGrid's communications.
+  // One direction of a link. Its index is also used in the forecast and as the data of SimGrid's
+  // communications.
   struct Direction {
     s4u::Host *from, *to;
-    s4u::CommPtr comm = {};  // under way
+    s4u::CommPtr comm = {};  // current communication
     std::uint64_t bytes = 0;
     double since = 0;
     Callback arrived = {};
-    bool cut = false;  // later callbacks of SimGrid are ignored
+    bool cut = false;  // if true, later callbacks of SimGrid are ignored
   };
 
   template <class Call>
@@ -223,24 +225,24 @@ class OnSimGrid final : public Carrier {
   void end(std::size_t number);
   void check_end(const Direction& direction, double date, const Forecast::End& expected) const;
 
-  Events& events_;  // the clock may be ahead of SimGrid's
+  Events& events_;  // its clock may be ahead of SimGrid's
   std::unique_ptr<s4u::Engine> engine_;
   s4u::NetZone* zone_ = nullptr;
-  std::vector<s4u::Host*> hosts_;              // of the processors
+  std::vector<s4u::Host*> hosts_;              // by processor
   std::map<std::pair<int, int>, int> joined_;  // number of links between two processors
-  double wake_up_ = Events::NEVER;             // date of the SimGrid timer
+  double wake_up_ = Events::NEVER;             // date of the SimGrid timer that is set
   std::vector<Direction> directions_;
   Forecast forecast_;
-  std::deque<std::pair<double, std::size_t>> starts_;  // pending: date, direction
+  std::deque<std::pair<double, std::size_t>> starts_;  // pending starts: date, direction
   s4u::CommPtr last_ended_;
 
-  // With actors our scheduler is an actor, too, because it waits for the end of their turns. It
+  // With actors, the scheduler is an actor too, because it must wait while other actors run. It
   // executes the callbacks of SimGrid.
   bool has_actors_;
   std::deque<Hands> idle_;    // by processor
-  s4u::SemaphorePtr called_;  // released once per call, and once more to end the scheduler
+  s4u::SemaphorePtr called_;  // released once per call, and once to end the scheduler
   std::deque<Callback> calls_;
-  std::exception_ptr failure_;  // of a call
+  std::exception_ptr failure_;  // exception thrown by a call
 };
 
 OnSimGrid::OnSimGrid(Events& events, Processes processes)
@@ -253,7 +255,8 @@ OnSimGrid::OnSimGrid(Events& events, Processes processes)
     const KeptSignals kept;
     engine_ = std::make_unique<s4u::Engine>(&argc, argv);
   }
-  // Plain fluid links: no TCP corrections, no cross traffic. Time resolution is one picosecond.
+  // Configures plain fluid links without TCP corrections or cross traffic, at a resolution of one
+  // picosecond.
   for (const char* setting :
        {"network/model:CM02", "network/bandwidth-factor:1", "network/latency-factor:1",
         "network/crosstraffic:0", "network/TCP-gamma:0", "surf/precision:1e-12"})
@@ -279,8 +282,8 @@ std::size_t OnSimGrid::add_link(int a, int b, LinkRates rates, std::size_t rank)
   auto* link = machine::add_link(*zone_, name, rates.both_ways)
                    ->set_sharing_policy(s4u::Link::SharingPolicy::NONLINEAR, rate)
                    ->seal();
-  // SimGrid has one route between two hosts. A further link between two processors therefore starts
-  // at an extra host.
+  // SimGrid allows one route between two hosts. Each further link between two processors therefore
+  // starts at an additional host.
   const bool is_first = joined_[std::minmax(a, b)] == 1;
   auto *from = is_first ? hosts_[a] : add_host(*zone_, "port " + name), *to = hosts_[b];
   add_route(*zone_, from, to, link);
@@ -311,7 +314,7 @@ void OnSimGrid::run() {
   call([this] { run_ahead(); });
   try {
     engine_->run();
-  } catch (const AllWait&) {  // all actors wait for ever: SimGrid would end them
+  } catch (const AllWait&) {  // all actors wait for ever; SimGrid would kill them
   }
   if (failure_) std::rethrow_exception(failure_);
 }
@@ -333,13 +336,14 @@ void OnSimGrid::start_scheduler() {
 }
 
 // Handles our events up to the earliest possible end of a communication. Events up to SimGrid's
-// clock are always safe: communications that end by then have ended.
+// clock are always safe, because communications that end by then have ended.
 void OnSimGrid::run_ahead() {
   const double clock = s4u::Engine::get_clock();
   while (!events_.stopped() && events_.next() < Events::NEVER &&
          (events_.next() < forecast_.next().earliest() || events_.next() <= clock))
     events_.handle_next();
-  // No timer needed: a communication that surely ends before our next event calls back in time.
+  // If a communication certainly ends before our next event, its callback comes in time without a
+  // timer.
   if (events_.stopped() || events_.next() == Events::NEVER ||
       forecast_.next().latest() < events_.next())
     return;
@@ -356,7 +360,7 @@ void OnSimGrid::run_ahead() {
   }
 }
 
-// Starts the communication in SimGrid's maestro: only then does SimGrid report its end.
+// Starts the communication in SimGrid's maestro. Otherwise SimGrid would not report its end.
 void OnSimGrid::start_now(std::size_t number) {
   if (directions_[number].cut) return;
   simgrid::kernel::actor::simcall_answered([&, &direction = directions_[number]] {
@@ -367,14 +371,14 @@ void OnSimGrid::start_now(std::size_t number) {
   });
 }
 
-// Starts the communications due at `date`, once.
+// Starts all communications due at `date`.
 void OnSimGrid::start_all(double date) {
   for (; !starts_.empty() && starts_.front().first == date; starts_.pop_front())
     start_now(starts_.front().second);
 }
 
-// Starts the communication when SimGrid's clock reaches our date; those of one date in order of
-// request.
+// Starts the communication when SimGrid's clock reaches our date. Communications of the same date
+// start in the order of requests.
 void OnSimGrid::start_later(std::size_t number) {
   const double date = events_.now();
   const bool timer_set = !starts_.empty() && starts_.back().first == date;
@@ -385,7 +389,8 @@ void OnSimGrid::start_later(std::size_t number) {
 
 void OnSimGrid::end(std::size_t number) {
   Direction& direction = directions_[number];
-  last_ended_ = std::move(direction.comm);  // SimGrid still uses it after our return
+  last_ended_ = std::move(direction.comm);  // kept because SimGrid still uses it after this
+                                            // callback
   if (events_.stopped() || direction.cut) return;
   const double clock = s4u::Engine::get_clock();
   check_end(direction, clock, forecast_.end_of(number));

@@ -6,8 +6,8 @@
 //            ^                 |
 //            '- succ <--- c ---'            (a: succ to prefix)
 //
-// Charges what compiled occam executes around channels, by instruction: the jump back of a WHILE, a
-// turn of a replicated SEQ, an addition.
+// Besides channels, it charges the other instructions of the compiled occam program: the jump back
+// of a WHILE, an iteration of a replicated SEQ, and an addition.
 #include "simulator/programs/declare/support.hpp"
 
 namespace programs {
@@ -48,7 +48,7 @@ void successor(Wire& from, Wire& to, std::int64_t loops) {
   Number n;
   for (std::int64_t i = 0; i < loops; ++i) {
     in(from, n);
-    occam::charge("ldc");  // adc
+    occam::charge("ldc");  // adc takes the same time
     ++n.value;
     out(to, n);
     turn();

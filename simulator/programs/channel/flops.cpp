@@ -1,4 +1,4 @@
-// Floating-point additions, one after another: the peak rate of data sheets.
+// A sequence of floating-point additions, for comparison with the peak rate in data sheets.
 #include "simulator/programs/declare/support.hpp"
 
 namespace programs {

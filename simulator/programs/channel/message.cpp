@@ -1,4 +1,4 @@
-// One message over one link: the time of a communication between two processors.
+// A single message over a link, which measures communication between two processors.
 #include "simulator/programs/declare/support.hpp"
 
 namespace programs {

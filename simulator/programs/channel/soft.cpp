@@ -1,4 +1,4 @@
-// One message on a soft channel: two processes of one processor.
+// A single message on a soft channel between two processes of a processor.
 #include "simulator/programs/declare/support.hpp"
 
 namespace programs {

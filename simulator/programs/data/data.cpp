@@ -12,7 +12,7 @@ using shared_memory::DataUse;
 
 constexpr int FINISHED = shared_memory::FIRST_FREE_PROCESS, GO_ON = FINISHED + 1;
 
-// Times of a pass on one processor, and its manager's counts at the end.
+// Times of one pass on one processor, and its data manager's counts at the end of the pass.
 struct Mark {
   Seconds start{}, end{};
   DataUse use;
@@ -30,7 +30,7 @@ class Test {
     for (int k = 0; k < load.items; ++k) wanted_.push_back(sum += std::pow(k + 1, -load.zipf));
   }
 
-  // Runs the process of one processor.
+  // Body of the process on processor `id`.
   void live(int id) {
     DataManager& data = memory_.manager(id);
     const bool is_coordinator = id == load_.data.coordinator;
@@ -99,7 +99,7 @@ class Test {
   const network::Routing& routing_;
   shared_memory::VirtualMemory& memory_;
   std::vector<std::vector<Mark>> marks_;  // by pass and processor
-  std::vector<double> wanted_;            // cumulative weights of items 0 to k
+  std::vector<double> wanted_;            // cumulative weights of items 0 to k, for random choice
 };
 
 }  // namespace
@@ -136,7 +136,7 @@ const base::Names<bool> COORDINATOR_IS = {{"idle", false}, {"working", true}};
 
 struct Params {
   RouterParams routers;
-  DataLoad load;  // except for the fields below
+  DataLoad load;  // cache sizes, coordinator and scheme come from the members below
   double cache_percent = 9, server_cache_percent = 0;
   int coordinator = -1;
   Scheme scheme = Scheme::in_path;

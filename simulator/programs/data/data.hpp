@@ -1,6 +1,6 @@
 #pragma once
-// Random accesses to common data from all processors (5.1.2.4): the time of each pass, and the
-// places of the items.
+// Random accesses of all processors to common data (5.1.2.4). Measures the time of each pass and
+// where items were found.
 #include <optional>
 
 #include "simulator/programs/declare/program.hpp"
@@ -13,23 +13,25 @@ struct DataLoad {
   shared_memory::DataParams data;
   int items = 1000;
   std::uint64_t item_bytes = 64;
-  double zipf = 0;                  ///< item k has weight 1 / (k + 1)^zipf; 0: uniform
-  int accesses = 1000, passes = 1;  ///< accesses: per processor and pass
-  /// True: all processors wait for the last one after each pass. False: each continues at once.
+  double zipf = 0;                  ///< item k has weight 1 / (k + 1)^zipf; 0 for uniform weights
+  int accesses = 1000, passes = 1;  ///< `accesses` is per processor and pass
+  /// True: after each pass, all processors wait for the last one. False: each continues
+  /// immediately.
   bool together = true;
-  bool coordinator_too = false;  ///< the coordinator makes accesses like the others
+  bool coordinator_too = false;  ///< the coordinator makes accesses too
   std::uint64_t seed = 1;
 };
 
 struct DataPass {
-  int number = 0;              ///< the pass, from 1
-  double time_s = 0;           ///< from the first processor's start to the last one's end
-  double mean_s = 0;           ///< mean time of a processor
-  shared_memory::DataUse use;  ///< sum over the processors with accesses
-  std::optional<std::uint64_t> server_seen;  ///< requests received by the coordinator, if all wait
+  int number = 0;              ///< number of the pass, from 1
+  double time_s = 0;           ///< from the start of the first processor to the end of the last
+  double mean_s = 0;           ///< mean duration of the pass over the processors
+  shared_memory::DataUse use;  ///< total over the processors with accesses
+  std::optional<std::uint64_t> server_seen;  ///< number of requests received by the coordinator;
+                                             ///< only with `together`
 };
 
-/// Throws Unfinished and the simulation's exceptions.
+/// Runs the test. Throws Unfinished and the exceptions of the simulation.
 std::vector<DataPass> run_data(const Setup& setup, const network::Routing& routing,
                                const DataLoad& load);
 

@@ -10,12 +10,12 @@ namespace programs {
 struct PlannedFault {
   double at_s = 0;
   int a = 0;
-  int b = -1;  ///< the link between a and b; -1: the processor a
+  int b = -1;  ///< other end of the link from a; -1 if processor a itself stops
 
   bool operator==(const PlannedFault&) const = default;
 };
 
-/// Plans each fault at its date. `find` returns a processor by its number in the faults.
+/// Schedules the faults. `find` returns the processor for a number used in the faults.
 void plan_faults(machine::Machine& machine, const std::vector<PlannedFault>& faults, auto find) {
   for (const PlannedFault& fault : faults)
     if (fault.b < 0)

@@ -7,16 +7,16 @@
 
 namespace programs {
 
-/// Models of the processors that differ from the machine's model, by number in the topology.
+/// Models that differ from the machine's model, by the processor's number in the topology.
 using OtherModels = std::map<int, std::shared_ptr<const machine::Model>>;
 
-/// Model for Machine::add_processor: null for a processor of the machine's model.
+/// The model argument for Machine::add_processor: null for a processor with the machine's model.
 inline std::shared_ptr<const machine::Model> find_model(const OtherModels& others, int id) {
   const auto found = others.find(id);
   return found == others.end() ? nullptr : found->second;
 }
 
-/// The model of a processor.
+/// The model of a processor; `machines` is the machine's model.
 inline const machine::Model& model_of(const OtherModels& others, int id,
                                       const machine::Model& machines) {
   const auto own = find_model(others, id);

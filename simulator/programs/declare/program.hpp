@@ -1,6 +1,6 @@
 #pragma once
-// Declaration of a program: parameters, needs, measured results and run function. The laboratory
-// knows programs only by these declarations.
+// Declaration of a program: parameters, requirements, measured results and run function. The
+// laboratory knows programs only through these declarations.
 #include <any>
 #include <functional>
 #include <memory>
@@ -21,55 +21,60 @@ namespace programs {
 using base::column;
 using base::Row;
 
-/// Environment of a program's run, beside its parameters.
+/// Environment of a program's run, in addition to its parameters.
 struct Setup {
   const machine::Model& model;
-  topologies::Topology topology;           ///< one processor if the program uses no network
+  topologies::Topology topology;           ///< a single processor if the program uses no network
   observe::RunMonitor* monitor = nullptr;  ///< limit and trace of the run; may be null
-  topologies::RoutingTable routes = {};    ///< only with Uses::routes
-  std::optional<topologies::TreeLinks> tree =
-      {};                                        ///< tree for messages to all; none: one per sender
-  std::vector<PlannedFault> faults = {};         ///< only with Uses::faults
-  std::optional<double> cycles_per_host_s = {};  ///< for timed costs: charge host time
-  bool profile = false;                          ///< measure the host time of kernels
+  topologies::RoutingTable routes = {};    ///< empty unless Uses::routes
+  std::optional<topologies::TreeLinks> tree = {};  ///< broadcast tree; without it, one per sender
+  std::vector<PlannedFault> faults = {};           ///< empty unless Uses::faults
+  std::optional<double> cycles_per_host_s = {};  ///< for timed costs: cycles charged per second of
+                                                 ///< host time
+  bool profile = false;                          ///< true: measure the host time of kernels
   machine::EngineParams engine = {};
-  OtherModels others = {};  ///< only with Uses::others
+  OtherModels others = {};  ///< empty unless Uses::others
 
   const machine::Model& model_of(int id) const { return programs::model_of(others, id, model); }
 };
 
-/// A computed picture: equal runs give equal bytes.
+/// A computed picture. Equal runs save equal bytes.
 struct Image {
-  std::string name;            ///< "picture"; unique in the run; letters, digits and "-"
-  std::optional<double> at_s;  ///< date of completion, for an intermediate picture
-  std::function<void(const std::string& path)> save;  ///< in the format of `extension`
-  std::function<void(const std::string& path)> save_exr = nullptr;  ///< the same in full range
-  bool is_named = false;           ///< add the sweep's point only if another image has this name
-  const char* extension = ".png";  ///< of the file that `save` writes; ".webp" for an animation
+  std::string name;            ///< such as "picture"; unique within the run; letters, digits and
+                               ///< "-"
+  std::optional<double> at_s;  ///< completion time of an intermediate picture
+  std::function<void(const std::string& path)> save;  ///< writes the format of `extension`
+  std::function<void(const std::string& path)> save_exr = nullptr;  ///< writes the full range as
+                                                                    ///< OpenEXR
+  bool is_named = false;           ///< true: the file name contains the sweep's point only if
+                                   ///< another image has the same name
+  const char* extension = ".png";  ///< extension of the file that `save` writes; ".webp" for an
+                                   ///< animation
 };
 
-/// Load of a resource, with its cause.
+/// Load of a resource and its cause.
 struct Load {
   std::string resource;
-  double busy = 0;    ///< share of the time
-  std::string doing;  ///< a sentence
+  double busy = 0;    ///< fraction of the time
+  std::string doing;  ///< cause of the load, as a sentence
 };
 
-/// Results of a run beside its rows.
+/// Results of a run in addition to its rows.
 struct Extras {
   std::vector<std::string> notes = {};  ///< sentences about the run
   std::vector<Image> images = {};
-  std::vector<Row> growth = {};           ///< rows of growth.csv: progress of the picture
-  machine::End end = machine::End::done;  ///< if not done: rows are measured up to this end
+  std::vector<Row> growth = {};           ///< rows of growth.csv: the picture's quality over time
+  machine::End end = machine::End::done;  ///< if not `done`, the rows cover the run up to this end
   bool is_saturated = false;              ///< queues grow without bound
-  std::optional<observe::Use> use = {};   ///< use of the resources, for run.json
+  std::optional<observe::Use> use = {};   ///< use of resources, for run.json
   std::vector<Load> loads = {};
-  std::uint64_t events = 0;                      ///< simulated events, if counted
-  std::optional<double> kernel_host_s = {};      ///< only with Setup::profile
+  std::uint64_t events = 0;                      ///< number of simulated events, if counted
+  std::optional<double> kernel_host_s = {};      ///< host time of kernels, only with Setup::profile
   std::vector<observe::KernelUse> kernels = {};  ///< only for timed costs
 };
 
-/// Results of a run: a row, or several that differ in the columns of Program::parts.
+/// Results of a run: one row, or several rows that are distinguished by the columns in
+/// Program::parts.
 template <class R>
 struct Outcome : Extras {
   std::vector<R> rows;
@@ -82,64 +87,69 @@ struct Outcome : Extras {
 
 using Parameter = base::Field<std::any>;
 
-/// A list of tables in the experiment file, such as [[stage]]; each table is a record.
+/// A list of tables in the experiment file, such as [[stage]]. Each table is a record.
 struct RecordList {
   std::string key, help;
-  std::vector<Parameter> fields;  ///< a record's fields
+  std::vector<Parameter> fields;  ///< the fields of a record
   std::function<std::any()> make_record;
   std::function<void(std::any& params)> clear;
-  /// Throws BadInput for a record with superfluous or missing entries.
+  /// Throws BadInput if the record has unknown or missing entries.
   std::function<void(std::any& params, const std::any& record)> append;
 };
 
-/// A column of a program's table, for the manual.
+/// A column in a program's table of results, for the manual.
 struct ColumnHelp {
   std::string name, help;
 };
 
-/// Optional parts of an experiment that a program uses. The experiment may not contain others.
+/// The optional parts of an experiment that a program uses. The experiment must not contain other
+/// parts.
 struct Uses {
   bool network = false;  ///< [network]
   bool routes = false;   ///< routes and trees of [network]
   bool faults = false;   ///< [[fault]]
   bool timed = false;    ///< run.cost = "timed"
   bool others = false;   ///< [[processor]]
-  bool threads = false;  ///< --threads: data shared by its processors on the host is constant
+  bool threads = false;  ///< --threads: the data that processors share on the host are constant
 };
 
-/// A program with its parameters in a std::any.
+/// A program whose parameters are stored in a std::any.
 struct Program {
   std::string name, help;
   Uses uses;
-  std::vector<std::string> parts;  ///< columns that distinguish the rows of a run
+  std::vector<std::string> parts;  ///< columns that distinguish the rows of one run
   std::vector<Parameter> parameters;
   std::vector<RecordList> lists = {};
   std::vector<ColumnHelp> columns;
   std::any defaults;
   std::function<Outcome<Row>(const Setup&, const std::any&)> run;
-  /// Checks beyond the parameters' ranges, before anything runs. Throws BadInput.
+  /// Checks that go beyond the ranges of parameters, before anything runs. Throws BadInput.
   std::function<void(const Setup&, const std::any&)> check;
-  /// Columns known before a run; they belong to the axes.
+  /// Columns that are known before a run; they are shown with the axes.
   std::function<Row(const std::any&)> describe = {};
-  /// Points with equal keys must have equal images; none: no such check.
+  /// Points with equal keys must produce equal images. If not set, images are not compared.
   std::function<std::string(const std::any&)> picture_key = {};
-  bool shows_picture = false;  ///< during the run: observe::ControlPanel::picture
-  /// The parameter that makes `key` void here, so that `key` cannot be an axis; "": none.
+  bool shows_picture = false;  ///< the picture is visible during the run, see
+                               ///< observe::ControlPanel::picture
+  /// Returns the parameter whose value makes `key` irrelevant, so that `key` cannot be an axis, or
+  /// "".
   std::function<std::string(const std::any&, const std::string& key)> voids = {};
-  std::string processors = "processors";  ///< column with the number of working processors
-  int services = 0;              ///< processors of the network that serve others, not counted there
-  bool shows_parameters = true;  ///< each parameter is a column of the results
-  /// Columns that always come first, even if they are no axes of the sweep.
+  std::string processors = "processors";  ///< name of the column with the number of working
+                                          ///< processors
+  int services = 0;              ///< number of service processors in the network, which this column
+                                 ///< excludes
+  bool shows_parameters = true;  ///< true: each parameter is a column of the results
+  /// Columns that always come first, even if they are not axes of the sweep.
   std::vector<std::string> leading = {};
 
   const Parameter* find(std::string_view name) const;
 };
 
-/// The key of a parameter in the experiment file: "program.bytes", unless its name has a section.
+/// The key of a parameter in the experiment file: its name if that contains a section, otherwise
+/// "program." and its name.
 std::string key_of(const Parameter& parameter);
 
-/// A program with parameters P and results R, before type erasure. Only name, help and run are
-/// required.
+/// A program with typed parameters P and results R. Only name, help and run are required.
 template <class P, class R>
 struct Declaration {
   std::string name, help;
@@ -178,16 +188,16 @@ Program make_program(const Declaration<P, R>& d) {
   return program;
 }
 
-/// A run was interrupted without a measurement.
+/// Thrown if a run was interrupted and has no measurements.
 struct Unfinished : machine::Fault {
   using Fault::Fault;
 };
 
-/// Runs a program's machine to its end. Throws Unfinished, and exceptions of the simulation. A live
-/// page shows `view`.
+/// Runs a program's machine to its end. A live page shows `view`. Throws Unfinished and the
+/// exceptions of the simulation.
 void run_machine(const Setup& setup, machine::Machine& machine,
                  const observe::ControlPanel& view = {});
-/// The same for an endless program, up to a date.
+/// Runs a program without an end up to `date`, like run_machine.
 void run_machine_until(const Setup& setup, machine::Machine& machine, machine::Seconds date,
                        const observe::ControlPanel& view = {});
 

@@ -1,5 +1,5 @@
 #pragma once
-// Common part of the programs over routers: parameters, network, and costs of an application.
+// Common parts of programs that use routers: parameters, network, and costs of an application.
 #include <optional>
 
 #include "simulator/network/network.hpp"
@@ -7,16 +7,16 @@
 
 namespace programs {
 
-/// Methods of deadlock avoidance, by name. The farm's [data] accepts all but naive.
+/// Names of the methods for avoiding deadlock. The farm's [data] accepts all except naive.
 inline const base::Names<network::Method> METHODS = {{"green", network::Method::green},
                                                      {"chalmers", network::Method::chalmers},
                                                      {"acyclic", network::Method::acyclic},
                                                      {"naive", network::Method::naive}};
 
-/// Parameters of every program over routers, in its member `routers`.
+/// Parameters of the routers, stored in the member `routers` of a program's parameters.
 struct RouterParams {
   network::Method method = network::Method::green;
-  bool pointers = true;  ///< pass messages within a processor by pointer; else copy them
+  bool pointers = true;  ///< false: messages within a processor are copied
   std::uint64_t buffers = 64;
 };
 
@@ -32,27 +32,27 @@ inline base::Fields<RouterParams> router_fields() {
                    "messages that a router has room for")};
 }
 
-/// The fields of the routers, followed by `others`.
+/// The fields of the routers followed by `others`.
 template <class P>
 base::Fields<P> with_routers(const base::Fields<P>& others) {
   return base::join(base::lift_all<P>(router_fields(), &P::routers), {others});
 }
 
-/// The field "message_bytes": contents of a message.
+/// The field "message_bytes": length of a message's contents.
 template <class P, class Access>
 base::Field<P> message_bytes_field(Access access) {
   return base::Declare<P>::whole("message_bytes", access, 0, 1e9, "bytes",
                                  "contents of a message; the identification is 20 more");
 }
 
-/// The column "most_held": the most messages that a router held at once.
+/// The column "most_held": maximum number of messages held by one router.
 template <class R>
 base::Column<R> most_held_column(std::size_t R::*most_held) {
   return base::column("most_held", most_held, "most messages that one router held at once");
 }
 
-/// Adds the routers' queues and counts to the view. The network's processors have the ids `first`,
-/// `first` + 1, ... in the machine.
+/// Adds counts and queue lengths of the routers to the view. The network's processors have the ids
+/// `first`, `first` + 1, ... in the machine.
 inline void show(observe::ControlPanel& view, const network::Network& network, int first = 0) {
   const int count = network.routing().processors();
   view.gauges.push_back({"messages in queues", "of all routers", [&network, count] {
@@ -80,7 +80,7 @@ inline void check_two_processors(const Setup& setup) {
                 "found one processor, expected at least two");
 }
 
-/// `longest`: contents of the longest message, in bytes.
+/// `longest` is the maximum length of a message's contents in bytes.
 inline network::Params network_params(const RouterParams& routers, std::uint64_t longest) {
   network::Params params;
   params.method = routers.method;
@@ -94,7 +94,7 @@ inline network::Routing routing_of(const Setup& setup, network::Method method) {
   return network::make_routing(method, setup.topology, setup.routes, setup.tree);
 }
 
-/// A machine for programs of compiled occam, with the model's memory.
+/// A machine for programs in compiled occam. The model determines the size of its memory.
 struct CompiledMachine : Machine {
   CompiledMachine(const Setup& setup, int count) : Machine(setup, count, machine::Code::compiled) {}
 };
@@ -110,7 +110,7 @@ struct RouterMachine : CompiledMachine {
     plan_faults(
         *this, setup.faults, [this](int id) -> auto& { return (*this)[id]; });
   }
-  /// Starts `application` on every processor, with its client.
+  /// Starts an `application` process on every processor and passes it its client.
   template <class Application>
   void start_all(Application application) {
     for (int id = 0; id < static_cast<int>(processors().size()); ++id)
@@ -127,7 +127,7 @@ struct RouterMachine : CompiledMachine {
   std::optional<network::Network> network;
 };
 
-/// Spends the cycles of an operation of a compiled application.
+/// Charges an operation of a compiled application.
 inline void compute(const char* operation) {
   compute(get_compiled(this_process().processor().model(), operation));
 }

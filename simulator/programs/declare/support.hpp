@@ -1,5 +1,5 @@
 #pragma once
-// Common part of the small programs.
+// Common parts of the small programs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,21 +17,21 @@ using occam::Priority;
 using occam::Seconds;
 using occam::this_process;
 
-/// A message of any length.
+/// A message without contents, of arbitrary length.
 struct Message {
   std::uint64_t length = 0;
   std::uint64_t bytes() const { return length; }
 };
 
-constexpr std::uint64_t MEMORY = 1 << 20;  ///< bytes; programs of bare code allocate nothing
-constexpr Seconds START{1024e-6};          ///< by this date every process waits for its input
+constexpr std::uint64_t MEMORY = 1 << 20;  ///< in bytes; programs of bare code allocate nothing
+constexpr Seconds START{1024e-6};          ///< date by which every process waits for input
 
 inline Seconds now() { return this_process().now(); }
 inline void wait_for_start() { occam::wait_until(occam::ticks(START)); }
 inline void compute(Cycles cycles) { this_process().charge(cycles); }
 
-/// A machine with processors p0, p1, ..., not yet joined. They take the topology's labels if it has
-/// labels and the same number of processors.
+/// A machine with unconnected processors p0, p1, ... If their number equals that of the topology,
+/// they have the topology's labels instead.
 struct Machine : machine::Machine {
   Machine(const Setup& setup, int count, machine::Code code = machine::Code::bare)
       : machine::Machine(setup.model, code, setup.engine) {
@@ -47,7 +47,7 @@ struct Machine : machine::Machine {
   machine::Processor& operator[](int id) const { return *processors()[id]; }
 };
 
-/// A line p0 - p1 - ... and a channel from each to the next.
+/// A line of processors p0 - p1 - ..., with a channel from each to its successor.
 struct Line : Machine {
   Line(const Setup& setup, int count) : Machine(setup, count) {
     for (int id = 0; id + 1 < count; ++id) {
@@ -59,19 +59,19 @@ struct Line : Machine {
   std::deque<Channel<Message>> channels;
 };
 
-/// The field "bytes", the length of a message.
+/// The field "bytes": length of a message.
 template <class P, class Access>
 base::Field<P> bytes_field(Access access, double low = 1) {
   return base::Declare<P>::whole("bytes", access, low, 1e9, "bytes", "length of a message");
 }
 
-/// The field "seed" of a random stream; `help` names its purpose.
+/// The field "seed" of a random stream. `help` states its purpose.
 template <class P, class Access>
 base::Field<P> seed_field(Access access, const std::string& help) {
   return base::Declare<P>::whole("seed", access, 0, 1e15, "", help);
 }
 
-/// The same up to the largest whole number.
+/// The field "seed" with all non-negative integers allowed.
 template <class P, class Access>
 base::Field<P> whole_seed_field(Access access, const std::string& help) {
   auto field = seed_field<P>(access, help);
@@ -80,7 +80,7 @@ base::Field<P> whole_seed_field(Access access, const std::string& help) {
   return field;
 }
 
-/// Cell for a processor: its label if the topology has labels, else its number.
+/// The cell that identifies a processor: its label, or its number if the topology has no labels.
 inline base::Cell processor_cell(const topologies::Topology& topology, int id) {
   if (topology.labels.empty()) return static_cast<std::int64_t>(id);
   return topology.labels.at(id);

@@ -1,4 +1,4 @@
-// Transit load of each processor of a network, from its routes; simulates nothing.
+// Transit load of each processor, computed from a network's routes without simulation.
 
 #include "simulator/programs/declare/support.hpp"
 
@@ -13,7 +13,7 @@ struct Params {
   Pairs pairs = Pairs::all;
 };
 
-// A processor's load on behalf of others.
+// What a processor must do for others.
 struct Measured {
   base::Cell processor;
   int routes_through = 0, lower_neighbours = 0;
@@ -28,7 +28,8 @@ int next_of(const Setup& setup, const Around& around, int from, int to) {
   throw base::InvariantBroken("a route leaves by a port without a link");
 }
 
-// Number of ordered pairs, and of those whose route passes through each other processor.
+// Number of ordered pairs, and for each processor the number of pairs whose route passes through
+// it.
 struct Passed {
   std::vector<int> through;
   int pairs = 0;
@@ -48,7 +49,7 @@ Passed count_passed(const Setup& setup, const Params& params, const Around& arou
   return passed;
 }
 
-// None if all processors are neighbours.
+// Names the processor with the most routes. Returns no note if all processors are neighbours.
 std::vector<std::string> describe_busiest(const topologies::Topology& topology,
                                           const Passed& passed) {
   const auto most = std::ranges::max_element(passed.through);

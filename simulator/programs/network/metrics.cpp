@@ -1,4 +1,4 @@
-// Distances in a network, for comparison with textbooks; simulates nothing.
+// Distances in a network, for comparison with textbooks; nothing is simulated.
 #include "topologies/graph/metrics.hpp"
 
 #include "simulator/programs/declare/program.hpp"
@@ -10,7 +10,7 @@ namespace metrics {
 
 struct Params {};
 
-// Rows and columns of a mesh or torus; one row for any other network.
+// Rows and columns of a mesh or torus. Any other network has one row.
 struct Grid {
   int rows = 1, columns = 1;
 };

@@ -1,5 +1,5 @@
-// A farm of equal tasks: the first processor distributes them, the others work. The workers or the
-// centre limit its throughput.
+// A farm of equal tasks: the first processor distributes them, all others work. Throughput is
+// limited either by the workers or by the first processor.
 #include "simulator/network/store_and_forward.hpp"
 #include "simulator/programs/declare/support.hpp"
 
@@ -18,7 +18,7 @@ struct Measured {
   double throughput_per_s = 0, cpu_busy_centre = 0;
 };
 
-constexpr int AHEAD = 2;  // tasks at a worker or on their way to it
+constexpr int AHEAD = 2;  // number of tasks at a worker or in transit to it
 
 struct Farm {
   network::StoreAndForward& network;
@@ -29,7 +29,7 @@ struct Farm {
     out(network.into(from), network::Pointer{{from, to, length}});
   }
 
-  // Answers each result with the next task. An empty task stops a worker.
+  // Sends the next task in reply to each result. An empty task stops a worker.
   void coordinate(int workers, std::vector<Seconds>& results) const {
     std::int64_t sent = 0;
     for (int turn = 0; turn < AHEAD; ++turn)
@@ -55,7 +55,7 @@ struct Farm {
       send(id, 0, params.bytes);
     }
   }
-  static constexpr std::uint64_t STOP_BYTES = 1;  // shorter than any task
+  static constexpr std::uint64_t STOP_BYTES = 1;  // less than the size of any task
 };
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
@@ -69,7 +69,8 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   for (int id = 1; id <= workers; ++id)
     machine[id].start("worker", Priority::low, [&, id] { farm.work(id); });
   run_machine(setup, machine);
-  // Measures the middle, when all workers have tasks; whole rounds, as results come in bursts.
+  // Measures the middle of the run, when all workers have tasks. Counts whole rounds, because
+  // results come in bursts.
   const auto round = static_cast<std::size_t>(workers);
   const std::size_t rounds = results.size() / round, a = rounds / 4 * round,
                     b = a + rounds / 2 * round;

@@ -27,7 +27,7 @@ TrafficResult run_traffic(const Setup& setup, const std::vector<Arrival>& arriva
   network::StoreAndForward network(machine, setup.topology);
   TrafficResult result;
   result.deliveries.resize(arrivals.size());
-  std::vector<std::vector<std::uint64_t>> to_send(n);  // indices of arrivals, by source
+  std::vector<std::vector<std::uint64_t>> to_send(n);  // indices into `arrivals`, by source
   std::vector<std::size_t> to_receive(n);
   for (std::size_t i = 0; i < arrivals.size(); ++i) {
     to_send[arrivals[i].from].push_back(i);
@@ -59,7 +59,7 @@ TrafficResult run_traffic(const Setup& setup, const std::vector<Arrival>& arriva
 
 namespace traffic {
 
-// Mean number of packets in the network over a part of the window.
+// Mean number of packets in the network during part of the window.
 double mean_inside(const std::vector<Delivery>& deliveries, double from_s, double to_s) {
   double inside_s = 0;
   for (const auto& d : deliveries)
@@ -81,7 +81,7 @@ struct Measured {
   bool is_saturated = false;
 };
 
-constexpr double MOST_PACKETS = 1e7;  // each takes some 100 bytes of host memory
+constexpr double MOST_PACKETS = 1e7;  // each packet takes some 100 bytes of host memory
 
 std::vector<Arrival> make_arrivals(const Setup& setup, const Params& params) {
   const int n = setup.topology.processors;
@@ -100,7 +100,8 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   const auto arrivals = make_arrivals(setup, params);
   const auto result = run_traffic(setup, arrivals, params.bytes);
   const double window_s = params.window_s;
-  // Counts packets sent in the second half, when the queues have filled.
+  // Counts packets sent in the second half of the window, when queues have reached their usual
+  // length.
   double sum_s = 0, count = 0;
   for (const auto& d : result.deliveries)
     if (d.sent_s > window_s / 2) sum_s += d.received_s - d.sent_s, ++count;

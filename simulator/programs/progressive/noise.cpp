@@ -1,4 +1,4 @@
-// Noise of distributed rays as a function of the number of samples, without a machine.
+// Noise of distributed rays as a function of the number of samples; no machine is simulated.
 #include "renderer/files/load_scene.hpp"
 #include "renderer/quality/quality.hpp"
 #include "renderer/trace/render.hpp"
@@ -21,7 +21,7 @@ struct Measured {
   std::optional<double> exponent, rays_share, rmse_share;
 };
 
-// Renders with `samples` samples a pixel and independent random numbers.
+// Renders with `samples` samples per pixel. Each number of samples has its own random numbers.
 renderer::Rendering render_with(const renderer::Scene& scene, renderer::Params image, int samples,
                                 double adaptive = 0) {
   image.sampling.pixel_samples = samples;
@@ -30,7 +30,7 @@ renderer::Rendering render_with(const renderer::Scene& scene, renderer::Params i
   return renderer::render(scene, image);
 }
 
-// Compares images with a reference, row by row.
+// Compares images with a reference and adds a row for each.
 class Rows {
  public:
   explicit Rows(renderer::Samples reference) : reference_(std::move(reference)) {}
@@ -70,7 +70,7 @@ Outcome<Measured> run(const Setup&, const Params& params) {
   };
   const auto name = [](int samples) { return fmt::format("samples-{}", samples); };
   renderer::Params other = params.image;
-  other.sampling.seed += renderer::MAX_PIXEL_SAMPLES;  // used by no other image
+  other.sampling.seed += renderer::MAX_PIXEL_SAMPLES;  // a seed that no other image uses
   Rows rows(render_with(scene, other, params.reference).samples);
   if (adaptive > 0) {
     using renderer::ADAPTIVE_SAMPLES;
@@ -85,7 +85,7 @@ Outcome<Measured> run(const Setup&, const Params& params) {
     Measured& row = rows.add(samples, render(samples), name(samples));
     const double before = samples > 1 ? (&row - 1)->rmse : 0;
     if (before > 0 && row.rmse > 0)
-      // Rounded, so that the result does not depend on the library's logarithm.
+      // rounded to make the result independent of the library's logarithm
       row.exponent = static_cast<float>(std::log(row.rmse / before) / std::log(4.0));
   }
   return std::move(rows.outcome);

@@ -1,4 +1,4 @@
-// The sequential ray tracer with increasing realism (thesis, 4.2), alone on one processor.
+// The sequential ray tracer with increasing realism (thesis, 4.2) on a single processor.
 #include "renderer/progressive/progressive.hpp"
 
 #include "renderer/files/load_scene.hpp"
@@ -17,7 +17,7 @@ using renderer::progressive::StepCounts;
 struct Params {
   base::Source scene{"room:27", ""};
   renderer::Params image;
-  Step step;  // the last step, except for its depth and area
+  Step step;  // the final step, without its depth and area
   int max_cell = 16;
   renderer::progressive::StepKind kind = renderer::progressive::StepKind::cells;
 };
@@ -60,7 +60,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
     Progressive progressive(scene, params.image, params.max_cell);
     for (const Step& step : make_steps(params.kind, params.max_cell, last_step(params))) {
       const auto counts = progressive.advance(step);
-      // If a level adds no rays, deeper levels add none either.
+      // If a level adds no rays, deeper levels cannot add any.
       if (params.kind == renderer::progressive::StepKind::depth && counts.rays.fresh.total() == 0)
         break;
       const auto cost = costs(counts.rays.work.counts);

@@ -1,5 +1,5 @@
-// Growth of a picture in two passes of samples, in a given order of pixels, and growth of the queue
-// of quadrants. Simulates no machine, so no program spends time.
+// Quality of a picture during two passes of samples, in a given order of pixels, and the length of
+// the queue of quadrants. No machine is simulated, so there are no times.
 #include "renderer/progressive/refinement.hpp"
 
 #include <cmath>
@@ -27,7 +27,7 @@ struct Params {
 struct Measured {
   int percent = 0;
   std::uint64_t samples = 0, rays = 0;
-  double sampled = 0;  // share of the pixels
+  double sampled = 0;  // fraction of the pixels
   std::optional<std::uint64_t> queue, queue_peak;
   double ssim = 0, rmse = 0;
 };

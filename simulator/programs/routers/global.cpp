@@ -1,5 +1,5 @@
-// A sequence of GLOBAL messages from the root, answered by every other processor (table 5.3): once
-// after the last message, or after each.
+// A sequence of GLOBAL messages from the root (table 5.3). Every other processor answers after each
+// message, or only after the last one.
 #include "simulator/programs/declare/routers.hpp"
 
 namespace programs {
@@ -22,7 +22,7 @@ struct Global {
   const Params& params;
   int others;
 
-  // Sends while few enough messages are unanswered; otherwise takes answers.
+  // Sends while the number of unanswered messages is within the window; otherwise receives answers.
   void ask(Client& client) const {
     std::int64_t sent = 0;
     const std::int64_t rounds = params.answers == Answers::each ? params.messages : 1;

@@ -1,4 +1,4 @@
-// InPathTo requests along a line, sometimes answered by processors on the way (5.1.1.3).
+// InPathTo requests along a line, which processors on the route sometimes answer (5.1.1.3).
 
 #include "base/random.hpp"
 #include "simulator/programs/declare/routers.hpp"
@@ -12,7 +12,8 @@ using network::Client;
 
 constexpr int ASKED = 0, ASKING = 1;  // kinds of process
 
-// On the way: answers with `probability`, else returns the request. At the end: always answers.
+// Answers requests. On the route, a request is answered with `probability` or else returned; at its
+// destination, it is always answered.
 void answer(Client& client, double probability, std::uint64_t seed) {
   this_process().set_server();
   base::Random random(seed, client.processor());

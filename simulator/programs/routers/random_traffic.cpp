@@ -1,4 +1,4 @@
-// Every processor sends messages to random others: CPU shares of the routers and of the sending
+// Random messages from every processor: measures CPU time of the routers and of the sending
 // application (table 5.2).
 #include "base/random.hpp"
 #include "simulator/programs/declare/routers.hpp"
@@ -19,7 +19,7 @@ struct Talk {
   const Params& params;
   int processors;
 
-  // One sequential process (LSGP): receives until its next message is due.
+  // Body of a sequential process (LSGP), which receives messages until its next one is due.
   void run(Client& client) const {
     base::Random random(params.seed, client.processor());
     network::Handed handed;

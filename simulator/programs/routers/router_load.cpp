@@ -1,5 +1,5 @@
-// Load-latency curve of routers: all processors offer messages at a given rate, and sinks take them
-// at once. The curve ends where queues grow without bound or overflow their buffers.
+// Load-latency curve of routers. All processors offer messages at a given rate, and sinks receive
+// them immediately. The curve ends where queues grow without bound or overflow.
 #include "base/random.hpp"
 #include "simulator/programs/declare/routers.hpp"
 
@@ -12,8 +12,8 @@ using network::Message;
 
 struct Seen {
   double sum_s = 0;
-  std::uint64_t offered = 0, count = 0;  // in the window; of those, received
-  std::uint64_t in_window = 0;           // received in the window
+  std::uint64_t offered = 0, count = 0;  // offered in the window; number of these received
+  std::uint64_t in_window = 0;           // number received in the window
 };
 
 struct Params {
@@ -29,7 +29,8 @@ struct Offers {
 
   double end_s() const { return params.warm_up_s + params.window_s; }
 
-  // A Poisson stream; a message counts as offered even while it waits for the router.
+  // Offers a Poisson stream of messages. A message counts as offered even while it waits for the
+  // router.
   void offer(Client& client, Seen& seen) const {
     base::Random random(params.seed, client.processor());
     for (double at_s = 0; (at_s += random.exponential() / rate_per_s) < end_s();) {
@@ -66,7 +67,7 @@ void check_messages(const Offers& offers) {
                 "found {:.3g} messages, expected at most {:.3g}", messages, MOST_MESSAGES);
 }
 
-// Source and sink each have a channel of their own, into and out of the router.
+// Starts a source and a sink per processor, each with its own channel to or from the router.
 void start_clients(const Offers& offers, RouterMachine& on, std::vector<Seen>& seen) {
   for (int id = 0; id < offers.processors; ++id) {
     on[id].start(on[id].name() + ".source", Priority::high,
@@ -102,7 +103,7 @@ Measured measure(const Offers& offers, const RouterMachine& on, const Seen& all,
                  bool has_overflowed) {
   const auto& params = offers.params;
   const double now_s = on.now().value;
-  // The part of the window before its end or the overflow.
+  // If buffers overflowed, only the part of the window before the overflow.
   const double window_s = has_overflowed ? now_s - params.warm_up_s : params.window_s;
   const double time_s = std::max(now_s, params.warm_up_s + window_s);
   Measured m{.offered_per_s = offers.rate_per_s,

@@ -1,5 +1,5 @@
-// Soak test of routers: processes on all processors send each other random messages of every kind,
-// and each message is accounted for.
+// Soak test of routers: all processors exchange random messages of every kind, and the fate of each
+// message is checked.
 #include <fmt/ranges.h>
 
 #include <set>
@@ -34,10 +34,10 @@ struct Planned {
   int from = 0, to = 0;
   Mode mode{};
   std::uint64_t length = 0;
-  double pause_s = 0;  // before the message
+  double pause_s = 0;  // delay before the message
 };
 
-// Messages to send; a seed gives the same plan on any machine.
+// Makes the plan of messages. A seed gives the same plan on every machine.
 std::vector<Planned> make_plan(int processors, const Params& params) {
   base::Random random(params.seed);
   std::vector<Planned> plan(params.messages);
@@ -55,7 +55,8 @@ std::vector<Planned> make_plan(int processors, const Params& params) {
   return plan;
 }
 
-// One in four is answered where it is offered; its number selects the processor.
+// True if the process on this processor answers the offered message. One in four does; the
+// message's number determines which.
 bool answers(const Message& message, int here) {
   return (message.number * 0x9e3779b97f4a7c15ULL >> 32) % 4 == static_cast<unsigned>(here) % 4;
 }
@@ -70,7 +71,7 @@ class Account {
           const std::vector<Planned>& plan)
       : routing_(routing), on_(on), plan_(plan), deliveries_(plan.size()), returns_(plan.size()) {}
 
-  // After a fault, routes change and any processor may answer an InPathTo message.
+  // After a fault, routes change, so any processor may answer an InPathTo message.
   void expect_any_route() { all_on_the_way_ = true; }
 
   void send(std::size_t number) {
@@ -125,7 +126,7 @@ class Account {
     return false;
   }
 
-  // Lists lost messages by sender and receiver.
+  // Adds notes on lost messages, by sender and receiver.
   void name_lost() {
     std::map<std::pair<int, int>, std::vector<std::size_t>> lost;
     for (const std::size_t number : was_sent_) {
@@ -153,12 +154,12 @@ class Account {
   const std::vector<Planned>& plan_;
   std::set<std::size_t> was_sent_;
   std::uint64_t links_ = 0;
-  std::vector<std::vector<int>> deliveries_;  // by message: receivers
-  std::vector<std::vector<int>> returns_;     // by message: processors that returned it
-  std::map<std::tuple<int, int, int>, std::uint64_t> last_;  // number + 1 of the last message
+  std::vector<std::vector<int>> deliveries_;  // receivers, by message
+  std::vector<std::vector<int>> returns_;     // processors that returned it, by message
+  std::map<std::tuple<int, int, int>, std::uint64_t> last_;  // number of the last message plus 1
 };
 
-// Sends the planned messages and receives in between; then only receives.
+// Sends the planned messages and receives in between; afterwards only receives.
 void live(Client& client, const std::vector<Planned>& plan, Account& account) {
   const int here = client.processor();
   network::Handed handed;
@@ -190,7 +191,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   check_two_processors(setup);
   RouterMachine on(setup, network_params(params.routers, params.longest));
   const auto plan = make_plan(setup.topology.processors, params);
-  // The routing before faults; cut links change the network's own.
+  // a copy of the routing, because cuts change that of the network
   const network::Routing before = routing_of(setup, params.routers.method);
   Account account(before, on, plan);
   on.on_failure([&account](const machine::Failure&) { account.expect_any_route(); });
