@@ -27,7 +27,7 @@ namespace {
 using base::require;
 using Texts = std::vector<std::string>;
 
-// The experiment with its sweep replaced. Model files are found from its folder.
+// Reads the experiment with its sweep replaced. Paths of model files are relative to its folder.
 ExperimentFile read_task(const CalibrationTask& task, const std::string& sweep) {
   const auto model =
       task.model.ends_with(".toml") ? std::filesystem::absolute(task.model).string() : task.model;
@@ -41,8 +41,8 @@ ExperimentFile read_task(const CalibrationTask& task, const std::string& sweep) 
   return read_experiment("[program]\nname = \"message\"\n", task.measurements, "", overrides);
 }
 
-// Refuses experiments that change the machine, since the model would lose these changes, and axes
-// that were not measured.
+// Throws if the experiment overrides entries of the model, which the fitted file would lose, or if
+// it has axes that were not measured.
 void check_experiment(const CalibrationTask& task, const Texts& columns) {
   if (task.experiment.empty()) return;
   const auto file = load_experiment(task.experiment, {});
@@ -57,7 +57,7 @@ void check_experiment(const CalibrationTask& task, const Texts& columns) {
 
 // The measured values and their settings.
 struct Measurements {
-  Table settings;  ///< the keys of each measurement
+  Table settings;  ///< The experiment keys of each measurement.
   std::vector<double> values;
   std::string column;
   Texts unused;
@@ -122,7 +122,8 @@ std::string spell(const Value& value) {
                                                     : to_string(value);
 }
 
-// A sweep with the distinct settings as coupled axes. `which`: the point of each measurement.
+// Makes a sweep whose coupled axes take every distinct setting once. `which` receives the index of
+// each measurement's point.
 std::string make_sweep(const Table& settings, std::vector<std::size_t>& which) {
   Texts points;
   for (const auto& row : settings.rows) {
@@ -138,7 +139,7 @@ std::string make_sweep(const Table& settings, std::vector<std::size_t>& which) {
                      fmt::join(points, ", "));
 }
 
-// Runs the experiment at each setting, on the model with changed entries.
+// Simulates the experiment at each setting with changed model entries.
 class Runs {
  public:
   Runs(const CalibrationTask& task, const Measurements& measured)
@@ -146,7 +147,7 @@ class Runs {
     for (const auto& point : file_.points) check_point(point.experiment);
   }
 
-  /// The model's result for each measurement.
+  /// The simulated result for each measurement.
   const std::vector<double>& eval(const Texts& entries, const std::vector<double>& values) {
     if (values == values_) return given_;
     Results results;
@@ -173,7 +174,7 @@ class Runs {
   std::string column_;
   ExperimentFile file_;
   TemporaryFolder images_;
-  std::vector<double> values_, given_;  // of the last call
+  std::vector<double> values_, given_;  // Results and model entries of the last call of eval().
 };
 
 const machine::Entry& find_entry(const machine::Model& model, const std::string& key) {
@@ -223,7 +224,8 @@ Calibration calibrate(const CalibrationTask& task) {
   require(!entries.empty(), "--entries", "found none, expected those that are to be fitted");
   const auto measured = read_measurements(task);
   Runs runs(task, measured);
-  // Fits logarithms, since entries are above 0, and most act in proportion.
+  // Fits the logarithms of the entries: entries are positive, and results are roughly proportional
+  // to them.
   constexpr double MOST_FACTOR = 1e4, SHARE = 0.02, CYCLES = 20;
   std::vector<double> start;
   for (const auto* entry : entries) start.push_back(std::log(entry->value));
@@ -240,7 +242,8 @@ Calibration calibrate(const CalibrationTask& task) {
       given[i] = std::log(given[i] / measured.values[i]);
     return given;
   };
-  // The machine rounds to cycles.
+  // The step of the numerical derivative. The simulated machine rounds to whole cycles, so an entry
+  // in cycles needs a large step.
   const auto step = [&](std::size_t i, double logarithm) {
     const double value = std::exp(logarithm);
     return std::log1p(entries[i]->unit == "cycles" ? std::max(SHARE, CYCLES / value) : SHARE);

@@ -1,4 +1,4 @@
-// Model files written by tlab.
+// Text of the model files that tlab writes.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,14 +19,14 @@ std::pair<std::string, std::string> split_key(const std::string& key) {
   return {key.substr(0, dot), key.substr(dot + 1)};
 }
 
-// The base as spelled in the file: model files are found from its folder.
+// Spells the base model's path relative to the folder of the new model file.
 std::string name_base(const std::string& base, const std::string& file) {
   if (!base.ends_with(".toml")) return base;
   namespace fs = std::filesystem;
   return fs::relative(fs::absolute(base), fs::absolute(file).parent_path()).string();
 }
 
-// Makes a text safe for a comment, which ends with its line.
+// Replaces control characters by blanks, so that the text fits into a one-line comment.
 std::string plain(const std::string& text) { return base::blank_controls(text, '?'); }
 
 }  // namespace

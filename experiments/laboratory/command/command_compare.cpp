@@ -18,7 +18,8 @@ struct CompareOptions {
   std::string output;
 };
 
-// Refuses targets that are not a page or table, cannot be written, or belong to the results.
+// Throws unless the output is a page or a table, can be written, and lies outside the compared
+// results.
 void check_target(const CompareOptions& o) {
   base::require(o.output.ends_with(".html") || o.output.ends_with(".csv"), "--output",
                 "found {}, expected a name that ends with .html or .csv", o.output);

@@ -32,7 +32,7 @@ using renderer::LeftOut;
 
 std::string ending_of(const std::string& path) { return fs::path(path).extension().string(); }
 
-// Ignores case, as in PART.STL.
+// Recognises a mesh by its file extension, in upper or lower case.
 bool is_mesh(const std::string& source) {
   auto ending = ending_of(source);
   for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -48,7 +48,7 @@ radiosity::Room read_room(const std::string& source, LeftOut& left_out) {
   return radiosity::read_room(base::read_text(source), source, &left_out);
 }
 
-// A file to be written.
+// A file to write, with its content.
 struct Text {
   std::string path, text;
 };
@@ -101,7 +101,8 @@ Texts write_obj(const std::string& source, const std::string& output, LeftOut& l
   return {{library.string(), obj.library()}, {output, obj.text()}};
 }
 
-// CPU seconds allowed for a mesh. A .gltf can have its data in other files of its folder.
+// CPU seconds allowed for converting a mesh. A .gltf file may refer to further files of its folder,
+// so they count as well.
 rlim_t find_time_limit(const std::string& source) {
   constexpr double LEAST_S = 1, S_PER_BYTE = 2e-5;
   std::uintmax_t bytes = 0;
@@ -114,7 +115,7 @@ rlim_t find_time_limit(const std::string& source) {
   return static_cast<rlim_t>(LEAST_S + S_PER_BYTE * static_cast<double>(bytes));
 }
 
-// Converts a mesh in a separate process with limited time: see read_mesh().
+// Converts a mesh in a separate process with a limit on CPU time (see read_mesh()).
 Converted convert_apart(const std::string& source, const std::function<Converted()>& convert) {
   const auto limit_s = find_time_limit(source);
   const auto job = [&](std::size_t) {
@@ -124,7 +125,7 @@ Converted convert_apart(const std::string& source, const std::function<Converted
     const auto [texts, left_out] = convert();
     nlohmann::json json = {{"left_out", left_out}};
     for (const auto& [path, text] : texts) json["texts"].push_back({path, text});
-    std::string bytes;  // file names may be invalid UTF-8
+    std::string bytes;  // file name, perhaps invalid UTF-8
     nlohmann::json::to_cbor(json, bytes);
     return bytes;
   };
@@ -166,7 +167,7 @@ void convert(const std::string& source, const std::string& output) {
     return is_mesh(source) ? convert_apart(source, convert_here) : convert_here();
   }();
   for (const auto& [path, text] : texts) {
-    if (text.empty()) continue;  // an OBJ without materials
+    if (text.empty()) continue;  // no material file for an OBJ without materials
     base::save_whole(path, text);
     fmt::print("scene    {}\n", path);
   }

@@ -53,7 +53,7 @@ void add_list_command(CLI::App& app) {
   command->callback([o] { list(*o); });
 }
 
-// The help on a command, a program, both if they share the name, or all keys.
+// Finds the help on a command or a program (both if they share the name), or on all keys.
 std::string find_help(const CLI::App& app, const std::string& word) {
   if (word == "keys") return describe_keys() + "\n" + describe_programs();
   std::string text;

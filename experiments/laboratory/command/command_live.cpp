@@ -37,7 +37,7 @@ struct LiveOptions {
   bool no_browser = false;
 };
 
-// Simulated seconds a second.
+// Reads the pace of the run, in simulated seconds per second of real time.
 double read_speed(const std::string& text) {
   if (text == "max") return std::numeric_limits<double>::infinity();
   const auto speed = base::parse_number<double>(text);
@@ -47,7 +47,7 @@ double read_speed(const std::string& text) {
   return *speed;
 }
 
-// Only the engine "direct" has a clock that can wait.
+// Loads the experiment for the engine "direct", the only one whose clock can be slowed down.
 ExperimentFile load(const LiveOptions& o) {
   auto overrides = o.overrides;
   overrides.emplace_back("run.engine=direct");
@@ -75,7 +75,7 @@ fs::path find_recording(const LiveOptions& o, const ExperimentFile& file) {
                   "found the experiment itself, {}, expected another file", o.record);
     return o.record;
   }
-  // Keeps recordings of earlier sessions.
+  // Chooses a folder that keeps the recordings of earlier sessions.
   const auto name = fs::path(file.path).stem().string() + "-live";
   fs::path recording = fs::path("results") / (name + ".toml");
   for (int number = 2; fs::exists(recording); ++number)
@@ -83,11 +83,12 @@ fs::path find_recording(const LiveOptions& o, const ExperimentFile& file) {
   return recording;
 }
 
-// A page that redirects to the session's. The address must not appear in a command line, which all
-// users of the computer can read. Only the owner can read this file; it is removed with the object.
+// A temporary page that redirects the browser to the session. All users of the computer can read
+// command lines, so these must not contain the session's secret address. Only the owner can read
+// the page, which is removed with the object.
 class Doorway {
  public:
-  /// Throws std::system_error if no folder can be made.
+  /// Throws std::system_error if the temporary folder cannot be made.
   explicit Doorway(const std::string& address) {
     std::ofstream(file()) << fmt::format("<meta http-equiv=\"refresh\" content=\"0;url={}\">\n",
                                          address);
@@ -99,7 +100,7 @@ class Doorway {
   TemporaryFolder folder_;
 };
 
-// Users without a browser open the address by hand.
+// Asks the user to open the address by hand if no browser can be started.
 void open_browser(const std::string& file) {
   std::string program = "xdg-open", argument = file;
   char* arguments[] = {program.data(), argument.data(), nullptr};
@@ -112,7 +113,7 @@ void open_browser(const std::string& file) {
   posix_spawn_file_actions_destroy(&quiet);
 }
 
-// Stores the result of the session as the result of a run of its recording. Returns the options of
+// Stores the session's result like the result of a run of its recording. Returns the options of
 // that run.
 RunOptions keep_result(const RunOptions& options, const Session& session, PointResult result) {
   RunOptions rerun = options;
@@ -123,20 +124,20 @@ RunOptions keep_result(const RunOptions& options, const Session& session, PointR
   const auto recording = load_experiment(options.file, {});
   const PointsPlan plan(rerun, recording);
   save_origin(plan.results, recording, plan.origin);
-  // Failed points are run again, as by tlab run.
+  // Failed points are not stored: `tlab run` simulates them again.
   if (!result.is_failed())
     save_record(plan.results / records_folder(), plan.keys.at(0), result, "");
   return rerun;
 }
 
-// Runs the point under observation by pages. Records the session in options.file in any case.
+// Runs the point while live pages watch it. Records the session in options.file in any case.
 RunOptions run_watched(const RunOptions& options, const ExperimentFile& file, Session& session) {
   std::optional<PointResult> result;
   std::exception_ptr failure;
   try {
     result =
         run_point(file.points[0], options, results_folder(options) / records_folder(), &session);
-  } catch (const machine::Fault&) {  // reported by the run of the recording
+  } catch (const machine::Fault&) {  // the run of the recording reports the fault
   } catch (...) {
     failure = std::current_exception();
   }

@@ -28,7 +28,8 @@ struct ModelOptions {
   std::string output;
 };
 
-// Requires a file name that is valid for a model: letters, digits, - and _, not a built-in name.
+// Throws unless the file name is valid for a model: letters, digits, - and _, and not the name of a
+// built-in model.
 void check_model_file(const std::string& file) {
   const auto name = fs::path(file).stem().string();
   const bool is_name = !name.empty() && std::ranges::all_of(name, [](unsigned char c) {

@@ -20,14 +20,14 @@ std::string check_seconds(const std::string& text) {
 
 const CLI::Validator SECONDS([](std::string& text) { return check_seconds(text); }, "SECONDS");
 
-// The default file of a film, beside the results folder.
+// The default file name of a film, in the folder that contains the results folder.
 std::string choose_film(const std::string& kind, const RunOptions& options) {
   auto results = results_folder(options).lexically_normal();
   if (!results.has_filename()) results = results.parent_path();
   return results.string() + "-" + kind + ".webp";
 }
 
-// Reads "picture=grown.webp" or "network".
+// Reads the value of --animate: "picture=grown.webp" or "network".
 void read_film(const std::string& text, RunOptions& options) {
   const auto kind = text.substr(0, text.find('='));
   auto* file = kind == "picture"   ? &options.films.picture

@@ -24,14 +24,15 @@ constexpr std::size_t MOST_SHOWN = 20;
 
 struct VerifyOptions {
   std::vector<std::string> paths;  // experiment files, or folders of them
-  RunOptions run;    // output: the results folder of a single file, else the parent folder of all
-  bool all = false;  // show every point of a check, not only the worst of many
+  // options of each run; `output`: results folder, or with several files its parent
+  RunOptions run;
+  bool all = false;  // show every point of a check instead of only the worst ones
 };
 
 struct Candidate {
   std::string file;
-  fs::path name;       // name of its results folder within the output folder
-  bool named = false;  // given by the user as a file, not through a folder
+  fs::path name;       // name of the results folder inside the output folder
+  bool named = false;  // the user named the file itself, not a folder that contains it
 };
 
 std::vector<Candidate> find_candidates(const std::string& path) {
@@ -86,14 +87,14 @@ void verify_file(const Candidate& candidate, const VerifyOptions& options, bool 
   throw_failures(s.file, s.results, "the others are in " + run.output);
 }
 
-// Prints every check with its points, then throws Failure unless every check holds and every path
-// has one. A check without points does not hold.
+// Runs the experiments and prints every check with its points. Then throws Failure unless all
+// checks hold and every file and folder contains one. A check without points counts as failed.
 void verify(const VerifyOptions& options) {
   std::vector<std::vector<Candidate>> candidates;
   for (const auto& path : options.paths) candidates.push_back(find_candidates(path));
   const bool alone = candidates.size() == 1 && candidates[0][0].named;
   Count count;
-  std::vector<std::string> without;  // paths
+  std::vector<std::string> without;  // files and folders without checks
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const auto before = count.all();
     for (const auto& candidate : candidates[i]) verify_file(candidate, options, alone, count);

@@ -35,7 +35,8 @@
 namespace laboratory {
 namespace {
 
-// Chooses a format by the file's ending if none is given; otherwise both must agree.
+// Chooses the output format: the given one, or else by the file's extension. Throws if the two
+// disagree.
 std::string choose_format(const std::string& asked, const std::string& file) {
   static const std::map<std::string, std::string> ENDINGS = {
       {".dot", "dot"}, {".gv", "dot"}, {".graphml", "graphml"}, {".svg", "svg"}, {".csv", "csv"}};
@@ -145,7 +146,8 @@ void check_command(const CLI::App& app, int argc, char** argv) {
                                    fmt::join(known, ", "), base::did_you_mean(argv[1], known)));
 }
 
-// Deterministic help: CLI11 lists the options that one excludes in the order of their addresses.
+// Help texts in a fixed order. CLI11 sorts the options excluded by another option by their
+// addresses, which change between runs.
 class Help : public CLI::Formatter {
   // Prints several words of one kind as "DIR ..." instead of "DIR(1x)".
   std::string make_option_usage(const CLI::Option* option) const override {
@@ -207,7 +209,7 @@ int do_command(CLI::App& app, int argc, char** argv) {
     check_command(app, argc, argv);
     app.parse(argc, argv);
     return 0;
-  } catch (const CLI::ParseError& error) {  // includes --help
+  } catch (const CLI::ParseError& error) {  // --help throws as well
     std::ostringstream out, problems;
     const bool is_help = app.exit(error, out, problems) == 0;
     fmt::print("{}", out.str());
@@ -216,7 +218,7 @@ int do_command(CLI::App& app, int argc, char** argv) {
   }
 }
 
-// True if the reader of standard output has closed the pipe.
+// True if the output pipe's reader has closed it.
 bool is_broken_pipe(const std::exception& error) {
   const auto* failed = dynamic_cast<const std::system_error*>(&error);
   return failed && failed->code() == std::errc::broken_pipe;
@@ -235,14 +237,14 @@ int run_tlab(int argc, char** argv) try {
     flush_output();
     return exit_code;
   } catch (const std::exception& error) {
-    wait_for_error_stream();  // a signal may end the program meanwhile
+    wait_for_error_stream();  // a signal may end the program during this wait
     const base::Undivided last_words;
     if (is_broken_pipe(error)) std::signal(SIGPIPE, SIG_DFL), std::raise(SIGPIPE);
     const bool is_memory = dynamic_cast<const std::bad_alloc*>(&error);
     complain(is_memory ? "the host is out of memory" : error.what());
     return exit_code_of(error);
   }
-} catch (const std::exception& error) {  // from the code around the command
+} catch (const std::exception& error) {  // errors outside the command itself
   complain(error.what());
   return exit_code_of(error);
 }

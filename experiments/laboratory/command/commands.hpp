@@ -1,5 +1,5 @@
 #pragma once
-// The subcommands of tlab: each declares its options once and the action that uses them. Small ones
+// The subcommands of tlab. Each declares its options and the action that uses them. Small commands
 // are in commands.cpp.
 #include <CLI/CLI.hpp>
 
@@ -13,9 +13,12 @@ void add_model_command(CLI::App& app);
 void add_convert_command(CLI::App& app);
 void add_guide_commands(CLI::App& app);  ///< list, help, init
 
-/// Parses and executes the command line. Returns the program's exit code: 0 done; 1 a check failed
-/// or a simulation broke down; 2 bad input or usage; 3 the simulated program deadlocked, ran out of
-/// simulated memory or did what the machine refuses; 130 interrupted.
+/// Parses and executes the command line. Returns the exit code of the program:
+///  - 0: done;
+///  - 1: a check failed, or a simulation broke down;
+///  - 2: bad input or usage;
+///  - 3: the simulated program deadlocked, ran out of memory, or did something the machine forbids;
+///  - 130: interrupted by the user.
 int run_tlab(int argc, char** argv);
 
 }  // namespace laboratory

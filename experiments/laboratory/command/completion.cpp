@@ -15,7 +15,8 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// The kind of names, as in `tlab list`, that a command's words denote; other commands take files.
+// Maps a command to the kind of names that its arguments denote, as in `tlab list`. Other commands
+// take files.
 const std::map<std::string, std::string> NAMES = {
     {"topology", "topologies"}, {"model", "models"},      {"render", "scenes"},
     {"columns", "programs"},    {"help", "programs"},     {"run", "experiments"},
@@ -26,12 +27,12 @@ std::string names_of(const CLI::App& command) {
   return found == NAMES.end() ? "" : fmt::format("tlab list {} --names", found->second);
 }
 
-// Help in one line, without characters special to shells and their lists.
+// Joins a help text to one line and removes characters that are special to shells.
 std::string plain(const std::string& help) {
   return std::regex_replace(help.substr(0, help.find('\n')), std::regex("['\"`\\\\:\\[\\]$]"), "");
 }
 
-// "-o", "--output"; empty for positional arguments, which have no option names.
+// The option's names, such as "-o" and "--output". Positional arguments have none.
 Names option_names(const CLI::Option& option) {
   Names names;
   for (const auto& name : option.get_snames()) names.push_back("-" + name);

@@ -1,13 +1,13 @@
 #pragma once
-// Shell scripts that complete the commands, options and names of tlab.
+// Shell completion for the commands, options and names of tlab.
 #include <CLI/CLI.hpp>
 #include <string>
 
 namespace laboratory {
 
-/// The script for "bash", "zsh" or "fish". It contains commands and options, with help if the shell
-/// shows it, and calls `tlab list --names` for names; everything else completes to files. Throws
-/// base::BadInput for another shell.
+/// Makes the completion script for "bash", "zsh" or "fish". It contains the commands and options,
+/// with help texts if the shell shows them. It calls `tlab list --names` for names, and completes
+/// all other arguments to files. Throws base::BadInput for another shell.
 std::string make_completion(const CLI::App& app, const std::string& shell);
 
 /// Adds `tlab completion`.

@@ -49,7 +49,7 @@ void print_notes(const Simulation& s) {
   if (notes.size() > MOST_NOTES) fmt::print("...\n");
 }
 
-// Lists the last image of each run, without intermediate ones.
+// Lists the final image of each run, without the intermediate images.
 std::set<std::string> list_images(const Simulation& s) {
   std::set<std::string> names;
   for (const auto& result : s.results)
@@ -117,7 +117,8 @@ void print_verdict(const CheckResult& check, const Table& table) {
 
 namespace {
 
-// Throws for failures in results that have been written.
+// Prints the checks and failures of results already written. Throws Failure for an interrupt, a
+// failed point or a failed check.
 void judge(const RunOptions& options, const CheckPlan& plan, const Simulation& s) {
   const auto output = results_folder(options).string();
   for (const auto& failure : s.undrawn) complain(failure);
@@ -145,7 +146,7 @@ void write_and_judge(const RunOptions& options, const ExperimentFile& file, Miss
   judge(options, plan, s);
 }
 
-// Reads "3" or "3-5".
+// Reads a range of point numbers: "3" or "3-5".
 std::pair<std::size_t, std::size_t> read_range(const std::string& text, std::size_t points) {
   const auto ends = base::split(text, '-');
   const auto first = base::parse_number<std::size_t>(ends.front());
@@ -165,7 +166,7 @@ std::vector<std::size_t> read_numbers(const std::vector<std::string>& texts, std
   return {numbers.begin(), numbers.end()};
 }
 
-// Results that depend on the host and the moment cannot be collected later.
+// Throws for points with timed costs: results that depend on the host's speed cannot be merged.
 void check_counted(const ExperimentFile& file, const std::vector<std::size_t>& numbers) {
   for (const auto i : numbers)
     base::require(!file.points[i].experiment.is_timed, file.path,

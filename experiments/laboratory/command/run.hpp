@@ -5,38 +5,43 @@
 
 namespace laboratory {
 
-/// Treatment of points without records.
+/// Treatment of points without records: simulate them, or throw an error.
 enum class Missing { run, refuse };
 
-/// Runs every missing point, evaluates the checks, and writes results.csv, run.json, checks.csv,
-/// images, plots and report.html into the folder, all or nothing. Only the records of points appear
-/// as soon as each point is done. The results depend only on the experiment: not on the number of
-/// jobs, nor on points kept from an earlier, partial or killed run. Runs with failed points, and
-/// runs cut short by a limit or the user, are kept and marked incomplete unless all points failed.
-/// The outcome of checks has no effect here. Throws BadInput for results of another experiment, and
-/// for missing points under Missing::refuse.
+/// Runs every missing point and evaluates the checks. Writes results.csv, run.json, checks.csv,
+/// images, plots and report.html into the folder, all or nothing. Only records appear earlier, each
+/// as soon as its point is done.
+///
+/// The results depend only on the experiment. They are independent of the number of jobs, and of
+/// points kept from an earlier, partial or killed run. If some points fail, or a limit or the user
+/// ends the run early, the results are kept and marked incomplete. The outcome of checks has no
+/// effect here.
+///
+/// Throws BadInput for results of another experiment, and for missing points under Missing::refuse.
+/// Writes nothing if all points failed.
 Simulation simulate(const RunOptions& options, const ExperimentFile& file, const CheckPlan& plan,
                     Missing missing = Missing::run);
 
-/// Simulates and prints a summary. After writing everything, throws Failure if the user
-/// interrupted, a point failed, or a check fails. A check that matches no point of this run is only
-/// named.
+/// Simulates the experiment and prints a summary. After writing everything, throws Failure if the
+/// user interrupted, a point failed, or a check fails. A check that matches no point of this run is
+/// mentioned, but does not fail.
 void run_experiment(const RunOptions& options);
 
 /// Prints the outcome of a check, on one line.
 void print_verdict(const CheckResult& check, const Table& table);
 
-/// Prints a line for each point, separated by tabs: number, key, axes, "there" or "missing".
+/// Prints one line for each point, with fields separated by tabs: number, key, axes, and "there" or
+/// "missing".
 void list_points(const RunOptions& options);
 
-/// Runs the chosen points that are missing. Keeps their records and a note of their experiment in
-/// the folder for merge_results, and changes nothing else there. Several processes may do so at
-/// once. Throws BadInput for unknown point numbers and for cost = "timed"; Failure if the user
+/// Runs those of the chosen points that have no records. Writes only their records and the
+/// description of their experiment, for merge_results. Several processes may do so at once. Throws
+/// BadInput for unknown point numbers and for cost = "timed". Throws Failure if the user
 /// interrupted or a point failed.
 void run_chosen_points(const RunOptions& options);
 
 /// Writes the files of run_experiment into a folder that holds the record of every point. Throws
-/// BadInput that lists missing records.
+/// BadInput with a list of missing records.
 void merge_results(const std::string& folder);
 
 }  // namespace laboratory

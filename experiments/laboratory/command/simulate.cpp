@@ -1,4 +1,4 @@
-// Runs an experiment into its results folder.
+// Simulation of an experiment into its results folder.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -41,7 +41,8 @@ constexpr std::size_t MOST_NAMED = 20;
                                    missing.size() > MOST_NAMED ? "\n  ..." : ""));
 }
 
-// Finds all results among the records, or simulates the missing ones.
+// Simulates the points without records, or throws if `missing` forbids it. `there` receives the
+// number of records found.
 Results make_results(const PointsPlan& plan, Missing missing, std::size_t& there) {
   Results results = find_points(plan, all_points(plan.file));
   const auto to_run = missing_points(results);
@@ -60,7 +61,7 @@ Results make_results(const PointsPlan& plan, Missing missing, std::size_t& there
   return results;
 }
 
-// Drops points that were not run because of an interrupt by the user.
+// Drops the points that did not run because the user interrupted.
 void keep_points_that_ran(Simulation& s, const PointsPlan& plan) {
   const auto all = std::move(s.file.points);
   s.file.points.clear();
@@ -100,7 +101,8 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
   Simulation s;
   s.file = file;
   s.host_speeds = measure_host(s.file);
-  const ExperimentFile all = spread(s.file);  // the first are the file's own
+  // the file's own points precede the machines drawn from [uncertain]
+  const ExperimentFile all = spread(s.file);
   s.asked = all.points.size();
   PointsPlan plan(options, all, inspect_names(checks, s.file));
   plan.lone = folder.working() / lone_records_folder();

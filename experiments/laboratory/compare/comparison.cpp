@@ -24,7 +24,7 @@ using Texts = std::vector<std::string>;
 
 constexpr std::pair<double, double> NO_BAND = {NAN, NAN};
 
-// Columns that are a setting in some run, and therefore not a result.
+// Columns that are a setting in at least one run, and hence not a result.
 std::set<std::string> find_settings(const std::vector<ComparedRun>& runs) {
   std::set<std::string> settings;
   for (const auto& run : runs) {
@@ -35,7 +35,7 @@ std::set<std::string> find_settings(const std::vector<ComparedRun>& runs) {
   return settings;
 }
 
-// The default columns of the first run's program, as far as all runs have them.
+// The columns of the first run's default table that all runs have.
 Texts usual_columns(const std::vector<ComparedRun>& runs, const Texts& common) {
   const auto& first = runs[0].simulation;
   const auto shown = choose_view(first.file, first.table).columns;
@@ -45,10 +45,10 @@ Texts usual_columns(const std::vector<ComparedRun>& runs, const Texts& common) {
   return columns;
 }
 
-// A sentence on each result, and the results that differ.
+// One sentence for each result, and the list of differing results.
 struct ResultFindings {
   Texts sentences;
-  Texts differing;  ///< results not equal in all runs; if there are none, the first
+  Texts differing;  ///< Results that differ between runs; if none do, the first result.
 };
 
 ResultFindings find_results(const Comparison& c) {
@@ -74,7 +74,7 @@ ResultFindings find_results(const Comparison& c) {
   return found;
 }
 
-// Points and columns left out of the comparison, with the reasons.
+// Lists the points and columns left out of the comparison, with reasons.
 Texts note_gaps(const Comparison& c) {
   Texts notes;
   for (std::size_t r = 0; r < c.runs.size(); ++r) {
@@ -94,8 +94,7 @@ Texts note_gaps(const Comparison& c) {
   return notes;
 }
 
-// Plots the ratio of a result to the first run's over the points; with bands if there are
-// intervals.
+// Plots a result's ratio to the first run for each point, with bands if there are intervals.
 std::vector<Plot> plot_ratio(const MatchedRuns& matched, const std::string& column) {
   const auto name =
       fmt::format("{}, times that of {}", without_unit(make_label(column)), matched.runs[0].name);
@@ -104,7 +103,7 @@ std::vector<Plot> plot_ratio(const MatchedRuns& matched, const std::string& colu
   const auto count = matched.points.size();
   table.rows.erase(table.rows.begin(), table.rows.begin() + static_cast<std::ptrdiff_t>(count));
   std::vector<std::pair<double, double>> bands;
-  double least = 1, most = 1;  // of the scale, which always includes 1 (no difference)
+  double least = 1, most = 1;  // The range of the y axis, which always includes a ratio of 1.
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const auto ratio = find_ratio(matched, matched.points[i % count], 1 + i / count, column);
     auto& cell = table.rows[i].emplace_back();

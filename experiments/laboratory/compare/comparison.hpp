@@ -1,5 +1,5 @@
 #pragma once
-// Two or more runs side by side, as text for a terminal and as a page.
+// Comparison of two or more runs, as text for a terminal and as a page.
 #include <string>
 #include <vector>
 
@@ -8,24 +8,25 @@
 
 namespace laboratory {
 
-/// Runs over the same points; the first is the reference.
+/// Runs that are compared at their common points. The first is the reference.
 struct Comparison {
   std::vector<ComparedRun> runs;
   MatchedRuns matched;
-  std::vector<std::string> columns;  ///< the results to compare, at least one
+  std::vector<std::string> columns;  ///< results to compare, at least one
 };
 
-/// `columns`: the results to compare; empty: those of the first run's default table. Throws as
-/// load_runs and match_points do, and BadInput for a column that is a setting in some run or not
-/// numeric in all runs.
+/// Compares runs. `columns` names the results to compare; if empty, they are those of the first
+/// run's default table. Throws as load_runs and match_points do. Throws BadInput for a column that
+/// is a setting in some run, or not numeric in all runs.
 Comparison compare_runs(const std::vector<std::string>& folders,
                         const std::vector<std::string>& columns);
 
-/// Text for a terminal: differing settings and model entries, a sentence on each result, and the
-/// first differing result at each point.
+/// Formats the comparison for a terminal: differing settings and model entries, one sentence for
+/// each result, and a table of the first differing result.
 std::string to_text(const Comparison& comparison);
 
-/// The HTML page, in the layout of reports. It names plots that fail and adds them to `undrawn`.
+/// Formats the comparison as an HTML page in the layout of reports. The page names the plots that
+/// could not be drawn, which are also added to `undrawn`.
 std::string to_page(const Comparison& comparison, std::vector<std::string>& undrawn);
 
 }  // namespace laboratory

@@ -24,7 +24,7 @@ bool varies(const Table& table, const std::string& axis) {
   return column && distinct(table, all_rows(table), *column).size() > 1;
 }
 
-// The axes with several values in some run, in the order of runs and tables.
+// The axes that take several values in at least one run, in the order of runs and tables.
 Texts find_varying(const std::vector<NamedTable>& runs) {
   Texts found;
   for (const auto& run : runs)
@@ -45,8 +45,8 @@ void check_everywhere(const std::vector<NamedTable>& runs, const std::string& ax
       axis, std::ranges::find_if(runs, has)->name, without->name));
 }
 
-// Two seeds may change together, as coupled axes do. If they are crossed, samples of one seed are
-// not independent of each other.
+// Throws if the second seed varies independently of the first. Samples with the same value of one
+// seed would not be independent. Seeds that change together, as coupled axes, are valid.
 void check_coupled(const std::vector<NamedTable>& runs, const std::string& seed,
                    const std::string& other) {
   for (const auto& [name, table] : runs) {
@@ -62,7 +62,7 @@ void check_coupled(const std::vector<NamedTable>& runs, const std::string& seed,
 
 using Key = std::vector<std::string>;
 
-// The cells of the axes; integers and doubles in one spelling.
+// The values of the axes in a row, with 2 and 2.0 spelled alike.
 Key key_of(const Table& table, std::size_t row, const Texts& axes) {
   Key key;
   for (const auto& axis : axes) {

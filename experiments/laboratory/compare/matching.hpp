@@ -1,5 +1,5 @@
 #pragma once
-// Points that several runs have in common.
+// Matching of the points that several runs have in common.
 #include <string>
 #include <vector>
 
@@ -7,34 +7,34 @@
 
 namespace laboratory {
 
-/// The results of a run with the run's name.
+/// The results table of a run, and the run's name.
 struct NamedTable {
   std::string name;
   Table table;
 };
 
-/// Runs with their rows grouped by point. Rows of a run that differ only in the seed are samples of
-/// one point.
+/// Runs with their rows grouped by point. Rows of one run that differ only in the seed are samples
+/// of the same point.
 struct MatchedRuns {
   struct Point {
-    std::vector<Value> at;                       ///< a value for each of `axes`
-    std::vector<std::vector<std::size_t>> rows;  ///< a list for each run: its rows here
+    std::vector<Value> at;                       ///< values of `axes`
+    std::vector<std::vector<std::size_t>> rows;  ///< row numbers of each run at this point
   };
   std::vector<NamedTable> runs;
-  std::vector<std::string> axes;      ///< axes that take several values in some run
-  std::string seed;                   ///< the seed that takes several values; "": none
-  std::vector<Point> points;          ///< common to all runs, in the order of the first run
-  std::vector<std::size_t> left_out;  ///< for each run: its number of rows at other points
+  std::vector<std::string> axes;      ///< axes that take several values in at least one run
+  std::string seed;                   ///< name of the seed that takes several values; "": none
+  std::vector<Point> points;          ///< points common to all runs, in the order of the first run
+  std::vector<std::size_t> left_out;  ///< number of each run's rows at points that other runs lack
 };
 
 /// True for "seed" and names that end with "_seed".
 bool is_seed(const std::string& axis);
 
-/// Throws BadInput if an axis with several values in one run is missing in another, if two seeds
-/// vary independently, and if the runs have no point in common.
+/// Matches the runs. Throws BadInput if an axis with several values in one run is missing in
+/// another, if two seeds vary independently, or if the runs have no common point.
 MatchedRuns match_points(std::vector<NamedTable> runs);
 
-/// "workers = 3, objects = 200"
+/// Formats a point, such as "workers = 3, objects = 200".
 std::string name_point(const MatchedRuns& matched, const MatchedRuns::Point& point);
 
 }  // namespace laboratory

@@ -14,7 +14,7 @@ namespace {
 using Numbers = std::vector<double>;
 using Rows = std::vector<std::size_t>;
 
-// The numbers of a column in these rows; none if a cell is not a number.
+// The numbers of a column in the given rows; none if a cell is not a number.
 std::optional<Numbers> find_numbers(const Table& table, const Rows& rows,
                                     const std::string& column) {
   Numbers numbers;
@@ -27,7 +27,7 @@ std::optional<Numbers> find_numbers(const Table& table, const Rows& rows,
   return numbers;
 }
 
-// The logarithms of the numbers; none if a number is infinite or not above 0.
+// The logarithms of a column's numbers; none if a number is infinite or not positive.
 std::optional<Numbers> find_logs(const Table& table, const Rows& rows, const std::string& column) {
   auto numbers = find_numbers(table, rows, column);
   if (!numbers) return std::nullopt;
@@ -38,8 +38,8 @@ std::optional<Numbers> find_logs(const Table& table, const Rows& rows, const std
   return numbers;
 }
 
-// The result of a run at a point: for several samples their geometric mean, or the arithmetic mean
-// if there is none.
+// The result of a run at a point. Several samples yield their geometric mean, or the arithmetic
+// mean if not all are positive.
 Value find_value(const MatchedRuns& matched, const MatchedRuns::Point& point, std::size_t run,
                  const std::string& column) {
   const Table& table = matched.runs[run].table;
@@ -61,7 +61,7 @@ double half_width_of_pairs(const Numbers& a, const Numbers& b) {
   return half_width(find_deviation(differences) / std::sqrt(n), n - 1);
 }
 
-// Welch's test.
+// The half width of a confidence interval by Welch's test, for independent samples.
 double half_width_apart(const Numbers& a, const Numbers& b) {
   const auto na = static_cast<double>(a.size()), nb = static_cast<double>(b.size());
   const double va = find_variance(a) / na, vb = find_variance(b) / nb;
@@ -69,7 +69,7 @@ double half_width_apart(const Numbers& a, const Numbers& b) {
   return half_width(std::sqrt(va + vb), degrees);
 }
 
-// The rows of b in the order of a's seeds; none if their seeds differ.
+// The rows of `b` in the order of the seeds of `a`; none if the two have different seeds.
 std::optional<Rows> pair_seeds(const Table& a, const Table& b, const Rows& rows_a,
                                const Rows& rows_b, const std::string& seed) {
   const auto seed_a = a.find(seed), seed_b = b.find(seed);
@@ -192,7 +192,7 @@ std::vector<std::string> find_common_results(const std::vector<NamedTable>& runs
 
 Table compare_column(const MatchedRuns& matched, const std::string& column) {
   const auto& runs = matched.runs;
-  std::vector<std::optional<Ratio>> ratios;  // by point, then by run
+  std::vector<std::optional<Ratio>> ratios;  // indexed by point, then by run
   for (const auto& point : matched.points)
     for (std::size_t r = 1; r < runs.size(); ++r)
       ratios.push_back(find_ratio(matched, point, r, column));

@@ -1,5 +1,5 @@
 #pragma once
-// Ratios between the results of other runs and those of the first run.
+// Ratios of the results of a run to those of the first run.
 #include <optional>
 #include <string>
 #include <utility>
@@ -9,53 +9,55 @@
 
 namespace laboratory {
 
-/// A result of one run at one point, divided by the first run's.
+/// The ratio of a run's result at one point to that of the first run.
 struct Ratio {
-  double value = 0;  ///< with several seeds, the ratio of the geometric means
-  /// Its 95 % interval by Student's t on logarithms: paired by seed if both runs have the same
-  /// seeds, else Welch's test. None if a run has one sample.
+  double value = 0;  ///< for several seeds, the ratio of the geometric means
+  /// The 95 % interval of the ratio, by Student's t on logarithms: paired by seed if both runs have
+  /// the same seeds, else by Welch's test. None if a run has only one sample.
   std::optional<std::pair<double, double>> interval = {};
 };
 
-/// The ratio at a point; none if a sample of either run is not a number, infinite or not above 0.
+/// The ratio at a point; none if a sample of either run is not a number, infinite or not positive.
 std::optional<Ratio> find_ratio(const MatchedRuns& matched, const MatchedRuns::Point& point,
                                 std::size_t run, const std::string& column);
 
-/// The ratios of one run at all points.
+/// Summary of a run's ratios at all points.
 struct Spread {
-  std::size_t points = 0;  ///< points with a ratio; if 0, the next five members have no meaning
-  double mean = 0;         ///< geometric
+  /// number of points with a ratio; if 0, the next five members are undefined
+  std::size_t points = 0;
+  double mean = 0;  ///< geometric mean of the ratios
   double least = 0, most = 0;
   const MatchedRuns::Point *least_at = nullptr, *most_at = nullptr;
-  std::size_t intervals = 0;  ///< points whose ratio has an interval
-  std::size_t below = 0;      ///< intervals that end below 1
-  std::size_t above = 0;      ///< intervals that begin above 1
-  std::size_t others = 0;     ///< points without a ratio at which the two runs differ
-  const MatchedRuns::Point* other = nullptr;  ///< the first of `others`
+  std::size_t intervals = 0;  ///< number of points whose ratio has an interval
+  std::size_t below = 0;      ///< number of intervals that end below 1
+  std::size_t above = 0;      ///< number of intervals that begin above 1
+  std::size_t others = 0;     ///< number of points without a ratio at which the two runs differ
+  const MatchedRuns::Point* other = nullptr;  ///< first of the points counted in `others`
 
   bool is_same() const { return (points == 0 || (least == 1 && most == 1)) && others == 0; }
 };
-/// The result points into `matched`.
+/// Summarises the ratios of a run. The returned pointers refer to points of `matched`.
 Spread find_spread(const MatchedRuns& matched, std::size_t run, const std::string& column);
 
-/// "time_s: b is 0.83 times a (geometric mean of 6 points; 0.81 at workers = 1 to 0.84 at ...)"
+/// Formats that summary: "time_s: b is 0.83 times a (geometric mean of 6 points; 0.81 at workers =
+/// 1 to 0.84 at ...)".
 std::string tell_spread(const MatchedRuns& matched, std::size_t run, const std::string& column,
                         const Spread& spread);
 
 /// The numeric columns that are results in every run.
 std::vector<std::string> find_common_results(const std::vector<NamedTable>& runs);
 
-/// A table for people with a row for each point: the axes; the result of each run ("NAME: COLUMN"),
-/// a mean over seeds; for each other run the ratio ("NAME / FIRST"), and its interval ("0.97 to
-/// 1.02") if some point has one.
+/// Makes a table for display, with one row for each point: the axes, then the result of each run
+/// ("NAME: COLUMN"), a mean over seeds. For each later run follow its ratio to the first ("NAME /
+/// FIRST"), and the interval ("0.97 to 1.02") if any point has one.
 Table compare_column(const MatchedRuns& matched, const std::string& column);
 
-/// A table for programs with a row for each result, point and run other than the first: "result",
-/// the axes, "run", "value", "first" (the first run's value), "ratio", the interval's "low",
-/// "high".
+/// Makes a table for other programs, with one row for each result, point and run after the first.
+/// Its columns are "result", the axes, "run", "value", "first" (the first run's value), "ratio",
+/// and the interval's "low" and "high".
 Table list_ratios(const MatchedRuns& matched, const std::vector<std::string>& columns);
 
-/// A table with a row for each run and point: "run", the other axes, and these columns.
+/// Makes a table with one row for each run and point: "run", the other axes, and the given columns.
 Table stack_runs(const MatchedRuns& matched, const std::vector<std::string>& columns);
 
 }  // namespace laboratory

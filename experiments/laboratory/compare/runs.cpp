@@ -20,9 +20,9 @@ namespace fs = std::filesystem;
 
 using Texts = std::vector<std::string>;
 
-constexpr const char* BY_DEFAULT = "by default";  // if the default is not known
+constexpr const char* BY_DEFAULT = "by default";  // shown for settings whose default is unknown
 
-// The parts of a path, without "." and an empty last one.
+// The components of a path, without "." and a trailing separator.
 Texts parts_of(const std::string& folder) {
   Texts parts;
   for (const auto& part : fs::absolute(folder).lexically_normal())
@@ -30,7 +30,7 @@ Texts parts_of(const std::string& folder) {
   return parts;
 }
 
-// The last `count` parts of a path.
+// The last `count` components of a path.
 std::string end_of(const Texts& parts, std::size_t count) {
   const auto from = parts.size() - std::min(count, parts.size());
   return join_texts({parts.begin() + static_cast<std::ptrdiff_t>(from), parts.end()}, "/");
@@ -81,14 +81,14 @@ ComparedRun load_run(const std::string& folder, const std::string& name) {
   }
 }
 
-// A value without TOML's quotes.
+// Removes the quotes of a TOML string.
 std::string unquote(const std::string& text) {
   const bool is_quoted = text.size() > 1 && text.front() == text.back() &&
                          (text.front() == '"' || text.front() == '\'');
   return is_quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-// The value of a key that is not in the file.
+// The value of a key that the file does not set.
 std::string default_of(const ExperimentFile& file, const std::string& key) {
   const Experiment& e = file.points[0].experiment;
   if (key == "program.name") return e.program->name;
@@ -114,7 +114,7 @@ std::string value_of(const ExperimentFile& file, const std::string& key) {
   return fmt::format("[{}]", join_texts(values, ", "));
 }
 
-// Adds a row, unless all values are equal.
+// Adds a row for a setting whose values differ between the runs; otherwise does nothing.
 void add_row(Table& table, const Texts& begin, const Texts& values) {
   if (std::ranges::all_of(values, [&](const auto& value) { return value == values[0]; })) return;
   auto& row = table.rows.emplace_back();
@@ -128,7 +128,7 @@ Table start(Texts columns, const std::vector<ComparedRun>& runs) {
   return table;
 }
 
-// The names of a run's models, and of the models common to all runs.
+// The names of a run's machine models.
 Texts names_of(const ComparedRun& run) {
   Texts names;
   for (const auto& model : run.models) names.push_back(model.name);
@@ -144,7 +144,7 @@ Texts find_shared_models(const std::vector<ComparedRun>& runs) {
   return shared;
 }
 
-// Adds the differing entries of these models, one of each run.
+// Adds a row for each differing entry of the given models, one model from each run.
 void add_entries(Table& table, const std::string& prefix,
                  const std::vector<const RecordedModel*>& models) {
   std::map<std::string, std::string> units;
@@ -161,7 +161,8 @@ void add_entries(Table& table, const std::string& prefix,
   }
 }
 
-// Inserts an axis in front of the others: the column of that name, or a constant value.
+// Makes the named column the first axis. If the table lacks it, inserts a column with the constant
+// value.
 void add_axis(Table& table, const std::string& axis, const std::string& value) {
   const auto column = table.find(axis);
   const auto move = [&](auto& cells, auto otherwise) {

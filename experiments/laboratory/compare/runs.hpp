@@ -1,5 +1,5 @@
 #pragma once
-// Loads the results to compare, and finds differences between their experiments and machines.
+// Results of runs to compare, with the differences between their experiments and machine models.
 #include <map>
 #include <string>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace laboratory {
 
-/// A machine model as recorded with a run.
+/// A machine model as recorded with the results of a run.
 struct RecordedModel {
   struct Entry {
     double value;
@@ -19,33 +19,34 @@ struct RecordedModel {
   std::map<std::string, Entry> entries;
 };
 
-/// A folder of results.
+/// A results folder.
 struct ComparedRun {
   std::string folder;
-  std::string name;     ///< the shortest end of the folder's path that differs from all others
-  std::string command;  ///< the command that made the results
-  std::string version;  ///< of tlab
+  std::string name;     ///< the shortest final part of the folder's path that identifies the run
+  std::string command;  ///< the command that produced the results
+  std::string version;  ///< version of tlab that produced the results
   Simulation simulation;
   std::vector<RecordedModel> models;
-  std::map<std::string, std::string> inputs;  ///< hash of each file that the experiment read
+  /// hash of each file that the experiment read, by path
+  std::map<std::string, std::string> inputs;
 };
 
-/// Throws BadInput for fewer than two folders, a repeated folder, and a folder with no results or
-/// damaged ones.
+/// Loads results folders. Throws BadInput for fewer than two folders, a repeated folder, and a
+/// folder with no results or damaged ones.
 std::vector<ComparedRun> load_runs(const std::vector<std::string>& folders);
 
-/// The tables of the runs, without rows of incomplete points. An axis of one run becomes an axis in
-/// all runs that set its key, with one value there.
+/// Makes the results tables without rows of incomplete points. An axis of one run becomes an axis
+/// of every other run that sets its key, with a single value.
 std::vector<NamedTable> make_tables(const std::vector<ComparedRun>& runs);
 
-/// A table with a row for each difference between the experiments: "setting", then a column for
-/// each run. Settings are tlab's version, the keys of the experiment files, and the contents of
-/// input files. An axis shows all its values, "[1, 3, 7]".
+/// Makes a table with one row for each difference between the experiments: "setting", then a column
+/// for each run. Settings are tlab's version, the keys of the experiment files, and the contents of
+/// input files. An axis is shown with all its values, "[1, 3, 7]".
 Table find_differing_settings(const std::vector<ComparedRun>& runs);
 
-/// A table with a row for each model entry whose values differ: "entry", "unit", then a column for
-/// each run. For runs with several models it compares the models common to all, as "MODEL: ENTRY",
-/// and a row "models" lists those of each run.
+/// Makes a table with one row for each model entry whose values differ: "entry", "unit", then a
+/// column for each run. Runs with several models are compared by the models common to all, with
+/// entries as "MODEL: ENTRY". An additional row "models" then lists the models of each run.
 Table find_differing_entries(const std::vector<ComparedRun>& runs);
 
 }  // namespace laboratory

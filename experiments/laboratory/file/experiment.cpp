@@ -15,7 +15,7 @@ namespace {
 
 using base::BadInput;
 
-// Sets a dotted key, and makes missing sections.
+// Sets the value of a dotted key, and creates missing sections.
 void assign(toml::table& file, std::string_view key, const toml::node& value) {
   toml::table* section = &file;
   for (auto dot = key.find('.'); dot != std::string_view::npos; dot = key.find('.')) {
@@ -27,7 +27,8 @@ void assign(toml::table& file, std::string_view key, const toml::node& value) {
   section->insert_or_assign(key, value);
 }
 
-// Executes "scene.objects=800". Invalid TOML counts as a text; the name of an axis may have dots.
+// Applies an override such as "scene.objects=800". A value that is not valid TOML counts as a
+// string. The name of an axis may contain dots.
 void override_key(toml::table& file, const std::string& text) {
   const auto equals = text.find('=');
   base::require(equals != std::string::npos && equals > 0, "--set " + text,
@@ -49,12 +50,12 @@ void override_key(toml::table& file, const std::string& text) {
   sweep->insert_or_assign(join_names(key.substr(6)), *parsed.get("value"));
 }
 
-// Collects the numbers in the file; values of axes override them.
+// Collects the numeric keys of the file. Values of axes override those of the file.
 std::map<std::string, double, std::less<>> find_numbers(
     const toml::table& file, const std::vector<Replacement>& replacements) {
   std::map<std::string, double, std::less<>> numbers;
   auto add = [&](const std::string& key, const toml::node& node) {
-    if (key.starts_with("model.")) return;  // in the machine model, by their own names
+    if (key.starts_with("model.")) return;  // expressions find these in the machine model
     if (node.is_number())
       numbers[key] = *node.value<double>();
     else
@@ -65,7 +66,7 @@ std::map<std::string, double, std::less<>> find_numbers(
   return numbers;
 }
 
-// Refuses to override the key of an axis, which would have no effect.
+// Throws for an override of a key that an axis sets, since it would have no effect.
 void check_not_shadowed(const std::string& override, const std::vector<Coupled>& axes) {
   const auto key = override.substr(0, override.find('='));
   for (const auto& coupled : axes)
@@ -75,7 +76,7 @@ void check_not_shadowed(const std::string& override, const std::vector<Coupled>&
                     fmt::join(coupled | std::views::transform(&Axis::name), ", "));
 }
 
-// Makes the point of that number; the last axis varies fastest.
+// Makes the point with the given number. The last axis varies fastest.
 Point make_point(const toml::table& file, const std::vector<Coupled>& axes, std::size_t number,
                  const Programs& in_play, const std::string& path, const std::string& folder) {
   Point point;
@@ -94,7 +95,7 @@ Point make_point(const toml::table& file, const std::vector<Coupled>& axes, std:
   return point;
 }
 
-// Collects the keys of the file that change the work of a point.
+// Collects the keys of the file that change a point's computation.
 std::map<std::string, std::string> find_settings(const toml::table& file) {
   std::map<std::string, std::string> settings;
   for_each_key(file, [&](const std::string& key, const toml::node& node) {

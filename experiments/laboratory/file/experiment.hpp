@@ -1,5 +1,5 @@
 #pragma once
-// The experiment file: one TOML file that describes a machine, a topology, a scene and a strategy.
+// The experiment file: a TOML file that describes a machine, a topology, a scene and a strategy.
 #include <any>
 #include <array>
 #include <map>
@@ -13,108 +13,115 @@
 
 namespace laboratory {
 
-/// A [[fault]] and its position in the file, "e.toml:12: [[fault]] 2".
+/// A [[fault]] with its position in the file, "e.toml:12: [[fault]] 2".
 struct FaultSpec {
   programs::PlannedFault fault;
   std::string place;
 };
 
-/// A machine model, by name or from a file, with entries that override its own.
+/// A machine model, by name or from a file, with the entries that the experiment overrides.
 struct ModelSpec {
   base::Source source;
-  /// For example "link.one_way_rate" and its value in TOML's spelling.
+  /// Overridden entries: name, such as "link.one_way_rate", and value as spelled in TOML.
   std::vector<std::pair<std::string, std::string>> entries = {};
 };
 
-/// A [[processor]]: a processor of the topology with another model than the machine.
+/// A [[processor]]: a processor of the topology whose model differs from the machine's.
 struct OtherProcessor {
   int number = 0;
   ModelSpec model;
-  std::string place;  ///< "e.toml:12: [[processor]] 2"
+  std::string place;  ///< position for errors, "e.toml:12: [[processor]] 2"
 };
 
-/// One run: every key of the file with its value or default. Paths are relative to the current
-/// folder; texts keep the file's spelling.
+/// The settings of one run: every key of the file with its value or default. Paths are relative to
+/// the current folder. Strings keep the file's spelling.
 struct Experiment {
   std::string title, question;
   const programs::Program* program = nullptr;  ///< program.name
-  std::any params;                             ///< of the program
-  ModelSpec model{{"t805-25", "t805-25"}};     ///< machine.model, with [model]
-  std::vector<OtherProcessor> others;          ///< [[processor]]
-  base::Source topology{"tree", "tree"};  ///< a generator sized by `workers`, a spec, or a file
-  std::int64_t workers = 7;               ///< processors of the network
-  int switches = 0;  ///< C004 link switches on every link, except in `switches_between`
-  std::vector<std::array<int, 3>> switches_between;  ///< two processors, from 0, and a number
-  base::Source routes;               ///< "xy", or a file with some of the routes; "": the shortest
-  std::string tree;                  ///< for broadcasts: per_root, single; "": as tree_links say
-  topologies::TreeLinks tree_links;  ///< of the single tree; none: breadth first from the root
-  std::vector<FaultSpec> faults;     ///< [[fault]]
-  bool is_timed = false;             ///< run.cost
+  std::any params;                             ///< parameters of the program
+  ModelSpec model{{"t805-25", "t805-25"}};     ///< machine.model, with the overrides of [model]
+  std::vector<OtherProcessor> others;          ///< the tables [[processor]]
+  base::Source topology{"tree", "tree"};  ///< generator (sized by `workers`), specification or file
+  std::int64_t workers = 7;               ///< number of processors in the network
+  int switches = 0;  ///< C004 link switches on every link not listed in `switches_between`
+  /// numbers of two processors, from 0, and of the switches between them
+  std::vector<std::array<int, 3>> switches_between;
+  base::Source routes;  ///< "xy", or a file with some of the routes; "": shortest routes
+  std::string tree;     ///< broadcast trees: per_root, single; "": single if tree_links are given
+  /// links of the single tree; none: breadth-first tree of the root
+  topologies::TreeLinks tree_links;
+  std::vector<FaultSpec> faults;                              ///< the tables [[fault]]
+  bool is_timed = false;                                      ///< run.cost
   machine::Links links = machine::Links::simgrid;             ///< run.engine
   machine::Processes processes = machine::Processes::fibers;  ///< run.processes
-  std::optional<double> cycles_per_host_s = {};               ///< for timed costs, once measured
+  /// run.cycles_per_host_s for timed costs, once it is known
+  std::optional<double> cycles_per_host_s = {};
 };
 
-/// The files that a point reads, except its machine model: scene, network, routes ...
+/// The files that a point reads, such as scene, network and routes, without the machine model.
 std::vector<std::string> files_of(const Experiment& experiment);
 
-/// [uncertain]: the number of machines to draw from the ranges of the models' entries.
+/// The section [uncertain].
 struct Uncertain {
-  std::int64_t machines = 0;  ///< 0: none
+  /// number of machines drawn from the ranges of the model's entries; 0: none
+  std::int64_t machines = 0;
   std::int64_t seed = 1;
 };
 
-/// A key of the experiment file.
+/// A key of the experiment file, for help.
 struct Setting {
-  std::string key;   ///< "scene.objects"; an axis of [sweep] uses the last part, "objects", and an
-                     ///< entry of the model "model.link.one_way_rate"
+  /// Dotted name: "scene.objects". As an axis of [sweep], its last part is enough: "objects".
+  /// Entries of the model have the prefix "model", as in "model.link.one_way_rate".
+  std::string key;
   std::string help;  ///< meaning, unit and range
 };
 std::vector<Setting> settings();
 
-/// A value along an axis.
+/// The value of one axis at a point.
 struct Coordinate {
-  std::string axis;  ///< "objects"
-  std::string toml;  ///< "200", as TOML spells it
+  std::string axis;  ///< name of the axis, "objects"
+  std::string toml;  ///< value as spelled in TOML, "200"
 };
 
 /// One point of a sweep.
 struct Point {
-  std::vector<Coordinate> at;  ///< the axes of [sweep], in order
+  std::vector<Coordinate> at;  ///< values of the axes of [sweep], in their order
   Experiment experiment;
-  /// The numbers that the file assigns to keys, "image.width" -> 100; defaults are not included.
+  /// The numbers that the file assigns to keys, such as "image.width" -> 100, without defaults.
   std::map<std::string, double, std::less<>> numbers;
 };
 
-/// "objects = 200, workers = 3"; "" for the only point of a file without a sweep.
+/// Formats the axes of a point: "objects = 200, workers = 3". For the only point of a file without
+/// a sweep, the result is "".
 std::string name_of(const Point& point);
 
 struct ExperimentFile {
-  std::string path;      ///< as spelled by the user, relative to the folder of that time
-  std::string folder;    ///< base of the relative paths in the file; "" is the current folder
-  std::string resolved;  ///< the file with --set applied, as TOML
-  std::vector<std::string> axes;       ///< of [sweep]
-  std::vector<std::string> axis_keys;  ///< the key of each axis, "scene.objects"
-  /// Groups of axes that take their values together: "workers, height" = [[1, 16], ...].
+  std::string path;      ///< as spelled by the user, relative to the current folder at that time
+  std::string folder;    ///< folder that paths in the file are relative to; "": the current folder
+  std::string resolved;  ///< TOML text of the file after applying --set
+  std::vector<std::string> axes;       ///< names of the axes of [sweep]
+  std::vector<std::string> axis_keys;  ///< dotted key of each axis, "scene.objects"
+  /// Groups of axes that take their values together, as in "workers, height" = [[1, 16], ...].
   std::vector<std::vector<std::string>> coupled;
-  std::vector<Point> points;  ///< the last axis varies fastest; one point without a sweep
-  /// The file's values for keys that change the work of a point, in TOML's spelling.
+  /// all points, the last axis varying fastest; without a sweep only one
+  std::vector<Point> points;
+  /// Keys of the file that change a point's computation, with their values as spelled in TOML.
   std::map<std::string, std::string> settings;
-  std::vector<Definition> definitions;  ///< [let]
-  std::vector<Check> checks;            ///< [[check]]
-  std::vector<PlotSpec> plots;          ///< [[plot]]
-  std::vector<BestSpec> bests;          ///< [[best]]
-  std::vector<BaselineSpec> baselines;  ///< [[baseline]]
-  ReportSpec report;                    ///< [report]
-  Uncertain uncertain;                  ///< [uncertain]
+  std::vector<Definition> definitions;  ///< names of [let] with their expressions
+  std::vector<Check> checks;            ///< the tables [[check]]
+  std::vector<PlotSpec> plots;          ///< the tables [[plot]]
+  std::vector<BestSpec> bests;          ///< the tables [[best]]
+  std::vector<BaselineSpec> baselines;  ///< the tables [[baseline]]
+  ReportSpec report;                    ///< the section [report]
+  Uncertain uncertain;                  ///< the section [uncertain]
 };
 
-/// Reads and checks a file. `overrides` are "key.path=value" in TOML's spelling; a value may also
-/// be a bare word. Paths in the file are relative to its folder. Throws BadInput with the file, the
-/// line or key, the text found, and the nearest valid key.
+/// Reads and checks a file. `overrides` are "key.path=value", with the value as in TOML or a bare
+/// word. Paths in the file are relative to its folder. Throws BadInput with the file, the line or
+/// key, the value found, and the nearest valid key.
 ExperimentFile load_experiment(const std::string& path, const std::vector<std::string>& overrides);
 
-/// Reads a text like the content of the file `path`, but with paths relative to `folder`.
+/// Reads a text as if it were the content of the file `path`, with paths relative to `folder`.
 ExperimentFile read_experiment(const std::string& text, const std::string& path,
                                const std::string& folder,
                                const std::vector<std::string>& overrides);

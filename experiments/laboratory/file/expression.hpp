@@ -1,6 +1,6 @@
 #pragma once
-// A formula of [let], [[check]] or [[plot]]. It uses the numbers of its own row, and in braces
-// those of other rows: "time_s / {time_s @ workers = 1}".
+// Expressions in [let], [[check]] and [[plot]]. They use columns of their own row and, in braces,
+// of other rows: "time_s / {time_s @ workers = 1}".
 #include <map>
 #include <optional>
 #include <string>
@@ -11,40 +11,42 @@
 
 namespace laboratory {
 
-/// {COLUMN @ AXIS = VALUE, ...}: the value of COLUMN, or of a name of [let], in another row of the
-/// sweep. That row has the given values on the given axes and the own values on all others. Axes
-/// coupled with a given axis in [sweep] follow it if no row has their own values too.
+/// A reference to another row of the sweep: {COLUMN @ AXIS = VALUE, ...}. It yields the value there
+/// of COLUMN, or of a name of [let]. The other row has the given values on the given axes. On all
+/// other axes it has the values of the row that is evaluated. Axes coupled with a given axis in
+/// [sweep] take that axis's values if no row keeps their own.
 struct RowReference {
   struct Condition {
-    std::string axis, text;                ///< VALUE as written
-    std::optional<base::Formula> value{};  ///< over the own row; none if VALUE is not an
-                                           ///< expression, such as mesh:4x4 on a text axis
+    std::string axis, text;  ///< name of the axis, and VALUE as written
+    /// VALUE as an expression over the evaluated row; none if it is a string such as mesh:4x4
+    std::optional<base::Formula> value{};
   };
-  std::string text;  ///< the whole text in braces
+  std::string text;  ///< the text in braces as written
   std::string column;
   std::vector<Condition> conditions;
 };
 
 class Expression {
  public:
-  /// Throws BadInput that begins with `place`, as base::Formula does, and for braces without a
-  /// valid reference.
+  /// Parses an expression. Throws BadInput with the prefix `place` for what base::Formula refuses,
+  /// and for braces without a valid reference.
   Expression(const std::string& text, const std::string& place);
 
   const std::string& place() const { return formula_.place(); }
-  /// The variables of the formula; some represent references.
+  /// The variables of the formula. Some stand for references to other rows.
   const std::vector<std::string>& variables() const { return formula_.variables(); }
-  /// Null for a name of the own row.
+  /// The reference that a variable stands for; null for a column of the own row.
   const RowReference* find_reference(const std::string& variable) const;
-  /// All columns it names: those of its own row and those in braces.
+  /// The names of all columns used, in the own row and in references.
   std::vector<std::string> names() const;
-  /// Takes `values` in the order of `variables`.
+  /// Evaluates the formula. `values` are in the order of `variables`.
   double eval(const std::vector<double>& values) const { return formula_.eval(values); }
 
  private:
   std::string replace_references(const std::string& text, const std::string& place);
 
-  std::map<std::string, RowReference> references_;  // by the variable in their place
+  // References to other rows, by the variables that stand for them.
+  std::map<std::string, RowReference> references_;
   base::Formula formula_;
 };
 

@@ -15,8 +15,8 @@ using base::BadInput;
 
 constexpr int LAST = topologies::MAX_PROCESSORS - 1;
 
-// Reads a number for every link, or a list of [a, b, number] with the topology's numbers of
-// processors.
+// Reads run.switches: one number for every link, or a list of [a, b, number] with processor numbers
+// of the topology.
 void read_switches(Experiment& e, const Place& at) {
   constexpr int MOST = 16;
   const std::string expected =
@@ -41,7 +41,7 @@ void read_routes(Experiment& e, const Place& at) {
   e.routes = text == topologies::XY_ROUTES ? base::Source{text, text} : read_file_name(at);
 }
 
-// Reads links without checking their ends, still unknown here.
+// Reads the links of a broadcast tree. Their ends are checked later, when the topology is known.
 void read_tree_links(Experiment& e, const Place& at) {
   const std::string expected = "the links of a spanning tree, [[a, b], ...]";
   const auto* list = at.node.as_array();
@@ -54,7 +54,7 @@ void read_tree_links(Experiment& e, const Place& at) {
   }
 }
 
-// Refuses axes for keys of the file that do not belong to points: read_judgement reads them.
+// Refuses an axis for a key that does not belong to points. read_judgement reads these keys.
 Binding<Experiment> bind_to_file(const std::string& key, const std::string& help) {
   return {key, help, [](Experiment&, const Place& at) { at.refuse("no axis of this name"); }};
 }
@@ -110,7 +110,7 @@ const Bindings<Experiment>& bindings() {
   return all;
 }
 
-// Finds the item with this key; null for none.
+// Finds the item with this key; null if there is none.
 template <class Item, class KeyOf>
 const Item* find_by(const std::vector<Item>& items, KeyOf key_of, const std::string& key) {
   const auto found = std::ranges::find(items, key, key_of);
@@ -142,7 +142,7 @@ const programs::Program* read_program(const Place& at) {
   at.refuse(fmt::format("one of {}{}", fmt::join(known, ", "), base::did_you_mean(name, known)));
 }
 
-// Sets a field, or throws with the expected values and, for a choice, the nearest.
+// Sets a field. Throws with the expected values, and for a choice also the nearest one.
 template <class P>
 void assign(const base::Field<P>& field, P& params, const Place& at) {
   auto expected = field.assign(params, read_scalar(at, field.domain));
@@ -153,7 +153,7 @@ void assign(const base::Field<P>& field, P& params, const Place& at) {
   at.refuse(expected);
 }
 
-// Reads the tables of a list such as [[stage]]: each is a record.
+// Reads the tables of a list such as [[stage]]. Each becomes a record.
 void bind_list(Experiment& experiment, const programs::RecordList& list, const Place& at) {
   Bindings<std::any> bindings;
   for (const auto& field : list.fields)
@@ -171,7 +171,7 @@ void bind_list(Experiment& experiment, const programs::RecordList& list, const P
   }
 }
 
-// Overrides an entry of the machine model; its name is checked when the model is made.
+// Overrides an entry of the machine model. Its name is checked later, when the model is made.
 void bind_model_entry(Experiment& experiment, const Place& at) {
   if (!at.node.is_number() && !at.node.is_string()) at.refuse("a number, or a formula in quotes");
   const auto entry = at.key.substr(at.key.find('.') + 1);
@@ -184,7 +184,7 @@ void bind_model_entry(Experiment& experiment, const Place& at) {
     overrides.emplace_back(entry, to_toml(at.node));
 }
 
-// Throws BadInput for a common key without effect on any program in play.
+// Throws BadInput for a common key that has no effect on any of the programs.
 void check_used(const Programs& in_play, const Place& at) {
   const auto refuse = [&](const char* what, bool programs::Uses::*uses) {
     if (std::ranges::any_of(in_play, [&](const auto* p) { return p->uses.*uses; })) return;
@@ -204,7 +204,7 @@ void check_used(const Programs& in_play, const Place& at) {
     refuse("timed costs", &programs::Uses::timed);
 }
 
-// Throws for an unknown key, or a key of another program.
+// Throws for an unknown key, and for a key of another program.
 [[noreturn]] void refuse_unknown(const Programs& in_play, const Place& at) {
   std::vector<std::string> known;
   for (const auto* program : in_play) {
@@ -319,7 +319,7 @@ Axis name_axis(const std::string& name, const Programs& in_play, const std::stri
   for (const auto* program : in_play)
     for (const auto& list : program->lists) try_key(list.key);
   const auto known_here = known;
-  for (const auto& other : programs::all_programs())  // refused when their values are bound
+  for (const auto& other : programs::all_programs())  // known here, but binding their values fails
     for (const auto& p : other.parameters) try_key(programs::key_of(p));
   if (found) return *found;
   throw BadInput(fmt::format("{}: unknown axis \"{}\" in [sweep]{}", origin, name,

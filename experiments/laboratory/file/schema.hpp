@@ -1,47 +1,48 @@
 #pragma once
-// Declares each key of the experiment file once, bound to its field. All functions throw BadInput
-// with the file and line or key.
+// Declaration of every key of the experiment file, bound to its field. All functions throw BadInput
+// with the file and the line or key.
 #include <toml++/toml.h>
 
 #include "experiments/laboratory/file/experiment.hpp"
 
 namespace laboratory {
 
-/// The programs that the file's points run: program.name, or the values of the axis "program".
+/// The programs that the points of a file run: program.name, or the values of the axis "program".
 using Programs = std::vector<const programs::Program*>;
 Programs programs_in_play(const toml::table& file, const std::string& origin);
 
-/// The names of all programs that use a feature, for an error: "farm, iirra".
+/// Lists the programs that use a feature, for an error message: "farm, iirra".
 std::string list_users(bool programs::Uses::*of);
 
-/// A value that overrides a key.
+/// A value that replaces the file's value of a key.
 struct Replacement {
   std::string key;
   const toml::node* value;
 };
 
-/// Sets every field that `file` names, then the replacements; paths are relative to `folder`. Skips
-/// keys that belong to another program in play. Throws for an unknown key, with the nearest, and
-/// for a value of the wrong kind.
+/// Sets every field named in `file`, then applies the replacements. Paths are relative to `folder`.
+/// Ignores keys of other programs in `in_play`. Throws for an unknown key, with the nearest valid
+/// one, and for a value of the wrong kind.
 Experiment bind_settings(const toml::table& file, const std::vector<Replacement>& replacements,
                          const Programs& in_play, const std::string& origin,
                          const std::string& folder);
 
-/// Throws for a parameter that names a missing file, or none if a file is required.
+/// Throws for a file parameter that names a missing file, or is empty although required.
 void check_files(const Experiment& experiment);
 
 /// An axis of [sweep].
 struct Axis {
-  std::string name;  ///< of its column
-  std::string key;   ///< the key that it replaces
+  std::string name;  ///< name of the axis and of its result column
+  std::string key;   ///< dotted key that the axis sets
   std::vector<const toml::node*> values;
 };
 
-/// Finds the axis whose key is `name` or ends with it: "workers", "network.workers", a parameter of
-/// a program in play, "program", "model.link.one_way_rate". Throws with the nearest.
+/// Finds the key of an axis: the key `name`, or one that ends with it. Examples are "workers",
+/// "network.workers", a parameter of a program in `in_play`, "program" and
+/// "model.link.one_way_rate". Throws with the nearest valid name.
 Axis name_axis(const std::string& name, const Programs& in_play, const std::string& origin);
 
-/// The names in "workers, height", without quotes and surrounding blanks.
+/// Splits "workers, height" into names, without quotes and surrounding blanks.
 std::vector<std::string> split_names(std::string_view name);
 
 }  // namespace laboratory

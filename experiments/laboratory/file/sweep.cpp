@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t MAX_POINTS = 100'000;
 
-// Makes a flat table of the axes: names with dots may be quoted or not.
+// Moves nested axes into one flat table, since TOML reads names with dots as nested tables.
 void flatten(toml::table& from, const std::string& prefix, toml::table& into) {
   for (auto&& [name, node] : from) {
     const auto dotted = prefix + std::string(name.str());
@@ -22,7 +22,7 @@ void flatten(toml::table& from, const std::string& prefix, toml::table& into) {
     else
       node.visit([&](auto& value) {
         into.insert(join_names(dotted), std::move(value));
-      });  // keeps the line number
+      });  // keeps line numbers for errors
   }
 }
 
@@ -36,7 +36,7 @@ toml::table* flatten_sweep(toml::table& file, const std::string& origin) {
   return node->as_table();
 }
 
-// Spells 2 and 2.0 as one value.
+// Spells a value so that 2 and 2.0 are equal.
 std::string spell(const toml::node& value) {
   if (const auto* list = value.as_array()) {
     std::string text;
@@ -47,8 +47,8 @@ std::string spell(const toml::node& value) {
   return is_number ? fmt::format("{}", *value.value<double>()) : to_toml(value);
 }
 
-// Reads the values of each axis from a list of values; for several axes, from a list of lists with
-// one value for each axis.
+// Reads the values of each axis from a list. For coupled axes it is a list of lists with one value
+// for each axis.
 void read_values(Coupled& axes, const Place& at) {
   const auto* list = at.node.as_array();
   if (!list || list->empty()) at.refuse("an array of values, at least one");
@@ -92,7 +92,7 @@ std::vector<Coupled> read_axes(const toml::table& file, const std::vector<std::s
   const auto* sweep = file["sweep"].as_table();
   if (!sweep) return all;
   for (const auto& names : order) {
-    if (!sweep->contains(names)) continue;  // --set has replaced the section
+    if (!sweep->contains(names)) continue;  // absent if --set has replaced [sweep]
     const Place at{origin, "sweep." + names, "", *sweep->get(names)};
     Coupled axes;
     for (const auto& name : split_names(names)) {

@@ -79,7 +79,7 @@ OtherProcessor bind_other(const toml::table& table, const Place& list, std::size
 
 // ---- [[check]] and [let] ----
 
-// Reads an expression; a number becomes its text.
+// Reads an expression. A number is converted to text.
 std::string read_expression(const Place& at) {
   const auto number = at.node.is_number() ? at.node.value<double>() : std::nullopt;
   return number && std::isfinite(*number) ? fmt::format("{}", *number) : read_text(at);
@@ -134,7 +134,7 @@ const Bindings<Check>& check_bindings() {
   return all;
 }
 
-// Lists those of the keys that the table has: "formula and at_least".
+// Lists the keys among `keys` that the table has: "formula and at_least".
 std::string join_given(const toml::table& table, std::vector<std::string> keys) {
   std::erase_if(keys, [&](const auto& key) { return !table.contains(key); });
   return fmt::format("{}", fmt::join(keys, " and "));
@@ -269,7 +269,8 @@ const Bindings<Uncertain>& uncertain_bindings() {
 void check_complete(const PlotSpec& s, const toml::table&) {
   require(!s.name.starts_with('.') && s.name.find('/') == std::string::npos, s.place,
           "expected a name without / that does not start with a point: it names the files");
-  constexpr std::size_t LONGEST = 200;  // bytes; file systems allow 255, including our endings
+  // bytes; file systems allow 255, including extensions that tlab appends
+  constexpr std::size_t LONGEST = 200;
   require(s.name.size() <= LONGEST, s.place,
           "found a name of {} bytes, expected at most {}: it names the files", s.name.size(),
           LONGEST);
@@ -302,7 +303,7 @@ void check_complete(const BaselineSpec& s, const toml::table&) {
           s.of);
 }
 
-// Reads the tables [[KEY]], each with its name and place.
+// Reads the tables [[KEY]], each with its name and position.
 template <class Spec>
 std::vector<Spec> read_all(const Place& at, const Bindings<Spec>& bindings) {
   std::vector<Spec> specs;

@@ -1,6 +1,6 @@
 #pragma once
-// Reads the tables [[fault]], [[processor]], [let], [[check]], [[plot]], [[best]] and [report] of a
-// file.
+// Readers of the tables [[fault]], [[processor]], [let], [[check]], [[plot]], [[best]] and
+// [report].
 #include <vector>
 
 #include "experiments/laboratory/file/experiment.hpp"
@@ -8,17 +8,18 @@
 
 namespace laboratory {
 
-/// Reads every [[fault]], in order; an empty list yields none. Throws BadInput with number and line
-/// for unknown, missing or contradicting keys. The broken parts are looked up later.
+/// Reads every [[fault]], in order. An empty list is valid. Throws BadInput with number and line
+/// for unknown, missing or contradictory keys. The names of the faulty parts are checked later.
 std::vector<FaultSpec> read_faults(const Place& at);
-/// Does the same for every [[processor]].
+/// Reads every [[processor]], with the same rules as read_faults.
 std::vector<OtherProcessor> read_others(const Place& at);
 
-/// Reads [let], [[check]], [[plot]], [[best]] and [report] into `into`, which has its path and
-/// folder. Throws BadInput for unknown, missing or contradicting keys; formulas remain texts here.
+/// Reads [let], [[check]], [[plot]], [[best]] and [report] into `into`, whose path and folder must
+/// be set. Throws BadInput for unknown, missing or contradictory keys. Formulas are not parsed
+/// here.
 void read_judgement(const toml::table& file, ExperimentFile& into);
 
-/// The keys of these tables and of [model].
+/// The keys of these tables and of [model], for help.
 std::vector<Setting> table_settings();
 
 }  // namespace laboratory

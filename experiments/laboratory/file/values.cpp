@@ -8,7 +8,7 @@
 namespace laboratory {
 
 std::string Place::where() const {
-  const auto line = node.source().begin.line;  // 0 for a value from --set
+  const auto line = node.source().begin.line;  // line number; 0 for a value from --set
   return line > 0 ? fmt::format("{}:{}", origin, line) : fmt::format("{}, with --set", origin);
 }
 

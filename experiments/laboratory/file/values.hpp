@@ -1,6 +1,6 @@
 #pragma once
-// Typed access to values of a TOML file, and keys bound to members. Errors give the position, the
-// value found and the expected one.
+// Typed access to values of a TOML file, and binding of keys to members. Errors give the position,
+// the value found and the expected one.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -19,34 +19,34 @@
 
 namespace laboratory {
 
-/// Spells a text in quotes, as TOML does.
+/// Quotes a string as TOML does.
 std::string spell_text(const std::string& text);
 
 using base::to_toml;
 
-/// A value and its position.
+/// A TOML value with its position.
 struct Place {
   std::string origin;  ///< name of the file
-  std::string key;     ///< "scene.objects"
-  std::string folder;  ///< base of relative paths
+  std::string key;     ///< dotted key, "scene.objects"
+  std::string folder;  ///< folder that paths are relative to
   const toml::node& node;
-  std::string owner = {};  ///< prefix of the key in errors: "[[fault]] 2: "
+  std::string owner = {};  ///< prefix of the key in error messages, "[[fault]] 2: "
 
-  /// The place of a value inside this one.
+  /// The place of a value inside this table or list.
   Place inside(std::string_view its_key, const toml::node& its_node) const {
     return {origin, std::string(its_key), folder, its_node, owner};
   }
-  /// "farm.toml:12"
+  /// File and line, "farm.toml:12".
   std::string where() const;
-  /// Throws BadInput with the value found here.
+  /// Throws BadInput with the value found and the given expectation.
   [[noreturn]] void refuse(const std::string& expected) const;
 };
 
-// Each throws BadInput for a value of another kind.
+// Readers of one value. They throw BadInput for a value of another type or out of range.
 std::int64_t read_int(const Place& at, std::int64_t low, std::int64_t high);
 double read_double(const Place& at, double low, double high);
 std::string read_text(const Place& at);
-/// N whole numbers from 0 to `high`; none if the node is not such a list.
+/// Reads a list of N integers from 0 to `high`; none if the node is not such a list.
 template <std::size_t N>
 std::optional<std::array<int, N>> find_ints(const toml::node& node, int high) {
   const auto* list = node.as_array();
@@ -59,22 +59,23 @@ std::optional<std::array<int, N>> find_ints(const toml::node& node, int high) {
   }
   return numbers;
 }
-/// A file's name, relative to the folder; "" for none.
+/// Reads the name of a file, relative to the folder; "" for none.
 base::Source read_file_name(const Place& at);
-/// A value for a field of this domain, not yet checked; texts become sources if they name files.
+/// Reads a value for a field of this domain without checking its range. Strings that name files
+/// become sources.
 base::Scalar read_scalar(const Place& at, const base::Domain& domain);
-/// The tables of [[key]]. Throws BadInput for an empty list unless it `may_be_empty`.
+/// The tables of [[key]]. Throws BadInput for an empty list unless `may_be_empty`.
 std::vector<const toml::table*> tables_of(const Place& at, bool may_be_empty = false);
 
-// Overloads by the type of the member; a list of texts has at least one element.
+// Readers selected by the type of the member. A list of strings must not be empty.
 void read(const Place& at, std::string& text);
 void read(const Place& at, std::vector<std::string>& texts);
 void read(const Place& at, bool& flag);
 inline void read(const Place& at, std::optional<bool>& flag) { read(at, flag.emplace()); }
-/// A name, or a path with an extension, relative to the folder.
+/// Reads a name, or a path with an extension, relative to the folder.
 void read(const Place& at, base::Source& source);
 
-/// A key of a table with the member it sets.
+/// A key of a table, bound to the member it sets.
 template <class Target>
 struct Binding {
   std::string key, help;
@@ -94,7 +95,7 @@ Binding<Target> bind_number(const std::string& key, Member Target::*member, doub
   return {key, help,
           [=](Target& target, const Place& at) { target.*member = read_double(at, low, high); }};
 }
-/// Binds the value that a name represents.
+/// Binds a member to a key whose value is one of `names`.
 template <class Target, class Member>
 Binding<Target> bind_name(const std::string& key, Member Target::*member,
                           const base::Names<Member>& names, const std::string& help) {
@@ -108,7 +109,8 @@ Binding<Target> bind_name(const std::string& key, Member Target::*member,
           }};
 }
 
-/// Throws BadInput for an unknown key, with the nearest; for `section.KEY`, one that ends in KEY.
+/// Throws BadInput for an unknown key, with the nearest valid one. For `section.KEY`, it prefers a
+/// key that ends in KEY.
 [[noreturn]] void refuse_key(const Place& at, const std::vector<std::string>& known);
 
 template <class Target>
@@ -120,15 +122,15 @@ void bind_one(Target& target, const Bindings<Target>& bindings, const Place& at)
   refuse_key(at, known);
 }
 
-/// Binds all keys of a table at `at`.
+/// Sets the members bound to the keys of a table.
 template <class Target>
 void bind_all(Target& target, const Bindings<Target>& bindings, const toml::table& table,
               const Place& at) {
   for (auto&& [key, node] : table) bind_one(target, bindings, at.inside(key.str(), node));
 }
 
-/// Visits every key of a point, dotted, sorted by name. Skips [sweep], [let], [[check]] and the
-/// tables for the report.
+/// Visits every key of a point by its dotted name, sorted by name. Skips [sweep], [let], [[check]]
+/// and the tables for the report.
 void for_each_key(const toml::table& file,
                   const std::function<void(const std::string& key, const toml::node&)>& visit);
 

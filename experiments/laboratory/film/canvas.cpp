@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* FONT = "DejaVu Sans";
 
-// Uses grey antialiasing without hinting, independent of the host's desktop settings.
+// Selects grey-level antialiasing without hinting, independent of the host's desktop settings.
 void choose_font(cairo_t* context) {
   cairo_select_font_face(context, FONT, CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
   cairo_font_options_t* options = cairo_font_options_create();

@@ -1,5 +1,5 @@
 #pragma once
-// A raster canvas drawn with Cairo. Lengths are pixels, y grows downwards.
+// A raster canvas drawn with Cairo. Lengths are in pixels; y points downwards.
 #include <array>
 #include <memory>
 #include <string>
@@ -15,12 +15,12 @@ inline constexpr Colour WHITE{1, 1, 1}, INK{0.13, 0.13, 0.13}, FAINT{0.42, 0.42,
     PALE{0.86, 0.86, 0.86};
 
 struct Rectangle {
-  double x = 0, y = 0, width = 0, height = 0;  ///< x and y of its upper left corner
+  double x = 0, y = 0, width = 0, height = 0;  ///< x and y of the upper left corner
 };
 
 enum class Align { left, middle, right };
 
-/// The pixels are the same on every machine with the same Cairo and fonts.
+/// A raster image. Its pixels are the same on all hosts with the same Cairo and fonts.
 class Canvas {
  public:
   /// Makes a white canvas.
@@ -34,14 +34,16 @@ class Canvas {
   void line(double x0, double y0, double x1, double y1, const Colour& colour, double line = 1);
   void disc(const topologies::Place& middle, double radius, const Colour& colour);
   void ring(const topologies::Place& middle, double radius, const Colour& colour, double line);
-  /// Draws a Bezier curve by its control points.
+  /// Draws a cubic Bezier curve with these control points.
   void curve(const std::array<topologies::Place, 4>& points, const Colour& colour, double line);
-  /// Draws a line of text, sans serif; `align` refers to `x`, and `y` is the base line.
+  /// Draws a line of sans-serif text with its base line at `y`. `align` says which end of the text
+  /// is at `x`.
   void text(double x, double y, const std::string& words, double size, Align align = Align::left,
             const Colour& colour = INK);
-  /// Draws text with a white rim around the letters.
+  /// Draws text with a white outline that keeps it readable on lines.
   void text_on_lines(double x, double y, const std::string& words, double size, Align align);
-  /// Draws a picture with its upper left pixel at (x, y), each pixel as a square of `factor`.
+  /// Draws a picture with its upper left pixel at (x, y). Each pixel becomes a square of `factor`
+  /// by `factor`.
   void picture(int x, int y, const renderer::Bitmap& bitmap, int factor);
 
   renderer::Bitmap bitmap() const;
@@ -57,9 +59,9 @@ class Canvas {
   std::unique_ptr<Cairo, End> cairo_;
 };
 
-/// Width of a text, pixels.
+/// Width of a text, in pixels.
 double text_width(const std::string& words, double size);
-/// The text, or its longest beginning with "…" that fits the width.
+/// Shortens a text to the width by replacing its end with "…".
 std::string shorten_to(const std::string& words, double size, double width);
 
 }  // namespace laboratory

@@ -17,9 +17,9 @@ namespace fs = std::filesystem;
 using base::require;
 using renderer::Frame;
 
-// Samples a run at least twice a frame; each frame uses the last sample before its time.
+// Samples of the run per frame, at least. A frame shows the last sample before its time.
 constexpr int SNAPSHOTS_A_FRAME = 2;
-constexpr double MOST_BYTES = 1e9;  // of sampled pictures
+constexpr double MOST_BYTES = 1e9;  // limit on the memory of sampled pictures
 
 bool is_webp(const std::string& file) { return fs::path(file).extension() == ".webp"; }
 
@@ -28,7 +28,7 @@ int duration_ms(int frame, int frames) {
   return frame + 1 < frames ? ms : ms + LAST_MS;
 }
 
-// Holds one frame at a time in memory.
+// Writes the frames one by one, so that memory holds only one at a time.
 void save_frames(const std::string& file, int count, const renderer::MakeFrame& make) {
   const auto frames = static_cast<std::size_t>(count);
   if (is_webp(file)) return base::save_whole(file, renderer::make_webp(frames, make));
@@ -39,7 +39,7 @@ void save_frames(const std::string& file, int count, const renderer::MakeFrame& 
 }
 
 double busy_share(const std::vector<observe::TimelineRow::Shares>& columns, std::size_t column) {
-  if (columns.empty()) return 0;  // nothing was transferred
+  if (columns.empty()) return 0;  // no transfer was recorded
   const auto& shares = columns[column];
   return std::clamp(shares[0] + shares[1] + shares[2], 0.0, 1.0);
 }

@@ -5,7 +5,8 @@
 namespace laboratory {
 
 struct FilmOptions {
-  std::string picture, network;  ///< files, .webp, or .png for NAME-0001.png ...; "": none
+  /// film files (.webp), or .png for frames NAME-0001.png ...; "": no film
+  std::string picture, network;
   int frames = 100;
 
   bool is_asked() const { return !picture.empty() || !network.empty(); }

@@ -11,8 +11,9 @@ namespace laboratory {
 
 namespace {
 
-constexpr double BAR = 10, SMALL = 11, LARGE = 13, TITLE = 15;  // pixels
-constexpr double TICK_WIDTH = 70;                               // of a tick label, at most
+// font sizes and the height of the bar, pixels
+constexpr double BAR = 10, SMALL = 11, LARGE = 13, TITLE = 15;
+constexpr double TICK_WIDTH = 70;  // maximum width of a tick label, pixels
 constexpr Colour PAST{0.55, 0.67, 0.82}, PRESENT{0.11, 0.29, 0.53};
 
 struct Unit {
@@ -20,7 +21,7 @@ struct Unit {
   const char* name;
 };
 
-// The largest unit that is not longer than the length; ns at least.
+// The largest unit that is not longer than the length, but at least ns.
 Unit choose_unit(double length_s) {
   for (const Unit unit : {Unit{1, "s"}, Unit{1e-3, "ms"}, Unit{1e-6, "µs"}})
     if (length_s >= unit.s) return unit;

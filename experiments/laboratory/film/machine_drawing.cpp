@@ -18,14 +18,14 @@ using topologies::Topology;
 
 namespace {
 
-// Pixels. A unit is the least distance between two processors.
+// Sizes in pixels. A unit is the least distance between two processors.
 constexpr double LEGEND_HEIGHT = 62, MOST_UNIT = 56;
 constexpr double WIDTH = 1200, HEIGHT = 720, LEAST_WIDTH = 640;
-// A unit has at least the first size, unless a side of the frame would exceed the second.
+// A unit is at least SMALL_UNIT, unless a side of the frame would then exceed MOST_SIDE.
 constexpr double SMALL_UNIT = 8, MOST_SIDE = 2400;
 constexpr double BOX_HEIGHT = 26, BOX_FONT = 12, SMALLEST_FONT = 6.5, BESIDE_FONT = 10;
-constexpr double DIAMETER = 0.75;  // of a processor, in units
-// Row height and column width above the network: in units, and minima in pixels.
+constexpr double DIAMETER = 0.75;  // diameter of a processor, in units
+// Row height and column width above the network: first in units, then minima in pixels.
 constexpr double ROW_UNITS = 1.6, ROW = 46, COLUMN_UNITS = 2.6, COLUMN = 120;
 
 struct Bounds {
@@ -48,7 +48,7 @@ double choose_unit(const Bounds& bounds) {
 
 std::size_t index(int id) { return static_cast<std::size_t>(id); }
 
-// The processors outside the network that are connected to its root, by rows above it.
+// Arranges processors outside the network in rows above its root, by their distance from it.
 std::vector<std::vector<int>> find_rows(const machine::Machine& machine, int root,
                                         const SomePlaces& placed) {
   std::vector<std::vector<int>> rows{{root}};
@@ -71,7 +71,7 @@ std::vector<std::vector<int>> find_rows(const machine::Machine& machine, int roo
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// The number at the end of a name: 12 in "worker12"; without one, the name.
+// The number at the end of a processor's name, such as 12 for "worker12"; otherwise the name.
 std::string number_of(const std::string& name) {
   std::size_t begin = name.size();
   while (begin > 0 && is_digit(name[begin - 1])) --begin;
@@ -79,8 +79,8 @@ std::string number_of(const std::string& name) {
   return begin < name.size() && is_word ? name.substr(begin) : name;
 }
 
-// The curvatures of the topology's links, keyed by their two processors in the machine; in link
-// order if several join the same two.
+// The curvatures of the topology's links, by the two processors of the machine. Several links
+// between the same two keep their order.
 std::map<std::pair<int, int>, std::vector<Place>> sort_swerves(const Topology& topology,
                                                                const Places& swerves,
                                                                const std::vector<int>& network) {
@@ -127,7 +127,8 @@ MachineDrawing::MachineDrawing(const machine::Machine& machine, const Topology& 
                                  bounds.high.y + row * static_cast<double>(r + 1)};
     }
   for (std::size_t i = 0; i < some.size(); ++i)
-    if (!some[i]) nodes_[i].is_box = false;  // boxes do not fit beside processors
+    // draw these as circles, since boxes would overlap their neighbours
+    if (!some[i]) nodes_[i].is_box = false;
   place(place_others(machine, std::move(some)));
   join(machine, sort_swerves(topology, layout.swerves, network));
 }
@@ -171,7 +172,7 @@ renderer::Bitmap MachineDrawing::draw(const std::string& title, const Busy& busy
                                       const Span& now) const {
   Canvas canvas(width_, height_);
   draw_title(canvas, title);
-  // Draws busy halves above others.
+  // Draws busy link halves last, so that they lie above idle ones.
   std::vector<std::size_t> order(halves_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return busy.links[i]; });
@@ -199,7 +200,7 @@ void MachineDrawing::draw_node(Canvas& canvas, const Node& node, double busy) co
   }
   canvas.disc(node.place, radius_, fill);
   canvas.ring(node.place, radius_, INK, std::min(rim, radius_ / 4));
-  const double inside = 1.75 * radius_;  // width for words
+  const double inside = 1.75 * radius_;  // width available for the label
   const double size = std::min(13.0, inside / std::max(text_width(node.label, 1), 1.2));
   if (size >= SMALLEST_FONT)
     canvas.text(x, y + 0.36 * size, node.label, size, Align::middle, ink);

@@ -11,42 +11,44 @@
 
 namespace laboratory {
 
-/// Shares of a frame's time, 0 to 1: by id in the machine, and by index into Machine::links().
+/// Busy shares of a frame's interval, 0 to 1: for each processor by id, and for each link direction
+/// by its index in Machine::links().
 struct Busy {
   std::vector<double> processors, links;
 };
 
-/// The constant parts of all frames.
+/// The parts of the drawing that are equal in all frames.
 class MachineDrawing {
  public:
   struct Node {
-    topologies::Place place;  ///< pixels
+    topologies::Place place;  ///< position, pixels
     std::string label;
-    bool is_box = false;  ///< outside the network
+    bool is_box = false;  ///< drawn as a box: outside the network
     bool is_root = false;
   };
 
-  /// Places the network as reports draw its topology, with processors attached to the root in rows
-  /// above, and others beside their neighbours. `network` maps network processors to ids in the
-  /// machine; empty: equal numbers. Throws as make_layout does.
+  /// Lays out the network as in reports. Processors outside the network that lead to its root are
+  /// in rows above it; others are beside their neighbours. `network` maps the network's processors
+  /// to machine ids; empty: equal numbers. Throws as make_layout does.
   MachineDrawing(const machine::Machine& machine, const topologies::Topology& topology,
                  const std::vector<int>& network);
 
   int width() const { return width_; }
   int height() const { return height_; }
-  /// By id in the machine.
+  /// The processors, by machine id.
   const std::vector<Node>& nodes() const { return nodes_; }
   double radius() const { return radius_; }
-  /// The control points of the half of a link that shows one direction, by index into
-  /// Machine::links().
+  /// The control points of each half link, by index in Machine::links(). A half shows one direction
+  /// of a link.
   const std::vector<std::array<topologies::Place, 4>>& halves() const { return halves_; }
 
-  /// Draws the frame of the loads during `now`, an interval of `film`.
+  /// Draws the frame with the loads of the interval `now` of the film.
   renderer::Bitmap draw(const std::string& title, const Busy& busy, const Span& film,
                         const Span& now) const;
 
  private:
-  /// Keyed by two processors of the machine, lower first; several places for several links.
+  /// Curvatures of links, by the machine ids of their two processors, lower first. Several links
+  /// between the same two have one value each.
   using Swerves = std::map<std::pair<int, int>, std::vector<topologies::Place>>;
   void place(const topologies::Places& places);
   void join(const machine::Machine& machine, const Swerves& swerves);
@@ -55,7 +57,7 @@ class MachineDrawing {
   void draw_legend(Canvas& canvas, double window_s) const;
 
   int width_ = 0, height_ = 0;
-  double unit_ = 0, radius_ = 0;  // pixels
+  double unit_ = 0, radius_ = 0;  // size of a unit, and radius of a processor, in pixels
   std::vector<Node> nodes_;
   std::vector<std::array<topologies::Place, 4>> halves_;
 };

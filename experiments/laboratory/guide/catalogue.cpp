@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 
 using Entries = std::vector<Catalogue::Entry>;
 
-// The files below a folder with one of these endings, sorted by name; relative to the current
-// folder if inside it.
+// The files below a folder with one of these extensions, sorted by name. Paths inside the current
+// folder are relative to it.
 std::vector<fs::path> find_files(const fs::path& folder, const std::vector<std::string>& endings) {
   std::vector<fs::path> files;
   std::error_code error;
@@ -40,7 +40,7 @@ std::vector<fs::path> find_files(const fs::path& folder, const std::vector<std::
   return files;
 }
 
-// The beginning of a file, with its first comment; "" if unreadable.
+// The beginning of a file, which contains its first comment; "" if unreadable.
 std::string read_beginning(const fs::path& file) {
   std::string text(4096, '\0');
   std::ifstream in(file, std::ios::binary);
@@ -49,7 +49,7 @@ std::string read_beginning(const fs::path& file) {
   return text;
 }
 
-// The title of an experiment; none for other TOML files and unreadable ones.
+// The title of an experiment; none for other TOML files and unreadable files.
 std::optional<std::string> find_title(const fs::path& file) try {
   constexpr std::size_t LONGEST = 1 << 20;
   const auto table = base::parse_toml(base::read_text(file, LONGEST), file.string());

@@ -1,5 +1,5 @@
 #pragma once
-// Lists of experiments, programs, topologies, models and scenes.
+// Catalogue of experiments, programs, topologies, models and scenes.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -10,28 +10,28 @@ namespace laboratory {
 /// Names with a one-line description each.
 struct Catalogue {
   struct Entry {
-    std::string name;   ///< as commands and files spell it
-    std::string about;  ///< one line; "" if there is no description
+    std::string name;   ///< name as used in commands and files
+    std::string about;  ///< description in one line; "" for none
   };
-  std::string kind;  ///< "experiments"
-  std::string use;   ///< how to use an entry: "tlab run FILE"
+  std::string kind;  ///< kind of the entries, "experiments"
+  std::string use;   ///< command that uses an entry, "tlab run FILE"
   std::vector<Entry> entries;
 };
 
-/// "experiments", "programs", ...: in the order of a help text.
+/// The kinds ("experiments", "programs", ...) in the order in which help lists them.
 const std::vector<std::string>& catalogue_kinds();
 
-/// The folder of the included experiments: in the clone of the build, or at the place of
-/// installation. None for a lone executable.
+/// Finds the folder of the included experiments: in the source tree of the build, or in the
+/// installation. None if only the executable is present.
 std::optional<std::filesystem::path> find_experiments();
 
-/// All entries of a kind. Experiments and scenes are files below `folder`, with names that include
-/// it. Without a folder there are no experiments, and only generated scenes. Throws BadInput for an
-/// unknown kind and an unreadable folder.
+/// Lists all entries of a kind. Experiments and scenes are files below `folder`, and their names
+/// include it. Without a folder there are no experiments, and only generated scenes. Throws
+/// BadInput for an unknown kind or an unreadable folder.
 Catalogue make_catalogue(const std::string& kind,
                          const std::optional<std::filesystem::path>& folder);
 
-/// "experiments (tlab run FILE):" and a line for each entry.
+/// Formats a heading, "experiments (tlab run FILE):", and one line for each entry.
 std::string to_text(const Catalogue& catalogue);
 
 }  // namespace laboratory

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* TOKEN = "MINE";
 
-// Converts "farm/MINE.toml" to "farm".
+// The template that a file belongs to: "farm" for "farm/MINE.toml".
 std::string template_of(std::string_view path) {
   return std::string(path.substr(0, path.find('/')));
 }
@@ -44,7 +44,7 @@ std::string rename_in(std::string_view text, const std::string& called) {
 }
 
 struct File {
-  fs::path path;  // in the new folder
+  fs::path path;  // path in the new folder
   std::string text;
 };
 
@@ -70,7 +70,8 @@ std::vector<fs::path> start_from_template(const fs::path& name, const std::strin
   const auto known = template_names();
   if (std::ranges::find(known, from) == known.end())
     throw base::BadInput(fmt::format("--from: found \"{}\"{}", from, base::suggest(from, known)));
-  const auto folder = name.has_filename() ? name : name.parent_path();  // "mine/" is "mine"
+  // "mine/" names the same folder as "mine"
+  const auto folder = name.has_filename() ? name : name.parent_path();
   check_name(folder);
   const auto called = folder.filename().string();
   const auto working = folder.parent_path() / base::make_partial_name(called, "partial", getpid());
@@ -86,7 +87,7 @@ std::vector<fs::path> start_from_template(const fs::path& name, const std::strin
       base::save_whole(working / file.path, file.text);
       made.push_back(folder / file.path);
     }
-    check_name(folder);  // it may have appeared meanwhile
+    check_name(folder);  // another process may have made the folder meanwhile
     fs::rename(working, folder);
   } catch (...) {
     remove();

@@ -6,13 +6,14 @@
 
 namespace laboratory {
 
-/// "farm", "topology", "radiosity", "program"
+/// The names of all templates: "farm", "topology", "radiosity" and "program".
 std::vector<std::string> template_names();
 
-/// Makes the folder `name` with the files of a template, all of them or none. Files and their
-/// contents are named by the last part of `name`, a letter followed by at most 99 letters, digits,
-/// - and _. Returns the files' paths. Throws BadInput for an unknown template, another form of the
-/// last part, an existing `name` and a missing parent; std::system_error if writing fails.
+/// Makes the folder `name` with the files of a template, all of them or none. The last part of
+/// `name` appears in the names and contents of the files. It must be a letter followed by at most
+/// 99 letters, digits, - and _. Returns the paths of the files. Throws BadInput for an unknown
+/// template, an invalid or existing `name`, or a missing parent. Throws std::system_error if
+/// writing fails.
 std::vector<std::filesystem::path> start_from_template(const std::filesystem::path& name,
                                                        const std::string& from);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Coloured text on terminals only.
+// Coloured terminal output.
 #include <cstdio>
 #include <string>
 #include <string_view>

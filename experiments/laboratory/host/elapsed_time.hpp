@@ -1,13 +1,14 @@
 #pragma once
-// Display of elapsed time for work of unknown duration.
+// Elapsed-time display for work of unknown duration.
 #include <chrono>
 #include <string>
 #include <thread>
 
 namespace laboratory {
 
-/// While it lives, shows "WHAT, 3 s" on standard error from `after` on, if that is a terminal. Its
-/// thread receives no signals. Meanwhile, forked processes must call exec.
+/// While this object lives, standard error shows "WHAT, 3 s" from `after` on, if it is a terminal.
+/// The display has its own thread, which receives no signals. Processes forked meanwhile must call
+/// exec.
 class ElapsedTime {
  public:
   explicit ElapsedTime(std::string what, std::chrono::milliseconds after = std::chrono::seconds(2));

@@ -1,12 +1,12 @@
 #pragma once
-// The only content hash of the program.
+// Content hash of files and records.
 #include <string>
 #include <string_view>
 
 namespace laboratory {
 
-/// 128 bits (XXH3) as 32 hexadecimal digits, the same on every machine; equal hashes imply equal
-/// bytes.
+/// The 128-bit hash XXH3 as 32 hexadecimal digits, the same on every host. Equal hashes are taken
+/// as equal content.
 std::string hash_of(std::string_view bytes);
 
 }  // namespace laboratory

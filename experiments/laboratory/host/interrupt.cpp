@@ -18,8 +18,9 @@ namespace {
 constexpr char END_NOW = 'e', WORK_IS_DONE = 'd';
 
 std::atomic<int> interrupts = 0, guards = 0;
-std::atomic<pid_t> watched = 0;  // the process with a watch; 0: none. Children have none
-int wake[2] = {-1, -1};          // a pipe to the thread that ends the program
+// id of the process that has an InterruptWatch, 0 if none; child processes have none
+std::atomic<pid_t> watched = 0;
+int wake[2] = {-1, -1};  // pipe to the thread that ends the program
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
 
 void send(char what) {
@@ -37,8 +38,8 @@ void count_or_end(int) {
   errno = error;
 }
 
-// Starts to count these signals, except those ignored at program start (under nohup, in background
-// jobs of scripts). Returns the previous handlers.
+// Starts counting these signals, except those ignored at program start (under nohup, or in
+// background jobs of scripts). Returns the previous handlers.
 Handlers begin_to_count() {
   Handlers old{};
   for (std::size_t i = 0; i < std::size(ASKS_TO_END); ++i) {
@@ -50,8 +51,8 @@ Handlers begin_to_count() {
   return old;
 }
 
-// True if a stream accepts output without a long wait. False if a thread holds its lock while
-// waiting for a reader, or if its pipe is full.
+// True if a stream accepts output without blocking. False if a thread holds the stream's lock while
+// it waits, or if the pipe is full.
 bool is_free(FILE* stream) {
   constexpr int MOST_MS = 1000;
   if (ftrylockfile(stream) != 0) return false;
@@ -68,7 +69,7 @@ void wait_for_end() {
   if (what == WORK_IS_DONE) return;
   base::undo_all();
   if (is_free(stderr)) complain(INTERRUPTED);
-  if (is_free(stdout)) std::fflush(stdout);  // completes what was printed
+  if (is_free(stdout)) std::fflush(stdout);  // writes buffered output
   _exit(EXIT_INTERRUPTED);
 }
 
@@ -77,7 +78,7 @@ void wait_for_end() {
 InterruptWatch::InterruptWatch() {
   if (pipe2(wake, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
   {
-    // The new thread blocks these signals; this thread counts a signal before anything else.
+    // Blocks these signals in the new thread, so that the present thread receives and counts them.
     const base::HeldSignals held(ASKS_TO_END);
     waits_ = std::thread(wait_for_end);
   }
@@ -90,7 +91,8 @@ InterruptWatch::~InterruptWatch() {
     const base::Undivided section;
     watched = 0;
   }
-  const base::Undivided unless_it_ends;  // waits if a signal came while `watched` was still set
+  // blocks for good if a signal arrived before `watched` became 0
+  const base::Undivided unless_it_ends;
   send(WORK_IS_DONE);
   waits_.join();
   for (const int end : wake) close(end);

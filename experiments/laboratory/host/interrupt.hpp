@@ -1,6 +1,6 @@
 #pragma once
-// Interrupts by the user: Ctrl-C, SIGINT or SIGTERM. A signal that was ignored at program start, as
-// under nohup and in background jobs of scripts, stays ignored.
+// Handling of interrupts by the user: Ctrl-C, SIGINT and SIGTERM. Signals ignored at program start,
+// as under nohup or in background jobs of scripts, stay ignored.
 
 #include <array>
 #include <csignal>
@@ -15,10 +15,10 @@ inline constexpr const char* INTERRUPTED = "interrupted; only what was done is k
 
 using Handlers = std::array<void (*)(int), std::size(ASKS_TO_END)>;
 
-/// While this object lives, the signals end the program anywhere: it undoes half-done work
-/// (base/early_end.hpp), prints INTERRUPTED on standard error and exits with EXIT_INTERRUPTED.
-/// Exception: the first signal under an InterruptGuard is only counted. After its destruction the
-/// signals have no effect. Made once, by the main thread.
+/// While this object lives, an interrupt ends the program at any instant. The program undoes
+/// partial work (base/early_end.hpp), prints INTERRUPTED on standard error and exits with
+/// EXIT_INTERRUPTED. Under an InterruptGuard the first signal is only counted. After destruction
+/// the signals have no effect. The main thread makes one object.
 class InterruptWatch {
  public:
   InterruptWatch();
@@ -30,7 +30,7 @@ class InterruptWatch {
   std::thread waits_;
 };
 
-/// While it lives, these signals are counted from 0 and do not end the program.
+/// While this object lives, interrupts are counted from 0 and do not end the program.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -42,7 +42,7 @@ class InterruptGuard {
   Handlers old_;
 };
 
-/// The number of interrupts since the construction of the last guard.
+/// The number of interrupts since the latest InterruptGuard was made.
 int count_interrupts();
 inline bool was_interrupted() { return count_interrupts() != 0; }
 

@@ -20,7 +20,7 @@
 namespace laboratory {
 namespace {
 
-// A child process with its output so far: one byte of status, then result or message.
+// A child process and its output so far: a status byte, then the result or an error message.
 struct Child {
   pid_t pid = -1;
   std::size_t index = 0;
@@ -38,7 +38,7 @@ void write_all(int fd, const std::string& text) {
 
 [[noreturn]] void run_child(pid_t parent, int fd, const Job& job, std::size_t index,
                             std::optional<base::HeldSignals>& held) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);  // the child ends with a killed parent
+  prctl(PR_SET_PDEATHSIG, SIGKILL);  // the kernel kills the child when its parent dies
   if (getppid() != parent) _exit(1);
   for (const int asked : ASKS_TO_END) signal(asked, [](int) { machine::request_stop(); });
   held.reset();
@@ -49,7 +49,7 @@ void write_all(int fd, const std::string& text) {
     reply = static_cast<char>(exit_code_of(error)) + std::string(error.what());
   }
   write_all(fd, reply);
-  _exit(0);  // without the parent's destructors
+  _exit(0);  // skips the parent's destructors
 }
 
 class Pool {
@@ -65,8 +65,9 @@ class Pool {
     int ends[2];
     if (pipe(ends) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
     std::fflush(nullptr);
-    const base::Undivided section;                       // the child stays in it
-    std::optional<base::HeldSignals> held(ASKS_TO_END);  // until the child has its own handlers
+    const base::Undivided section;  // the child never leaves this critical section
+    // holds signals until the child has installed its handlers
+    std::optional<base::HeldSignals> held(ASKS_TO_END);
     const pid_t parent = getpid(), pid = fork();
     if (pid < 0) throw std::system_error(errno, std::generic_category(), "fork");
     if (pid == 0) {
@@ -77,7 +78,7 @@ class Pool {
     children_[ends[0]] = {pid, index, {}};
   }
 
-  // Waits until a child has ended.
+  // Waits until any child has ended.
   JobEnd wait_any() {
     for (;;) {
       std::vector<pollfd> fds;
@@ -128,7 +129,7 @@ class Pool {
     return JobEnd{ended.index, std::move(body), ""};
   }
 
-  std::map<int, Child> children_;  // by the pipe's reading end
+  std::map<int, Child> children_;  // running children, by the reading end of their pipes
   bool stopping_ = false;
   const base::Undo undo_{[this] { kill_all(); }};
 };

@@ -14,12 +14,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Makes `to` a hard link to `from`; false if the file system cannot.
+// Makes `to` a hard link to `from`. Returns false if the file system does not support it.
 bool link_file(const fs::path& from, const fs::path& to) {
   if (link(from.c_str(), to.c_str()) == 0 || errno == EEXIST) return true;
   for (const int unable : {EPERM, EXDEV, EMLINK, ENOSYS, EOPNOTSUPP})
     if (errno == unable) return false;
-  if (errno == ENOENT && !fs::exists(from)) return true;  // another process has removed it
+  if (errno == ENOENT && !fs::exists(from)) return true;  // another process has removed `from`
   throw std::system_error(errno, std::generic_category(), to.string() + ": cannot be written");
 }
 

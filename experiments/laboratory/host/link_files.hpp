@@ -5,22 +5,23 @@
 
 namespace laboratory {
 
-/// Makes a folder and its parents, but not while the program ends early (base/early_end.hpp).
+/// Makes a folder and its parents. A signal that ends the program early waits for this
+/// (base/early_end.hpp).
 void make_folders(const std::filesystem::path& path);
 
-/// Adds the visible files of folder `from` that are missing in folder `to`: as hard links, or as
-/// copies on file systems without links. Skips folders inside `from`; a missing `from` counts as
-/// empty. Throws std::system_error or BadInput with the path.
+/// Adds the visible files of folder `from` that folder `to` lacks, as hard links, or as copies on
+/// file systems without links. Skips folders inside `from`. A missing `from` counts as empty.
+/// Throws std::system_error or BadInput with the path.
 void link_files(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Links or copies one file; `to` is its new name, and replaces an older file.
+/// Links or copies one file to the path `to`, and replaces an older file there.
 void link_file(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Adds the folders of records in points/ of one results folder to another.
+/// Adds the records (folders in points/) of one results folder to another.
 void link_records(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Writes into a results folder, with a second attempt after a failure: another process may be
-/// exchanging the whole folder, which takes a moment.
+/// Writes into a results folder, with one retry after a failure. The first attempt fails if another
+/// process replaces the folder at that moment.
 template <class Write>
 void try_twice(const Write& write) {
   try {

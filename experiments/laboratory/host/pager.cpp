@@ -30,7 +30,7 @@ bool is_shown_by(const std::string& pager, const std::string& text) try {
 void print_paged(const std::string& text) {
   if (isatty(STDOUT_FILENO)) {
     const char* given = std::getenv("PAGER");
-    setenv("LESS", "FRX", 0);  // quits at once if all fits, and leaves the text on the screen
+    setenv("LESS", "FRX", 0);  // less exits at once if the text fits, and leaves it on the screen
     if (is_shown_by(given && *given ? given : "less", text)) return;
   }
   fmt::print("{}", text);

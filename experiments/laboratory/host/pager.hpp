@@ -4,7 +4,7 @@
 
 namespace laboratory {
 
-/// Prints a text, on a terminal through the pager in PAGER, by default "less" with settings that
+/// Prints a text, on a terminal through the pager named in PAGER. The default is "less", set to
 /// print short texts directly. Prints without a pager if that fails.
 void print_paged(const std::string& text);
 

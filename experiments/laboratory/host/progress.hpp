@@ -1,5 +1,5 @@
 #pragma once
-// A progress bar with an estimate, on terminals only; and a clock.
+// Progress bar with an estimate of the remaining time, on terminals only, and a host clock.
 #include <chrono>
 #include <cstddef>
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace laboratory {
 
-/// A clock of the host.
+/// A stopwatch in host time.
 class Clock {
  public:
   /// Seconds since the last lap, or since construction.
@@ -22,11 +22,12 @@ class Clock {
 
 class Progress {
  public:
-  /// Draws on standard error if that is a terminal. The first `there` items took no time.
+  /// Draws on standard error if that is a terminal. The first `there` items were done before and
+  /// took no time.
   explicit Progress(std::string what, std::size_t there = 0);
   ~Progress();
   void show(std::size_t done, std::size_t total);
-  /// Prints a line above the bar, even if standard error is not a terminal.
+  /// Prints a line above the bar, also if standard error is not a terminal.
   void say(const std::string& line);
 
  private:

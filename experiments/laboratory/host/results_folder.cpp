@@ -28,7 +28,8 @@ namespace fs = std::filesystem;
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
-// Makes a path absolute and resolves its links: a link's target is replaced, not the link.
+// Makes a path absolute and resolves its symbolic links, so that a link's target is replaced
+// instead of the link.
 fs::path resolve(const fs::path& path) {
   if (path.empty()) throw base::BadInput("the name of a results folder is empty");
   std::error_code error;
@@ -44,7 +45,7 @@ void refuse(const fs::path& path, const std::string& found) {
                 found);
 }
 
-// True for files that desktop file managers leave behind.
+// True for files that desktop file managers leave in folders.
 bool is_of_desktop(const fs::path& entry) {
   const auto name = entry.filename().string();
   return (name == ".DS_Store" || name == "Thumbs.db" || name == "desktop.ini" ||
@@ -52,7 +53,7 @@ bool is_of_desktop(const fs::path& entry) {
          fs::is_regular_file(fs::symlink_status(entry));
 }
 
-// True if a folder holds only files with names of ours.
+// True if a folder contains only files whose names `is_ours` accepts.
 template <class IsOurs>
 bool has_only(const fs::path& folder, const IsOurs& is_ours) {
   return std::ranges::all_of(fs::directory_iterator(folder), [&](const auto& entry) {
@@ -63,13 +64,13 @@ bool has_only(const fs::path& folder, const IsOurs& is_ours) {
 
 bool is_plot(const std::string& name) { return name.ends_with(".svg") || name.ends_with(".png"); }
 
-// True for a file of a record, complete or left by a killed process.
+// True for a file of a record, complete or left behind by a killed process.
 bool is_of_record(const std::string& name) {
   return std::ranges::any_of(std::array{".json", ".png", ".exr", ".webp"},
                              [&](auto* part) { return name.find(part) != name.npos; });
 }
 
-// True for the folder of point records.
+// True for the folder that contains the records of points.
 bool is_store(const fs::path& folder) {
   return std::ranges::all_of(fs::directory_iterator(folder), [](const auto& entry) {
     if (entry.is_directory() && !entry.is_symlink()) return has_only(entry.path(), is_of_record);
@@ -78,7 +79,7 @@ bool is_store(const fs::path& folder) {
   });
 }
 
-// True if `tlab` writes such an entry into a results folder; others are foreign.
+// True if `tlab` writes an entry of this name into results folders. Other entries are the user's.
 bool is_result(const fs::path& entry) {
   static const std::vector<std::string> FILES{
       "results.csv", "results.schema.json", "checks.csv",    "fits.csv",        "best.csv",
@@ -110,14 +111,15 @@ void check_is_ours(const fs::path& path) {
       refuse(path, fmt::format("holds {}, which would be lost", entry.path().filename().string()));
 }
 
-// Kinds of folders beside `path`: unfinished results, and older ones moved aside.
+// Kinds of hidden folders beside `path`: unfinished results, and older results moved aside.
 constexpr const char *PARTIAL = "partial", *OLD = "old";
 
 fs::path beside(const fs::path& path, const char* kind) {
   return path.parent_path() / base::make_partial_name(path.filename().string(), kind, getpid());
 }
 
-// Finds folders of dead processes. One with our own process number is from an earlier process.
+// Finds the folders of dead processes. A folder with the current process number was left by an
+// earlier process of that number.
 std::vector<fs::path> find_stale(const fs::path& path, const char* kind) {
   std::vector<fs::path> stale;
   for (const auto& entry : fs::directory_iterator(path.parent_path())) {
@@ -130,8 +132,8 @@ std::vector<fs::path> find_stale(const fs::path& path, const char* kind) {
   return stale;
 }
 
-// Removes a folder while another thread, or a child being killed, may write into it: a file that
-// appears or vanishes meanwhile aborts a removal, so it retries.
+// Removes a folder into which another thread or a dying child may still write. Files that appear or
+// vanish meanwhile abort a removal, so it is retried.
 void remove_surely(const fs::path& folder) {
   constexpr int TRIES = 1000;
   std::error_code ignored;
@@ -142,8 +144,8 @@ void remove_surely(const fs::path& folder) {
   }
 }
 
-// Removes remains of dead processes. Replaced results without a successor, and records of points,
-// are put back in place.
+// Removes the remains of dead processes. Moves replaced results back if they have no successor, and
+// keeps the records of points.
 void remove_stale(const fs::path& path) {
   std::error_code ignored;
   for (const auto& folder : find_stale(path, OLD))
@@ -155,8 +157,8 @@ void remove_stale(const fs::path& path) {
     }
 }
 
-// Carries over records that other processes added to the older results, then removes these. Leaves
-// what cannot be removed to a later run.
+// Removes replaced results after moving records that other processes added to them. What cannot be
+// removed is left to a later run.
 void drop_replaced(const fs::path& older, const fs::path& path) {
   std::error_code ignored;
   if (fs::exists(older / "points")) {
@@ -174,8 +176,8 @@ void check_replaced(const fs::path& path, const ResultsFolder::Check& check) {
   if (check) check(path);
 }
 
-// Moves the old folder aside and the new one in its place, for file systems without an exchange in
-// one step. After a crash in between, the next run finds the old results under
+// Moves the old folder aside, then the new one into its place, for file systems without an atomic
+// exchange. After a crash in between, the next run finds the old results under
 // ".NAME.old-HOST-PID".
 void replace_in_two_steps(const fs::path& working, const fs::path& path,
                           const ResultsFolder::Check& check) {
@@ -189,7 +191,7 @@ void replace_in_two_steps(const fs::path& working, const fs::path& path,
     if (error) fail(path, "cannot put results in place", error);
   } catch (const std::exception&) {
     fs::rename(aside, path, ignored);
-    check_replaced(path, check);  // throws with its name
+    check_replaced(path, check);  // throws an error that names the folder
     throw;
   }
   drop_replaced(aside, path);
@@ -201,7 +203,7 @@ bool rename_with(unsigned flags, const fs::path& from, const fs::path& to) {
 
 bool is_unable(int error) { return error == ENOSYS || error == EINVAL || error == ENOTSUP; }
 
-// Moves the folder to a free place; false if the place is taken after all.
+// Moves the folder to an unoccupied path. Returns false if the path has become occupied.
 bool put_in_place(const fs::path& working, const fs::path& path) {
   if (rename_with(RENAME_NOREPLACE, working, path)) return true;
   if (errno == EEXIST) return false;
@@ -266,7 +268,8 @@ void ResultsFolder::clean_up() const {
   std::error_code ignored;
   if (is_committed_) return;
   if (!working_.empty()) remove_surely(working_);
-  for (const auto& parent : made_) fs::remove(parent, ignored);  // stays if it is not empty
+  // fails harmlessly if the folder is not empty
+  for (const auto& parent : made_) fs::remove(parent, ignored);
 }
 
 void ResultsFolder::commit(const Check& check) {
@@ -288,7 +291,7 @@ void ResultsFolder::replace(const Check& check) {
       fail(path_, "cannot put results in place", last_error());
     }
   }
-  is_committed_ = true;  // the working folder is the older one now, and must not be removed
+  is_committed_ = true;  // the working folder now holds the older results and must not be removed
   try {
     check_replaced(working_, check);
   } catch (const std::exception& error) {
@@ -296,7 +299,7 @@ void ResultsFolder::replace(const Check& check) {
       throw std::system_error(last_error(), fmt::format("{}; it cannot be put back to {}",
                                                         error.what(), path_.string()));
     is_committed_ = false;
-    check_replaced(path_, check);  // throws with its name
+    check_replaced(path_, check);  // throws an error that names `path_`
     throw;
   }
   drop_replaced(working_, path_);

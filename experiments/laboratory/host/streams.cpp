@@ -18,7 +18,7 @@ namespace laboratory {
 
 void secure_streams() {
   for (const int ends_the_program : {SIGPIPE, SIGXFSZ}) std::signal(ends_the_program, SIG_IGN);
-  // Opens for reading only: writing still fails, as it did before.
+  // Opens closed streams for reading only, so that writing to them still fails.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDONLY) < 0)
       throw std::system_error(errno, std::generic_category(), "/dev/null");
@@ -36,7 +36,7 @@ void print_on_error(std::string_view text) {
 
 namespace {
 
-// Replaces the progress bar on a terminal.
+// Prints a line on standard error. On a terminal it overwrites the progress bar.
 void print_behind(std::string_view head, std::string_view text) {
   const auto* const begin = isatty(STDERR_FILENO) == 1 ? "\r\x1b[K" : "";
   print_on_error(fmt::format("{}{}{}\n", begin, head, base::make_readable(text)));

@@ -1,5 +1,5 @@
 #pragma once
-// A private temporary folder. It is removed with its object, or when a signal ends the program.
+// Private temporary folder. It is removed with its object, or when a signal ends the program.
 #include <filesystem>
 #include <optional>
 
@@ -9,7 +9,7 @@ namespace laboratory {
 
 class TemporaryFolder {
  public:
-  /// Throws std::system_error if it cannot be made.
+  /// Throws std::system_error if the folder cannot be made.
   TemporaryFolder();
   ~TemporaryFolder();
   TemporaryFolder(const TemporaryFolder&) = delete;

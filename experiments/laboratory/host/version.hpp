@@ -3,9 +3,10 @@
 
 namespace laboratory {
 
-constexpr const char* VERSION = TLAB_VERSION;  // the project's version, from CMake
+constexpr const char* VERSION = TLAB_VERSION;  // version of the project, from CMake
 
-/// "tlab 0.1.0 (commit 1a2b3c4)": with the commit, if the build was from a clone.
+/// Program version such as "tlab 0.1.0 (commit 1a2b3c4)". The commit is omitted if the build was
+/// not from a clone.
 std::string describe_version();
 
 }  // namespace laboratory

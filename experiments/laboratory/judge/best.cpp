@@ -28,7 +28,7 @@ struct Group {
   std::vector<Measured> points;
 };
 
-// Finds the axes that vary, except `without` and axes coupled with others.
+// Finds the axes that vary, except those in `without` and those coupled with others.
 Axes other_axes(const Table& table, const RowList& rows, const Axes& without) {
   Axes axes;
   for (std::size_t axis = 0; axis < table.axes; ++axis)
@@ -57,7 +57,7 @@ std::vector<Group> group_by(const Table& table, const std::vector<Measured>& poi
   return groups;
 }
 
-// The relative advantage of the better of two values: by what share the other time is longer.
+// The relative advantage of the better of two values: the relative excess of the worse.
 double share_gained(bool least, double better, double worse) {
   return least ? worse / better - 1 : better / worse - 1;
 }
@@ -74,7 +74,7 @@ std::string value_column(const BestSpec& spec) {
 
 double in_percent(double share) { return std::round(share * 1000) / 10; }
 
-// Adds a sentence: "least time: mesh in 3, line in 1 of 4 cases, by 12.5 % at most."
+// Adds a sentence such as "least time: mesh in 3, line in 1 of 4 cases, by 12.5 % at most."
 void tell_winners(BestAnswer& answer, const std::map<std::string, std::size_t>& wins) {
   std::vector<std::pair<std::string, std::size_t>> sorted(wins.begin(), wins.end());
   std::ranges::stable_sort(sorted, std::greater(), &std::pair<std::string, std::size_t>::second);
@@ -100,11 +100,11 @@ void compare(BestAnswer& answer, const BestSpec& spec, const Table& table,
     });
     const auto& first = group.points[0];
     std::string name = name_values(table, first.row, over);
-    std::size_t next = 1;  // the runner-up
+    std::size_t next = 1;  // index of the runner-up
     const auto gained = [&] {
       return share_gained(spec.least, first.value, group.points[next].value);
     };
-    std::set<std::string> named{name};  // other axes may give several points one name
+    std::set<std::string> named{name};  // points that differ only in other axes share a name
     for (; next < group.points.size(); ++next) {
       const auto other = name_values(table, group.points[next].row, over);
       if (named.contains(other)) continue;
@@ -123,7 +123,7 @@ void compare(BestAnswer& answer, const BestSpec& spec, const Table& table,
   tell_winners(answer, wins);
 }
 
-// The relative gain of a step along the axis for each doubling in it.
+// The relative gain of a step along the axis, converted to one doubling of the axis.
 double gain_per_doubling(const BestSpec& spec, const std::pair<double, double>& from,
                          const std::pair<double, double>& to) {
   const double doublings = std::log2(to.first / from.first);
@@ -140,7 +140,7 @@ void add_sentence(GroupedSentences& grouped, const std::string& sentence,
   same->second.push_back(group);
 }
 
-// Adds "mesh; torus: doubling workers pays up to 8."
+// Adds a line such as "mesh; torus: doubling workers pays up to 8."
 void tell_groups(BestAnswer& answer, const GroupedSentences& grouped) {
   for (const auto& [sentence, groups] : grouped) {
     const auto names = join_texts(groups, "; ");
@@ -208,8 +208,8 @@ BestAnswer answer_question(const CheckPlan::Question& question, const Rows& rows
   return answer;
 }
 
-// Joins the rows of one part of all answers, prefixed by the question's name and the combination as
-// one text.
+// Joins one table of all answers. Each row begins with the question's name and the text of its
+// combination.
 Table make_csv(const std::vector<BestAnswer>& answers, Table BestAnswer::*part,
                std::vector<std::string> columns) {
   columns.insert(columns.begin(), {"question", "at"});

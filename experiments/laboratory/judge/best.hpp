@@ -1,6 +1,6 @@
 #pragma once
-// [[best]]: the best value of some axes for each value of others, and how far doubling an axis
-// pays.
+// Evaluation of [[best]]: the best values of some axes for each combination of others, and how far
+// doubling an axis pays.
 #include <string>
 #include <vector>
 
@@ -8,25 +8,26 @@
 
 namespace laboratory {
 
-/// The answers to one question; tables without rows are not shown.
+/// The answer to one [[best]]. Tables without rows are not shown.
 struct BestAnswer {
   std::string name;
-  /// A row for each combination of values of for_each: these, the best of `over`, its value, the
-  /// runner-up, its value, and the lead in %. Values within 0.05 % of the best are best too: "mesh
-  /// or torus".
+  /// A table with one row for each combination of values of `for_each`. Its columns are the
+  /// combination, the best value of `over` and its result, the runner-up and its result, and the
+  /// lead in %. Values whose results are within 0.05 % of the best share its cell, "mesh or torus".
   Table best;
-  /// A row for each combination of all axes except `pays`: these, the largest value of `pays`
-  /// before the first step without the share per doubling, and that step's gain per doubling in %.
-  /// The gain is empty if there is no such step.
+  /// A table with one row for each combination of all axes except `pays`. It has the largest value
+  /// of `pays` up to which each step gains at least the required share per doubling. The next
+  /// column has the gain of the first step that does not, in % per doubling. It is empty if all
+  /// steps pay.
   Table pays;
   std::vector<std::string> notes;
-  std::vector<std::string> findings;  ///< a sentence each
+  std::vector<std::string> findings;  ///< one sentence for each finding
 };
 
 std::vector<BestAnswer> find_best(const CheckPlan& plan, const Rows& rows);
 
-/// best.csv and pays.csv: the rows of all questions, with the question's name first and then the
-/// combination as one text.
+/// Makes best.csv and pays.csv: the rows of all answers. Each begins with the question's name and
+/// the text of its combination.
 Table make_best_csv(const std::vector<BestAnswer>& answers);
 Table make_pays_csv(const std::vector<BestAnswer>& answers);
 

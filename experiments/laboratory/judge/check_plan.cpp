@@ -22,7 +22,7 @@ namespace {
 
 using base::BadInput;
 
-// Topological sort of the definitions by the names they use.
+// Topological sort of the definitions by the names that they use.
 std::vector<CheckPlan::Let> sort_definitions(const std::vector<Definition>& definitions) {
   std::map<std::string, std::size_t> index_of;
   std::vector<CheckPlan::Let> lets;
@@ -63,7 +63,7 @@ Table parse_reference(const std::string& path, const std::string& place) {
   }
 }
 
-// Reads the table that a [[check]] or a [[plot]] names.
+// Reads the reference table that a [[check]] or a [[plot]] names.
 template <class Spec>
 std::optional<Table> read_reference(const Spec& spec) {
   if (spec.reference.empty()) return std::nullopt;
@@ -101,7 +101,8 @@ void for_each_expression(const CheckPlan& plan, const Visit& visit) {
   }
 }
 
-// Names with dots are keys and model numbers, known before the run; columns come later.
+// Throws for unknown names with dots. These are keys and model entries, which are known before the
+// run. Names without dots may be result columns, which are not.
 void check_dotted_names(const CheckPlan& plan, const ExperimentFile& file) {
   ExperimentFile first;
   first.points = {file.points[0]};
@@ -135,7 +136,7 @@ bool is_defined(const ExperimentFile& file, const std::string& name) {
   return std::ranges::find(file.definitions, name, &Definition::name) != file.definitions.end();
 }
 
-// Lists the texts in the column of an axis; none for columns of numbers.
+// Lists the strings in the column of an axis; empty if the column has numbers.
 std::vector<std::string> texts_of(const Table& table, const std::string& axis) {
   std::vector<std::string> texts;
   if (const auto column = table.find(axis))

@@ -1,5 +1,5 @@
 #pragma once
-// The checks and figures of an experiment, read and compiled. Reports every error that can be found
+// Compilation of an experiment file's checks and plots. It reports every error that can be found
 // before a run.
 #include <optional>
 #include <vector>
@@ -16,7 +16,7 @@ struct CheckPlan {
   };
   struct Comparison {
     Check check;
-    std::optional<Expression> of = {};  ///< none for a plain column
+    std::optional<Expression> of = {};  ///< the value as an expression; none if it is a column
     std::optional<Expression> formula = {}, at_least = {}, at_most = {};
     std::optional<Expression> where = {}, calibrated = {};
     std::optional<Table> reference = {};
@@ -38,36 +38,38 @@ struct CheckPlan {
     Expression of;
   };
   std::vector<Baseline> baselines;
-  std::vector<Let> lets;  ///< in order of dependency
+  std::vector<Let> lets;  ///< names of [let], sorted so that each comes after those it uses
   std::vector<Comparison> comparisons;
-  std::vector<Figure> figures;      ///< [[plot]]
-  std::vector<Question> questions;  ///< [[best]]
+  std::vector<Figure> figures;      ///< the tables [[plot]]
+  std::vector<Question> questions;  ///< the tables [[best]]
 
   bool is_empty() const {
     return baselines.empty() && comparisons.empty() && figures.empty() && questions.empty();
   }
 };
 
-/// Throws base::BadInput for invalid expressions, circular definitions, names with a dot that no
-/// point knows, and unreadable references. Names without a dot may be columns, still unknown here.
+/// Compiles the checks and plots of a file. Throws base::BadInput for invalid expressions, circular
+/// definitions, unreadable references, and names with a dot that no point defines. Names without a
+/// dot may be result columns, which are checked after the run.
 CheckPlan plan_checks(const ExperimentFile& file);
 
-/// The table of results with a column for each [[baseline]]; a cell is empty if its baseline row is
-/// missing. Throws base::BadInput for unknown names.
+/// Makes the table of results and adds a column for each [[baseline]]. A cell is empty if its
+/// baseline row is missing. Throws base::BadInput for unknown names.
 Table make_table(const CheckPlan& plan, const ExperimentFile& file, const Results& results);
 
-/// All rows with the plan's definitions. The file and the table must outlive the result.
+/// Makes the rows of the table with the definitions of the plan. The file and the table must
+/// outlive the result.
 Rows make_rows(const CheckPlan& plan, const ExperimentFile& file, const Table& table);
 
-/// Throws BadInput for names in the plan that are unknown at this row.
+/// Throws BadInput if the plan uses names that are unknown in this row.
 void check_names(const CheckPlan& plan, const Rows& rows, std::size_t row);
 
-/// A callback for PointsPlan that calls check_names for each point upon completion. The plan and
+/// Makes a callback for PointsPlan that calls check_names for each completed point. The plan and
 /// the file must outlive it.
 Inspect inspect_names(const CheckPlan& plan, const ExperimentFile& file);
 
-/// Notes for every [[baseline]] with an empty column, and for every text in braces that no row has
-/// on its axis: its position, and the nearest value. This is valid in a reduced sweep.
+/// Lists every [[baseline]] with an empty column, and every string in braces that no row has on its
+/// axis. Each note gives the position and the nearest value. These are valid in a reduced sweep.
 std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& table);
 
 }  // namespace laboratory

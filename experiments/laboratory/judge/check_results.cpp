@@ -18,10 +18,11 @@ constexpr double NO_LIMIT = 1e300;
 constexpr std::size_t WORST_SHOWN = 10;
 constexpr const char* KIND_NAMES[] = {"", "predicted", "calibrated", "at_least", "at_most"};
 
-// NaN counts as the largest error.
+// The size of an error. NaN counts as infinite.
 double size_of(double error) { return std::isnan(error) ? INFINITY : std::abs(error); }
 
-// The badness of a point: its error, or within bounds the negative distance from the nearer one.
+// The sort key for the worst point: its error, or for a point within bounds the negative distance
+// to the nearer bound.
 double badness(const Check& check, const CheckedPoint& point) {
   if (check.has_bounds() && point.holds) return -std::abs(point.simulated - point.expected);
   return size_of(point.error);
@@ -35,7 +36,7 @@ CheckedPoint compare(const Check& check, std::size_t row, double simulated, doub
   return {row, simulated, expected, error, size_of(error) <= limit.value_or(NO_LIMIT)};
 }
 
-// Compares with one or two bounds.
+// Compares a value with one or two bounds.
 CheckedPoint compare_bounds(std::size_t row, double simulated, std::optional<double> low,
                             std::optional<double> high) {
   const bool is_low = low && (!high || simulated - *low < *high - simulated);
@@ -48,7 +49,7 @@ CheckedPoint compare_bounds(std::size_t row, double simulated, std::optional<dou
       row, simulated, bound, holds ? 0 : beyond, holds, is_low ? Kind::at_least : Kind::at_most};
 }
 
-// The checked value of a point; none for an empty cell, such as a speed-up without a row for one
+// The checked value of a point; none for an empty cell, such as the speed-up if no row has one
 // worker.
 std::optional<double> find_simulated(const CheckPlan::Comparison& c, const Rows& rows,
                                      std::size_t row) {
@@ -57,7 +58,7 @@ std::optional<double> find_simulated(const CheckPlan::Comparison& c, const Rows&
   return as_number(table.rows[row][*table.find(c.check.of)]);
 }
 
-// Adds a point if both values exist.
+// Adds a point to the check if both values exist.
 void add_point(CheckResult& result, const CheckPlan::Comparison& c, const Rows& rows,
                std::size_t row, std::optional<double> expected,
                std::vector<std::size_t>& left_out) {
@@ -78,7 +79,7 @@ void add_bounded_point(CheckResult& result, const CheckPlan::Comparison& c, cons
   result.points.push_back(compare_bounds(row, *simulated, low, high));
 }
 
-// Compares each reference value with its row, if that is a candidate.
+// Compares each reference value with its row, if the check applies to that row.
 void compare_reference(CheckResult& result, const CheckPlan::Comparison& c, const Rows& rows,
                        const std::vector<std::size_t>& candidates,
                        std::vector<std::size_t>& left_out) {
@@ -89,7 +90,7 @@ void compare_reference(CheckResult& result, const CheckPlan::Comparison& c, cons
       add_point(result, c, rows, row, expected, left_out);
 }
 
-// Judges the points that were not used for calibration.
+// Evaluates the points that were not used for calibration; none if there are none.
 std::optional<Predicted> judge_predicted(const std::vector<CheckedPoint>& points) {
   Predicted predicted;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -173,7 +174,7 @@ std::vector<std::size_t> choose_points(const CheckResult& result, std::size_t mo
   return order;
 }
 
-// Names the column of expected values.
+// The column name of the expected values.
 std::string name_expected(const Check& check) {
   if (!check.formula.empty()) return "formula";
   if (!check.reference.empty()) return "reference";

@@ -1,5 +1,5 @@
 #pragma once
-// Compares results with formulas, references and bounds, and describes the outcome for people.
+// Comparison of results with formulas, references and bounds, and description of the outcome.
 #include <string>
 #include <vector>
 
@@ -9,24 +9,27 @@
 
 namespace laboratory {
 
-/// The kind of a point's `expected` value: a prediction, a value that the machine was fitted to, or
-/// a bound.
+/// Kind of the `expected` value of a point: predicted by the model, fitted during calibration, or a
+/// bound.
 enum class Kind { unknown, predicted, calibrated, at_least, at_most };
 
 /// One point of a check.
 struct CheckedPoint {
-  std::size_t row = 0;                 ///< index into the table of results
-  double simulated = 0, expected = 0;  ///< of two bounds the broken or else nearer one
-  double error = 0;  ///< relative to `expected`, or absolute; for a bound the excess, 0 if there is
-                     ///< none; not a number if either value is none
-  bool holds = false;  ///< for this point alone; the mean is judged over all
+  std::size_t row = 0;  ///< row number in the table of results
+  /// for two bounds, `expected` is the violated or else the nearer one
+  double simulated = 0, expected = 0;
+  /// Error relative to `expected`, or absolute in the column's unit. For a bound it is the excess,
+  /// 0 within bounds. NaN if either value is NaN.
+  double error = 0;
+  /// true if this point is within its limit; the limit on the mean is separate
+  bool holds = false;
   Kind kind = Kind::unknown;
 };
 
-/// The points of a check that were not used for calibration.
+/// Summary of the points that were not used for calibration.
 struct Predicted {
   std::size_t points = 0;
-  std::size_t worst = 0;  ///< index into the check's points
+  std::size_t worst = 0;  ///< index of the worst point in the check's points
   double mean = 0;
 };
 
@@ -36,17 +39,18 @@ struct CheckResult {
   Check check;
   Verdict verdict = Verdict::unmatched;
   std::vector<CheckedPoint> points = {};
-  std::size_t worst = 0;                    ///< index into `points`
+  std::size_t worst = 0;                    ///< index of the worst point in `points`
   double mean = 0;                          ///< mean of the absolute errors
-  std::optional<Predicted> predicted = {};  ///< if the check distinguishes calibrated points
+  std::optional<Predicted> predicted = {};  ///< only if the check distinguishes calibrated points
   /// Coverage by intervals that include the model's own error (cover.hpp): the number of points
-  /// inside, and the intervals' shift and half width, medians over the points relative to simulated
-  /// values.
+  /// inside, then shift and half width of the intervals. The latter are medians over the points,
+  /// relative to the simulated values.
   struct WithOwnError {
     std::size_t inside = 0;
     double mean = 0, half_width = 0;
   };
-  /// With drawn machines: points with intervals, and those whose expected value is inside.
+  /// Coverage by drawn machines: the number of points with intervals, and of those whose expected
+  /// value lies inside.
   struct Covered {
     std::size_t inside = 0, points = 0;
     std::optional<WithOwnError> with_own_error = {};
@@ -55,20 +59,22 @@ struct CheckResult {
   std::vector<std::string> notes = {};
 };
 
-/// Evaluates all checks of a plan; the table has all points. Throws as check_names does.
+/// Evaluates all checks of a plan on the table of all points. Throws as check_names does.
 std::vector<CheckResult> eval_checks(const CheckPlan& plan, const ExperimentFile& file,
                                      const Table& table);
 
-/// "ok      NAME: latency_s at 7 points, worst error 0.2 % (within 1 %) at bytes = 1"
+/// Formats a result in one line: "ok NAME: latency_s at 7 points, worst error 0.2 % (within 1 %) at
+/// bytes = 1".
 std::string summarize(const CheckResult& result, const Table& table);
 
-/// A row for each point: axes, simulated and expected value, error, kind (if there are several),
-/// and a mark for the worst point and for failures. With more than `most` points, only the ten
-/// worst.
+/// Makes a table with one row for each point: axes, simulated and expected value, error, kind (if
+/// there are several), and a mark for failures and the worst point. If there are more than `most`
+/// points, it has only the ten worst.
 Table make_check_table(const CheckResult& result, const Table& table, std::size_t most);
 
-/// checks.csv, a row for each check and point: the check, the axes, simulated, expected, error and
-/// kind as in CheckedPoint (calibrated, predicted, at_least, at_most or empty).
+/// Makes checks.csv, with one row for each check and point: name of the check, axes, then
+/// simulated, expected, error and kind as in CheckedPoint. The kind is calibrated, predicted,
+/// at_least, at_most or empty.
 Table make_checks_csv(const std::vector<CheckResult>& results, const Table& table);
 
 }  // namespace laboratory

@@ -16,7 +16,7 @@ bool contains(const Range& range, double value) {
   return range.first <= value && value <= range.second;
 }
 
-// A predicted point with the interval of 90 % of the machines.
+// A predicted point, and the interval that contains 90 % of the drawn machines' results.
 struct Case {
   const CheckedPoint* point;
   Range machines;
@@ -30,15 +30,15 @@ std::vector<Case> find_cases(const CheckResult& result, const Table& table,
     if (point.kind == Kind::calibrated) continue;
     if (const auto range = find_interval(confidence, table, point.row, result.check.of))
       cases.push_back({&point, *range});
-    else if (is_column)  // the same on all machines
+    else if (is_column)  // equal for all machines
       cases.push_back({&point, {point.simulated, point.simulated}});
   }
   return cases;
 }
 
-// The interval around the nominal result, shifted by the mean of the model's own error. Its half
-// width is the root of the sum of squares of the machines' half width and that of the own error,
-// since the two are independent.
+// Makes the interval around the nominal result, shifted by the mean of the model's own error.
+// Parameter uncertainty and model error are independent, so the half width is the root of the sum
+// of their squared half widths.
 Range make_range_with(const OwnError& error, const Case& it) {
   const double simulated = it.point->simulated;
   const double middle = simulated * (1 + error.mean);

@@ -1,5 +1,5 @@
 #pragma once
-// Coverage: the share of expected values inside the intervals of the simulated machines.
+// Coverage: the share of expected values that lie inside the intervals of the drawn machines.
 #include <optional>
 #include <vector>
 
@@ -7,21 +7,20 @@
 
 namespace laboratory {
 
-/// The model error that remains for any parameters, relative to the simulated value: (expected -
-/// simulated) / simulated. At another point it lies between mean - half_width and mean + half_width
-/// with probability 90 %.
+/// The model's own error, which no choice of parameters removes: (expected - simulated) /
+/// simulated. At a further point it lies within mean +- half_width with probability 90 %.
 struct OwnError {
   double mean, half_width;
 };
 
-/// Estimates it from the errors at some points: Student's prediction interval for one further
-/// point. None for fewer than three errors.
+/// Estimates the model's own error from the errors at some points, by Student's prediction interval
+/// for one further point. None for fewer than three errors.
 std::optional<OwnError> find_own_error(const std::vector<double>& errors);
 
-/// Counts, for each check, the predicted points whose expected value lies in the interval that 90 %
-/// of the machines span. A check fails if the share of these points is below its `covers`. For
-/// relative errors there is a second count. Its intervals are shifted and widened by the model's
-/// error, estimated from the other points of the check.
+/// Counts, for each check, the predicted points whose expected value lies in the interval of 90 %
+/// of the drawn machines. A check fails if their share is below its `covers`. Checks of relative
+/// errors get a second count. For this, each interval is shifted and widened by the model's own
+/// error, estimated from the check's other points.
 void check_cover(std::vector<CheckResult>& results, const Table& table,
                  const ConfidenceTables& confidence);
 

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* RANKINGS = "rankings.csv";
 enum Column : std::size_t { question, at, best, machines, of, elsewhere, COLUMNS };
 
-// Splits values that are best together: "mesh or torus".
+// Splits tied values: "mesh or torus".
 std::vector<std::string> split_ties(const std::string& names) {
   constexpr std::string_view OR = " or ";
   std::vector<std::string> all;
@@ -28,7 +28,7 @@ std::vector<std::string> split_ties(const std::string& names) {
   return all;
 }
 
-// True if all of `names` are best there, alone or with others.
+// True if all values in `names` are among the best values `there`.
 bool are_best(const std::string& names, const std::string& there) {
   const auto those = split_ties(there);
   return std::ranges::all_of(split_ties(names), [&](const auto& name) {
@@ -36,7 +36,7 @@ bool are_best(const std::string& names, const std::string& there) {
   });
 }
 
-// The file with its points replaced by those of one machine.
+// Makes an experiment that consists of the points of one drawn machine.
 ExperimentFile make_machine(const ExperimentFile& file, const ExperimentFile& all,
                             std::size_t machine) {
   ExperimentFile own = file;
@@ -45,7 +45,7 @@ ExperimentFile make_machine(const ExperimentFile& file, const ExperimentFile& al
   return own;
 }
 
-// The best by question and case.
+// The best value for each question and case.
 using Cases = std::map<std::pair<std::string, std::string>, std::string>;
 
 Table answer(const CheckPlan& plan, const ExperimentFile& file, const Results& results) {
@@ -60,7 +60,8 @@ Cases find_cases(const Table& answers) {
   return cases;
 }
 
-// "mesh on 5, line on 1, others on 3": the three winners on the most machines.
+// Formats the winners on other machines: "mesh on 5, line on 1, others on 3". Names the three most
+// frequent at most.
 std::string describe_others(const std::map<std::string, std::size_t>& others) {
   std::vector<std::pair<std::string, std::size_t>> sorted(others.begin(), others.end());
   std::ranges::stable_sort(sorted, std::greater(), &std::pair<std::string, std::size_t>::second);

@@ -21,7 +21,7 @@ namespace {
 using base::BadInput;
 
 constexpr double NOT_A_NUMBER = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t MOST_NAMED = 5;  // rows in one note
+constexpr std::size_t MOST_NAMED = 5;  // number of rows that a note lists
 
 std::string spell_as_name(std::string text) {
   for (char& c : text)
@@ -29,7 +29,8 @@ std::string spell_as_name(std::string text) {
   return text;
 }
 
-// Makes "{time_s @ workers = 1, objects = objects}"; for an axis of texts, with the row's own text.
+// Adds a condition to a reference, for an error message: "{time_s @ workers = 1, objects =
+// objects}". For an axis of strings, the condition uses the row's own string.
 std::string add_condition(const RowReference& reference, const std::string& axis,
                           const Value& own) {
   return fmt::format("{}, {} = {}}}", reference.text.substr(0, reference.text.size() - 1), axis,
@@ -42,7 +43,7 @@ std::string join_few(std::vector<std::string> names) {
   return fmt::format("{}{}", fmt::join(names, "; "), count > MOST_NAMED ? "; ..." : "");
 }
 
-// Formats "objects = 200, workers = 1".
+// Formats the values of some columns: "objects = 200, workers = 1".
 std::string name_row(const Table& table, const std::vector<Value>& row,
                      const std::vector<std::string>& columns) {
   std::vector<std::string> parts;
@@ -54,7 +55,7 @@ std::string name_row(const Table& table, const std::vector<Value>& row,
 }  // namespace
 
 std::string suggest_column(const std::string& name, const std::vector<std::string>& known) {
-  // Columns of the farm that were renamed to the common names of other programs.
+  // Former names of the farm's columns, and the names that all programs now use.
   static const std::map<std::string, std::string> RENAMED = {
       {"data_accesses", "accesses_made"},
       {"hit_local", "local"},
@@ -175,7 +176,7 @@ std::optional<std::size_t> Rows::choose_row(const RowReference& reference, const
                                             const std::vector<Value>& wanted,
                                             const std::vector<bool>& is_free) const {
   std::optional<std::size_t> found;
-  std::optional<std::size_t> differs;  // an axis with another value than the row found
+  std::optional<std::size_t> differs;  // an axis on which matching rows differ
   for (std::size_t i = 0; i < table_.rows.size(); ++i) {
     const auto& row = table_.rows[i];
     bool fits = true, is_it = true;

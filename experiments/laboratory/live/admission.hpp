@@ -1,22 +1,22 @@
 #pragma once
-// Access control and rate limits for clients of the page's server.
+// Access control and rate limits for clients of the live page's server.
 #include <chrono>
 #include <string>
 #include <string_view>
 
 namespace laboratory {
 
-/// 32 random hexadecimal digits from the host's random device.
+/// Makes a secret of 32 hexadecimal digits from the host's random device.
 std::string make_token();
 
-/// Compares two texts in constant time, independent of the position of differences.
+/// Compares two texts in constant time, so that the duration does not reveal where they differ.
 bool is_same_secret(std::string_view a, std::string_view b);
 
-/// Rate limit of a client: 200 messages a second, with bursts of 400 after silence. A page requests
-/// at most 60 frames a second, and a held key sends 30 messages a second.
+/// Token-bucket rate limit for a client: 200 messages per second, with bursts of 400 after silence.
+/// A page requests at most 60 frames per second, and a held key sends 30 messages per second.
 class Allowance {
  public:
-  bool take();  ///< one message; false if over the limit
+  bool take();  ///< counts one message; false if it exceeds the limit
 
  private:
   static constexpr double PER_S = 200, MOST = 400;

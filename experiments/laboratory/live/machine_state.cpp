@@ -14,8 +14,8 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::size_t MOST_PROCESSES = 64;  // limit of reported processes for each processor
-constexpr std::size_t MOST_BUSY = 1 << 20;  // numbers of past loads
+constexpr std::size_t MOST_PROCESSES = 64;  // limit on the processes described for a processor
+constexpr std::size_t MOST_BUSY = 1 << 20;  // limit on stored numbers of past loads
 
 int per_mille(double share) {
   return static_cast<int>(std::lround(1e3 * std::clamp(share, 0., 1.)));

@@ -1,5 +1,5 @@
 #pragma once
-// A machine as JSON for pages, in the format of docs/manual/live.md.
+// Description of a machine as JSON for live pages, in the format of docs/manual/live.md.
 #include <deque>
 #include <nlohmann/json.hpp>
 #include <vector>
@@ -9,27 +9,28 @@
 
 namespace laboratory {
 
-/// The constant part of a run.
+/// Describes the constant part of a run.
 nlohmann::ordered_json make_outline(const ExperimentFile& file, const machine::Machine& machine,
                                     const observe::ControlPanel& view);
 
-/// A processor's memory, the program's readings of it, and its first processes with the reason of
-/// each wait.
+/// Describes a processor: its memory, the gauges that the program shows for it, and its first
+/// processes with what each waits for.
 nlohmann::ordered_json describe_processor(const machine::Processor& processor,
                                           const observe::ControlPanel& view);
 
-/// The processors and processes of a cycle of waits; empty if there is no cycle.
+/// Lists the processors and processes of a cycle of waits; empty if there is no cycle.
 nlohmann::ordered_json describe_deadlock(const machine::Machine& machine);
 
 /// Recent loads of all processors and links.
 class RecentLoads {
  public:
-  /// Averages loads over this simulated time in s, or slightly more; 0: since the last call.
+  /// Sets the simulated time in s over which loads are averaged, rounded up to the next sample; 0:
+  /// since the last call of describe().
   void set_interval(double interval_s) { interval_s_ = interval_s; }
 
-  /// Loads in thousandths, of every processor and link direction, up to `now_s`; no earlier event
-  /// may follow. Also queues, and links and processors that are moving, cut or stopped. Repeats the
-  /// previous loads if no time has passed.
+  /// Lists the loads of every processor and link direction up to `now_s`, in thousandths. Also
+  /// lists queue lengths, and the processors and links that are active, cut or stopped. No event
+  /// before `now_s` may follow. Repeats the previous loads if no time has passed.
   nlohmann::ordered_json describe(const machine::Machine& machine, double now_s);
 
  private:

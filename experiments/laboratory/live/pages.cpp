@@ -13,12 +13,12 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr std::size_t LONGEST_MESSAGE = 16384;  // bytes
-constexpr std::size_t MOST_WAITING = 256;       // messages to a page
-constexpr auto FRAME_EVERY = 20ms;              // at most
+constexpr std::size_t LONGEST_MESSAGE = 16384;  // limit on a received message, bytes
+constexpr std::size_t MOST_WAITING = 256;       // limit on messages queued for a page
+constexpr auto FRAME_EVERY = 20ms;              // least time between frames
 constexpr char PICTURE = 0, SEQUENTIAL = 1;
 
-// File names may be invalid UTF-8.
+// Converts a message to text. File names in it may be invalid UTF-8.
 std::string to_text(const nlohmann::ordered_json& message) {
   return message.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
@@ -28,7 +28,7 @@ std::string to_text(const nlohmann::ordered_json& message) {
 // --- what they share ---------------------------------------------------------------------------
 
 void Pages::look() {
-  const auto pages = known;  // a page may be removed meanwhile
+  const auto pages = known;  // sending may remove a page from `known`
   for (const auto& page : pages) page->look();
 }
 
@@ -123,7 +123,7 @@ void Page::close() {
     if (!pages_.known.empty()) pages_.steers = *pages_.known.begin();
     pages_.tell_steering();
   }
-  if (is_known())  // cancels its selection of processors
+  if (is_known())  // forget the processors it had selected
     pages_.session.ask({{"do", "select"}, {"page", number_}, {"processors", Json::array()}}, {});
 }
 
@@ -138,7 +138,7 @@ void Page::read() {
   });
 }
 
-// Returns false for messages that our pages never send.
+// Executes a message. Returns false for messages that our pages never send.
 bool Page::obey(const std::string& text) {
   auto message = Json::parse(text, nullptr, false);
   if (!message.is_object()) return false;
@@ -170,7 +170,7 @@ bool Page::obey(const std::string& text) {
   return true;
 }
 
-// True if the token is right and there is room.
+// Authenticates a page. Returns true if the token is right and the limit on clients is not reached.
 bool Page::welcome(const Json& message) {
   if (!message.contains("token") || !message["token"].is_string()) return false;
   if (!is_same_secret(message["token"].get_ref<const std::string&>(), pages_.token)) return false;
@@ -196,7 +196,7 @@ void Page::send_frame(const Frame& frame) {
   send(pages_.dump(frame), /*is_text=*/true);
 }
 
-// Sends one byte with the kind of the picture, and the tiles that differ from the page's copy.
+// Sends the tiles that differ from the page's copy, after one byte with the kind of the picture.
 void Page::send_picture(char which, const Picture& picture, Picture& known) {
   if (!picture || picture == known) return;
   const int width = pages_.session.outline()->at("picture").at("width").get<int>();

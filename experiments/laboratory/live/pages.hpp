@@ -1,5 +1,6 @@
 #pragma once
-// Pages connected to a live run: their messages, and the choice of the page that steers.
+// Live pages connected to a run: messages to and from each page, and the choice of the page that
+// steers.
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core.hpp>
@@ -14,7 +15,8 @@
 
 namespace laboratory {
 
-constexpr std::size_t MOST_CLIENTS = 64;           ///< authenticated, and as many unauthenticated
+/// limit on authenticated clients, and on those not authenticated yet
+constexpr std::size_t MOST_CLIENTS = 64;
 constexpr auto TO_ASK = std::chrono::seconds(10);  ///< time allowed for a client to authenticate
 
 class Page;
@@ -23,29 +25,30 @@ class Page;
 struct Pages {
   explicit Pages(Session& session) : session(session) {}
 
-  /// Lets each page look for news.
+  /// Sends news to every page that is ready for it.
   void look();
-  /// Sends the steering state to all pages. A page that does not read may be removed meanwhile.
+  /// Tells all pages which one steers the run. A page that does not read may be removed.
   void tell_steering();
-  /// The frame as text, made once for all pages.
+  /// The text of a frame, which all pages share.
   std::shared_ptr<const std::string> dump(const Frame& frame);
 
   Session& session;
   std::string token = make_token();
-  std::set<std::shared_ptr<Page>> known;  ///< authenticated by the token
+  std::set<std::shared_ptr<Page>> known;  ///< pages that have authenticated
   std::uint64_t known_so_far = 0;
   std::weak_ptr<Page> steers;
-  /// Closes unauthenticated connections; the oldest is the first.
+  /// Functions that close unauthenticated connections, the oldest first.
   std::map<std::uint64_t, std::function<void()>> pending;
   std::uint64_t pending_so_far = 0;
-  boost::asio::io_context io{1};  ///< after all members that its handlers' destructors use
+  /// destroyed first: destructors of its handlers use the members above
+  boost::asio::io_context io{1};
 
  private:
-  std::uint64_t dumped_number_ = 0;  // of the frame in dumped_
+  std::uint64_t dumped_number_ = 0;  // number of the frame whose text is in dumped_
   std::shared_ptr<const std::string> dumped_;
 };
 
-/// An unauthenticated connection, counted during its lifetime. If there are too many, a new one
+/// An unauthenticated connection, counted while the object lives. If there are too many, a new one
 /// closes the oldest. A page loses its place only if MOST_CLIENTS others connect before it
 /// authenticates.
 class PendingConnection {
@@ -66,7 +69,7 @@ class Page : public std::enable_shared_from_this<Page> {
   Page(Pages& pages, boost::beast::tcp_stream stream);
 
   void accept(const boost::beast::http::request<boost::beast::http::empty_body>& request);
-  /// Checks for a frame or an outline that the page wants and sends it.
+  /// Sends the newest frame or outline if the page wants it.
   void look();
   void tell_steering();
   void close();
@@ -101,11 +104,11 @@ class Page : public std::enable_shared_from_this<Page> {
   boost::beast::flat_buffer buffer_;
   Allowance allowance_;
   bool has_outline_ = false, wants_frame_ = false, looks_later_ = false, is_closed_ = false;
-  std::uint64_t number_ = 0;  // count of authenticated pages, from 1
-  std::uint64_t sent_ = 0;    // number of the last frame
+  std::uint64_t number_ = 0;  // number of this page, counted from 1; 0: not authenticated
+  std::uint64_t sent_ = 0;    // number of the last frame sent
   HostClock::time_point next_frame_at_;
-  Picture shown_, sequential_;   // on the page's screen
-  std::deque<Waiting> waiting_;  // the first is being written
+  Picture shown_, sequential_;   // pictures as the page has them
+  std::deque<Waiting> waiting_;  // messages to send; the first is being written
 };
 
 }  // namespace laboratory

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Makes file names in texts, relative to `from`, relative to `to`.
+// Rebases the file names in a TOML node, from the folder `from` to the folder `to`.
 void move_files(toml::node& node, const fs::path& from, const fs::path& to) {
   if (auto* table = node.as_table())
     for (auto&& [key, value] : *table) move_files(value, from, to);
@@ -57,7 +57,7 @@ std::string record_session(const ExperimentFile& file, const std::vector<UserAct
       for (const auto& record : *given) records.push_back(to_record(record));
     for (const auto& action : actions)
       if (action.table == key) records.push_back(to_record(action));
-    // The file requires them in order of time.
+    // The experiment file requires its records in order of time.
     std::ranges::stable_sort(records, {}, &Record::at_s);
     for (const auto& record : records) lists += fmt::format("\n[[{}]]\n{}\n", key, record.text);
     table.erase(key);

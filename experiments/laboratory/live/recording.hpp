@@ -1,5 +1,5 @@
 #pragma once
-// Converts a session at a page to an experiment file: tlab run on it gives the same results.
+// Recording of a live session as an experiment file. `tlab run` on the file reproduces the results.
 #include <string>
 #include <vector>
 
@@ -7,8 +7,9 @@
 
 namespace laboratory {
 
-/// The experiment with --set applied, and the user's actions. Paths become relative to `folder`,
-/// the folder of the new file. Floating-point numbers are spelled so that they read back unchanged.
+/// Makes the text of an experiment file: the experiment with --set applied, and the user's orders
+/// and faults. Paths become relative to `folder`, where the file will be. Floating-point numbers
+/// read back unchanged.
 std::string record_session(const ExperimentFile& file, const std::vector<UserAction>& actions,
                            const std::string& folder);
 

@@ -25,7 +25,7 @@ using Error = beast::error_code;
 namespace {
 
 constexpr std::uint16_t USUAL_PORT = 8080;
-constexpr std::size_t LONGEST_HEADER = 8192;  // bytes
+constexpr std::size_t LONGEST_HEADER = 8192;  // limit on the header of a request, bytes
 
 constexpr const char* POLICY =
     "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src 'self' "
@@ -37,10 +37,10 @@ const PageFile* find_file(std::string_view target) {
   return found == std::end(PAGE_FILES) ? nullptr : &*found;
 }
 
-// Closes the connection in programs started from here.
+// Closes the socket in child processes that execute another program.
 void keep_from_children(auto& socket) { fcntl(socket.native_handle(), F_SETFD, FD_CLOEXEC); }
 
-// A client without a request yet, either for a file of the page or for a web socket.
+// A client before its request, which asks for a file of the page or for a web socket.
 class Client : public std::enable_shared_from_this<Client> {
  public:
   Client(Pages& pages, std::uint16_t port, tcp::socket socket)
@@ -60,7 +60,7 @@ class Client : public std::enable_shared_from_this<Client> {
   }
 
  private:
-  // True for host names that our pages use for this server.
+  // True for the host names by which our pages address this server.
   bool is_own(beast::string_view host) const {
     if (port_ == 80 && (host == "127.0.0.1" || host == "localhost")) return true;
     return host == fmt::format("127.0.0.1:{}", port_) || host == fmt::format("localhost:{}", port_);
@@ -109,7 +109,7 @@ class Client : public std::enable_shared_from_this<Client> {
   }
 
   Pages& pages_;
-  std::uint16_t port_;  // the server's
+  std::uint16_t port_;  // port of this server
   std::optional<PendingConnection> stranger_;
   beast::tcp_stream stream_;
   beast::flat_buffer buffer_;
@@ -130,7 +130,7 @@ class Server::Impl {
   }
   ~Impl() {
     pages_.session.on_frame({});
-    // Sends the last messages to pages that still read.
+    // sends the last messages to pages that still read
     asio::post(pages_.io, [this] {
       pages_.look();
       end_.expires_after(200ms);

@@ -19,11 +19,13 @@ using namespace std::chrono_literals;
 
 namespace {
 
-constexpr auto LOOK_EVERY = 50ms;              // poll interval for interrupts while nothing happens
-constexpr auto FRAMES_AT_FULL_SPEED = 95ms;    // limits the cost of watching at full speed
-constexpr double MOST_ARREARS_S = 0.25;        // host time
-constexpr std::uint64_t CALLS_BETWEEN = 1024;  // polls while the machine runs
-constexpr std::size_t MOST_TOLD_AT_END = 256;  // processors
+constexpr auto LOOK_EVERY = 50ms;  // interval between polls for interrupts while the run is paused
+// least time between frames at full speed, to limit their cost
+constexpr auto FRAMES_AT_FULL_SPEED = 95ms;
+// host time by which a paced run may fall behind before its pace is reset
+constexpr double MOST_ARREARS_S = 0.25;
+constexpr std::uint64_t CALLS_BETWEEN = 1024;  // events between polls while the machine runs
+constexpr std::size_t MOST_TOLD_AT_END = 256;  // limit on processors kept for display after the end
 
 }  // namespace
 
@@ -74,7 +76,7 @@ void Session::on_frame(std::function<void()> told) {
 void Session::begin(machine::Machine& machine, const observe::ControlPanel& view) {
   machine_ = &machine;
   view_ = view;
-  if (phase_ == Phase::over) phase_ = Phase::running;  // another machine of the same run
+  if (phase_ == Phase::over) phase_ = Phase::running;  // the program starts another machine
   next_s_ = pace_from_s_ = 0;
   pace_since_ = HostClock::now();
   loads_ = {};
@@ -90,8 +92,8 @@ void Session::begin(machine::Machine& machine, const observe::ControlPanel& view
 }
 
 bool Session::before(double date) {
-  if (spans_.is_cut() && is_observing_) observe(false);  // the limit that pages can draw
-  // The user leaves when the picture is complete, with or without pages.
+  if (spans_.is_cut() && is_observing_) observe(false);  // more spans than pages can draw
+  // The user's part ends when the picture is complete, whether or not a page is connected.
   const bool is_complete = !has_left_ && view_.is_complete && view_.is_complete();
   const bool is_quiet = !is_complete && !has_news_.load(std::memory_order_relaxed) &&
                         phase_ == Phase::running && !goal_ && date < go_until_s_ &&
@@ -99,7 +101,7 @@ bool Session::before(double date) {
   return is_quiet || attend(date);
 }
 
-// Returns as before() does.
+// Handles commands, pacing and frames before the event at `date`. Returns what before() returns.
 bool Session::attend(double date) {
   const std::size_t actions = actions_.size();
   next_s_ = date;
@@ -109,7 +111,7 @@ bool Session::attend(double date) {
     if (ended_by_hand_s_) return true;
     if (view_.is_complete && view_.is_complete()) leave();
     if (actions_.size() != actions) return false;
-    if (follow_goal(date)) {  // a deadlock, or the end
+    if (follow_goal(date)) {  // deadlock or end
       leave();
       return actions_.size() == actions;
     }
@@ -121,8 +123,8 @@ bool Session::attend(double date) {
   }
 }
 
-// Pauses at the goal, and waits while the machine only waits for the user. Returns true if no event
-// and no order remains.
+// Pauses if the goal is reached. Also pauses while the machine can only wait for the user. Returns
+// true if neither an event nor an order remains.
 bool Session::follow_goal(double date) {
   if (phase_ == Phase::running && goal_ && is_reached(date)) {
     change_phase(Phase::paused);
@@ -139,7 +141,7 @@ bool Session::follow_goal(double date) {
   return false;
 }
 
-// Makes a new frame if a page wants one, there is news, and the last one is old enough.
+// Makes a frame if a page wants one, something has changed, and the last frame is old enough.
 void Session::show() {
   bool is_due = false;
   {
@@ -152,8 +154,8 @@ void Session::show() {
   if (is_due) make_frame();
 }
 
-// Lets the machine proceed up to go_until_s_ and returns zero, or returns the waiting time before
-// the next attempt while the host's clock holds back the event at `date`.
+// Holds back the event at `date` while the host's clock requires it, and returns the time to wait
+// before the next attempt. Otherwise lets the machine proceed up to go_until_s_ and returns zero.
 Session::HostClock::duration Session::hold_back(double date) {
   if (phase_ != Phase::running) return LOOK_EVERY;
   if (goal_ || std::isinf(speed_)) {
@@ -162,7 +164,7 @@ Session::HostClock::duration Session::hold_back(double date) {
   }
   double allowed_s = paced_s();
   if (date <= allowed_s) {
-    if (allowed_s - date > MOST_ARREARS_S * speed_) {  // the host is too slow: never catch up
+    if (allowed_s - date > MOST_ARREARS_S * speed_) {  // the host is too slow: drop the arrears
       set_pace(speed_);
       allowed_s = date;
     }
@@ -180,15 +182,14 @@ void Session::change_phase(Phase phase) {
   is_new_ = true;
 }
 
-// True if simulated time would pass in vain: the machine can only wait for the user, and the clock
-// is not paced by the host's.
+// True if the run is unpaced and only an action of the user can change the machine's state.
 bool Session::waits_for_user(bool is_idle) const {
   if (!view_.waits_for_user || !view_.waits_for_user()) return false;
   const bool is_endless = goal_ ? goal_->is_endless() : std::isinf(speed_);
   return is_idle || is_endless;
 }
 
-// Executes all commands of the user; refused ones have no effect.
+// Executes all queued commands. A refused command has no effect.
 void Session::obey_all() {
   std::deque<Asked> asked;
   {
@@ -208,7 +209,7 @@ void Session::obey_all() {
 }
 
 bool Session::is_reached(double date) {
-  if (goal_->is_next_date) {  // step over this date
+  if (goal_->is_next_date) {  // proceed beyond this event's time
     goal_->is_next_date = false;
     goal_->date = date;
     return false;
@@ -221,7 +222,7 @@ bool Session::is_reached(double date) {
 
 // --- the clock --------------------------------------------------------------------------------
 
-// From now on simulated time passes at `speed`.
+// Sets the pace: from now on, simulated time passes at `speed` times real time.
 void Session::set_pace(double speed) {
   const double now_s = shown_s();
   speed_ = speed;
@@ -230,13 +231,13 @@ void Session::set_pace(double speed) {
   go_until_s_ = 0;
 }
 
-// The simulated time permitted by the host's clock.
+// The simulated time permitted by the pace.
 double Session::paced_s() const {
   const std::chrono::duration<double> since = HostClock::now() - pace_since_;
   return pace_from_s_ + since.count() * speed_;
 }
 
-// The simulated time shown to the user: not after the next event.
+// The simulated time to show: the paced time, but not after the next event.
 double Session::shown_s() const {
   const double now_s = machine_->now().value;
   if (phase_ == Phase::over) return now_s;
@@ -320,7 +321,7 @@ void Session::end_by_hand() {
 }
 
 void Session::end(const std::string& fault) {
-  if (renders_.joinable()) {  // its input is gone soon
+  if (renders_.joinable()) {  // it renders data that ends with the machine
     renders_.request_stop();
     renders_.join();
   }
@@ -328,14 +329,14 @@ void Session::end(const std::string& fault) {
   phase_ = Phase::over;
   goal_.reset();
   fault_ = fault;
-  // The user did not leave before the end of the run.
+  // The user was still present when the run ended.
   if (ended_by_hand_s_ && orders_ && view_.take_order && !has_left_)
     actions_.push_back({"order", LATEST_S, {{"leave", "true"}}});
-  // A process that threw has no wait left to show.
+  // A process that failed has no wait to describe.
   has_thrown_ = std::ranges::any_of(machine_->processors(),
                                     [](const auto& on) { return on->failure() != nullptr; });
   selected_.clear();
-  if (!has_thrown_) {  // keeps data of processors that pages may select after the machine is gone
+  if (!has_thrown_) {  // keep processors that pages may select after the machine is gone
     auto& all = selected_[0];
     all.resize(std::min(MOST_TOLD_AT_END, machine_->processors().size()));
     std::iota(all.begin(), all.end(), 0);

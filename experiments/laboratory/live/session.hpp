@@ -1,6 +1,6 @@
 #pragma once
-// A run that pages watch and steer: frames for the pages, pacing of the clock, and the user's
-// actions.
+// Live session: a run that pages watch and steer. It makes their frames, paces the clock and
+// executes the user's actions.
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -18,38 +18,40 @@
 
 namespace laboratory {
 
-/// The state of the run between two events.
+/// Snapshot of the run between two events, for pages.
 struct Frame {
-  std::uint64_t number = 0;      ///< from 1
-  nlohmann::ordered_json state;  ///< as docs/manual/live.md lists it
-  /// The picture, rows from the top, 3 bytes a pixel; an unchanged picture keeps its object.
+  std::uint64_t number = 0;      ///< number of the frame, from 1
+  nlohmann::ordered_json state;  ///< state as listed in docs/manual/live.md
+  /// The current picture: rows from the top, 3 bytes per pixel. Frames share the object while the
+  /// picture is unchanged.
   std::shared_ptr<const std::vector<std::uint8_t>> rgb8;
-  /// The same of the sequential renderer, once requested and complete.
+  /// The picture of the sequential renderer, once a page has requested it and it is complete.
   std::shared_ptr<const std::vector<std::uint8_t>> sequential;
 };
 
-/// Requests of pages, and their execution. The functions for pages may be called by any thread;
-/// they and the simulation never wait for each other.
+/// Queue of the pages' requests, and their execution by the simulation. Any thread may call the
+/// functions for pages. Neither side ever waits for the other.
 class Session : public observe::RunController {
  public:
-  /// Called by the simulation's thread: "" on success, else the reason of the refusal.
+  /// Receives "" on success, else the reason of the refusal. The simulation's thread calls it.
   using Reply = std::function<void(const std::string& refusal)>;
   using Command = nlohmann::ordered_json;
 
-  /// `speed`: simulated seconds a second; infinite: no pacing. The file has one point.
+  /// Makes a session for a file with one point. `speed` is simulated seconds per second; infinite:
+  /// no pacing.
   Session(const ExperimentFile& file, double speed);
 
   // --- for pages ----------------------------------------------------------------------------
-  /// The constant part: title, program, processors and links with their places, limits. Null before
-  /// the machine exists.
+  /// The constant part of the run: title, program, limits, and processors and links with their
+  /// positions. Null before the machine exists.
   std::shared_ptr<const nlohmann::ordered_json> outline() const;
   /// Queues a command in the format of docs/manual/live.md.
   void ask(Command command, Reply reply);
-  /// Requests a new frame, made at the next event or in an idle moment.
+  /// Requests a frame. It is made at the next event, or at once if the run is paused.
   void want_frame();
   /// The newest frame; null before the first.
   std::shared_ptr<const Frame> frame() const;
-  /// Called by the simulation's thread for every new frame.
+  /// Sets a function that the simulation's thread calls for every new frame.
   void on_frame(std::function<void()> told);
 
   // --- for the simulation -------------------------------------------------------------------
@@ -57,7 +59,7 @@ class Session : public observe::RunController {
   bool before(double date) override;
   void end(const std::string& fault) override;
 
-  /// After the run: `text` names the place of its results. Pages are still served.
+  /// Tells the pages after the run where its results are. Pages are still served.
   void say_results(const std::string& text);
   /// Waits until a page asks to quit, or the user interrupts.
   void wait_for_quit();
@@ -69,20 +71,20 @@ class Session : public observe::RunController {
  private:
   using HostClock = std::chrono::steady_clock;
   static constexpr double NEVER = std::numeric_limits<double>::infinity();
-  static constexpr double LATEST_S = 1e9;  ///< the latest time in an experiment file
+  static constexpr double LATEST_S = 1e9;  ///< upper limit of times in an experiment file
   enum class Phase { running, paused, waiting, over };
   struct Asked {
     Command command;
     Reply reply;
   };
-  /// The end of a step, or of a run up to a condition.
+  /// Condition at which the run pauses again: after a step, at a time, or at an event.
   struct Goal {
-    double date = std::numeric_limits<double>::infinity();  ///< at the latest
+    double date = std::numeric_limits<double>::infinity();  ///< latest simulated time
     bool is_next_date = false, is_message = false, is_ray = false, is_picture = false;
-    std::uint64_t messages = 0;  ///< at its beginning
+    std::uint64_t messages = 0;  ///< number of messages when the goal was set
     double rays = 0;
     std::shared_ptr<const std::vector<std::uint8_t>> picture;
-    /// True if the goal may never be reached while the machine waits for the user.
+    /// True if the run may never reach the goal while the machine waits for the user.
     bool is_endless() const { return std::isinf(date) && !is_next_date && !is_message; }
   };
 
@@ -115,13 +117,14 @@ class Session : public observe::RunController {
   std::shared_ptr<const std::vector<std::uint8_t>> look();
   void observe(bool is_told);
   std::uint64_t count_messages() const;
-  const observe::ControlPanel::Gauge* find_rays() const;  // null if none are traced
+  // the gauge of rays; null if the program traces none
+  const observe::ControlPanel::Gauge* find_rays() const;
 
   const ExperimentFile& file_;
   const programs::RecordList* orders_;
-  std::vector<FaultSpec> faults_;  // of the file and the user
+  std::vector<FaultSpec> faults_;  // faults of the file, then those of the user
 
-  // Used by the simulation's thread only.
+  // The members below are used by the simulation's thread only.
   machine::Machine* machine_ = nullptr;
   observe::ControlPanel view_;
   Spans spans_;
@@ -131,19 +134,19 @@ class Session : public observe::RunController {
   std::optional<Goal> goal_;
   double speed_;
   HostClock::time_point pace_since_;
-  double pace_from_s_ = 0;    // simulated, at pace_since_
-  double next_s_ = 0;         // the date of the next event
-  double go_until_s_ = 0;     // no check of the host's clock is due before this date
-  double fault_after_s_ = 0;  // of the last fault
+  double pace_from_s_ = 0;    // simulated time at pace_since_
+  double next_s_ = 0;         // simulated time of the next event
+  double go_until_s_ = 0;     // the simulated time before which pacing needs no check
+  double fault_after_s_ = 0;  // simulated time of the last fault
   HostClock::time_point next_frame_at_;
   RecentLoads loads_;
-  std::map<std::uint64_t, std::vector<int>> selected_;  // processors, by page
+  std::map<std::uint64_t, std::vector<int>> selected_;  // selected processors, by page
   bool has_left_ = false, is_observing_ = true;
   std::string fault_;
-  bool has_thrown_ = false;  // a process threw, which was the fault
+  bool has_thrown_ = false;  // the fault was an exception in a process
   std::uint64_t calls_ = 0, frames_ = 0;
 
-  // Used by all threads; the mutex guards everything not atomic.
+  // The members below are used by all threads. The mutex guards those that are not atomic.
   mutable std::mutex mutex_;
   std::condition_variable asked_anything_;
   std::deque<Asked> asked_;
@@ -152,9 +155,9 @@ class Session : public observe::RunController {
   std::shared_ptr<const std::vector<std::uint8_t>> sequential_;
   std::function<void()> told_;
   bool wants_frame_ = false, is_quitting_ = false;
-  bool is_new_ = true;  // the last frame is outdated; else a page that wants one waits
+  bool is_new_ = true;                // something has changed since the last frame
   std::atomic<bool> has_news_{true};  // a command or a request for a frame is pending
-  std::jthread renders_;              // the sequential picture
+  std::jthread renders_;              // thread that renders the sequential picture
 };
 
 }  // namespace laboratory

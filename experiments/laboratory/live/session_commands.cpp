@@ -1,4 +1,4 @@
-// Commands of pages to a session.
+// Execution of the pages' commands to a session.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,8 +14,9 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::size_t MOST_SELECTED = 8;  // processors
-// Orders happen at whole ticks and faults half a microsecond off, so that they never coincide.
+constexpr std::size_t MOST_SELECTED = 8;  // limit on selected processors
+// Time grid in s. Orders happen at whole ticks, faults half a microsecond off the grid, so they
+// never coincide.
 constexpr double FAULT_GRID_S = 1e-6;
 
 double number_at(const ordered_json& command, const char* key, double low, double high) {
@@ -26,7 +27,7 @@ double number_at(const ordered_json& command, const char* key, double low, doubl
   return value;
 }
 
-// Null: as fast as possible.
+// Reads the speed of a command; null means as fast as possible.
 double speed_at(const ordered_json& command) {
   if (command.contains("x") && command["x"].is_null())
     return std::numeric_limits<double>::infinity();
@@ -96,7 +97,7 @@ void Session::quit() {
   end_by_hand();
 }
 
-// Saves the present picture under a generated name.
+// Saves the current picture under a generated file name.
 void Session::save() {
   const auto saved = std::ranges::count_if(actions_, [](const UserAction& action) {
     return !action.keys.empty() && action.keys[0].first == "save";
@@ -136,7 +137,7 @@ void Session::obey_fault(const Command& fault) {
   base::require(program.uses.faults, "fault",
                 "found one, but the program {} does not go on when something breaks", program.name);
   const auto& processors = machine_->processors();
-  // A processor of the machine, with its number in the network.
+  // Finds a processor of the machine and its number in the network.
   const auto find = [&](const ordered_json& id) {
     base::require(is_index(id, processors.size()), "fault",
                   "found {}, expected a processor from 0 to {}", id.dump(), processors.size() - 1);
@@ -183,12 +184,14 @@ void Session::obey_fault(const Command& fault) {
   actions_.push_back(std::move(action));
 }
 
-// Makes the user leave if no order remains: otherwise the machine would wait.
+// Ends the user's part in the run, if no order remains. Otherwise the machine would wait for the
+// user for ever.
 void Session::leave() {
   if (!orders_ || !view_.take_order || has_left_) return;
   try {
     obey_order({{"leave", true}});
-  } catch (const base::BadInput&) {  // there is no user yet, or the file has a later order
+    // the user process does not run yet, or the file has a later order
+  } catch (const base::BadInput&) {
     view_.close_orders();
     has_left_ = true;
   }
@@ -234,7 +237,7 @@ void Session::run_to(const Command& command) {
   set_goal(goal);
 }
 
-// Renders in a separate thread while the machine continues.
+// Renders the sequential picture in a separate thread while the machine continues.
 void Session::render_sequentially() {
   base::require(view_.sequential != nullptr, "compare",
                 "found one, but the program has no sequential renderer to compare with");

@@ -4,7 +4,7 @@ namespace laboratory {
 
 namespace {
 
-constexpr double SHORTEST_S = 1e-6;  // spans with a smaller gap are joined
+constexpr double SHORTEST_S = 1e-6;  // joins spans with a smaller gap
 
 void add_span(nlohmann::ordered_json& all, int processor, machine::Observer::Doing doing,
               double from_s, double to_s) {

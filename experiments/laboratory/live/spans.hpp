@@ -1,5 +1,5 @@
 #pragma once
-// Recent activity of processors, for a growing time line.
+// Recent activity of processors, for a growing Gantt chart.
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -7,12 +7,13 @@
 
 namespace laboratory {
 
-/// Records the activity of the first processors since the last take(), as much as a page can draw.
-/// Joins spans of equal activity with gaps too short for the time line.
+/// Observer of the first processors' activity since the last take(), limited to what a page can
+/// draw. Joins spans of equal activity if the gap is too short to be visible.
 class Spans : public machine::Observer {
  public:
   static constexpr int MOST_PROCESSORS = 64;
-  static constexpr std::size_t MOST = 4096;  ///< spans kept; beyond that, `is_cut`
+  /// limit on kept spans; `is_cut` tells when it is reached
+  static constexpr std::size_t MOST = 4096;
 
   void name_process(const machine::Processor& on, std::uint32_t id,
                     const std::string& name) override;
@@ -21,12 +22,13 @@ class Spans : public machine::Observer {
   void moved(const machine::LinkDirection& link, const std::string& channel, std::uint64_t bytes,
              machine::Seconds from, machine::Seconds to) override;
 
-  /// [processor, doing (0 high, 1 low, 2 switching), from, to] in sequence, times in s. Clears the
-  /// recorded spans.
+  /// Returns the recorded spans and clears them. They are a flat list of processor, activity (0
+  /// high priority, 1 low, 2 switching), begin and end in s.
   nlohmann::ordered_json take();
-  /// The same of current activity, which is reported again when it has ended.
+  /// Lists the activities that have not ended, in the same format. take() reports them again once
+  /// they have.
   static nlohmann::ordered_json look_at(const machine::Machine& machine);
-  bool is_cut() const { return is_cut_; }  ///< the limit was reached since the last take()
+  bool is_cut() const { return is_cut_; }  ///< true if the limit was reached since the last take()
 
  private:
   struct Span {
@@ -35,7 +37,8 @@ class Spans : public machine::Observer {
     double from_s, to_s;
   };
   std::vector<Span> spans_;
-  std::vector<std::size_t> last_;  // by processor: index in spans_ plus 1; 0: none
+  // last span of each processor: its index in spans_ plus 1; 0: none
+  std::vector<std::size_t> last_;
   bool is_cut_ = false;
 };
 

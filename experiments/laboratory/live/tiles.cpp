@@ -6,7 +6,7 @@ namespace laboratory {
 
 namespace {
 
-constexpr std::size_t SIDE = 32;  // pixels of a tile
+constexpr std::size_t SIDE = 32;  // side of a tile, pixels
 
 void add_number(std::string& text, std::size_t number) {
   text += static_cast<char>(number & 0xff);

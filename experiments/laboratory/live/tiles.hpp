@@ -1,14 +1,14 @@
 #pragma once
-// Changed parts of a picture, encoded for pages.
+// Encoding of a picture's changed parts for live pages.
 #include <cstdint>
 #include <string>
 #include <vector>
 
 namespace laboratory {
 
-/// The tiles that differ from `before` (null: all tiles) in a picture with rows from the top and 3
-/// bytes a pixel. Each tile is x, y, width and height as 16-bit integers, the lower byte first, and
-/// its pixels. Empty if nothing has changed.
+/// Encodes the tiles in which picture `now` differs from `before`; null: all tiles. A picture has
+/// rows from the top and 3 bytes per pixel. Each tile is x, y, width and height as 16-bit integers,
+/// lower byte first, then its pixels. Empty if nothing has changed.
 std::string make_tiles(const std::vector<std::uint8_t>& now,
                        const std::vector<std::uint8_t>* before, int width);
 

@@ -15,7 +15,7 @@ using nlohmann::ordered_json;
 
 namespace {
 
-// Keys of an order that are actions; the others are limits.
+// Keys of an order that are actions. All other keys are limits.
 constexpr std::array<std::string_view, 6> ACTS = {"at_s",  "non_interactive", "interactive",
                                                   "abort", "leave",           "save"};
 
@@ -54,7 +54,7 @@ ordered_json to_json(const base::Scalar& value) {
       value);
 }
 
-// The last [[stage]], as JSON; an empty object if there is none.
+// The last [[stage]] of the file as JSON; an empty object if there is none.
 ordered_json last_stage(const ExperimentFile& file) {
   const auto parsed = base::parse_toml(file.resolved, file.path);
   const auto* stages = parsed["stage"].as_array();
@@ -87,7 +87,7 @@ std::any read_order(const programs::RecordList& list, const ordered_json& order)
 
 UserAction make_action(double at_s, const ordered_json& order) {
   UserAction action{"order", at_s, {}};
-  // JSON spells numbers, lists, texts and flags like TOML.
+  // JSON and TOML spell numbers, lists, strings and booleans alike.
   for (const auto& [key, value] : order.items()) action.keys.emplace_back(key, value.dump());
   return action;
 }

@@ -1,6 +1,5 @@
 #pragma once
-// Actions of a live run's user: orders and faults, received from a page and kept in the form of the
-// experiment file.
+// Orders and faults that a user gives on the live page, kept in the form of the experiment file.
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -9,24 +8,25 @@
 
 namespace laboratory {
 
-/// An [[order]] or [[fault]] that was carried out.
+/// An [[order]] or [[fault]] that was executed.
 struct UserAction {
-  std::string table;                                      ///< "order" or "fault"
-  double at_s = 0;                                        ///< on the file's time scale
-  std::vector<std::pair<std::string, std::string>> keys;  ///< except at_s, in TOML's spelling
+  std::string table;  ///< table of the experiment file: "order" or "fault"
+  double at_s = 0;    ///< simulated time of the execution, on the file's time scale
+  /// its keys except at_s, with values as spelled in TOML
+  std::vector<std::pair<std::string, std::string>> keys;
 };
 
-/// The list "order" of a program; null if it has no user.
+/// The record list "order" of a program; null if the program takes no orders.
 const programs::RecordList* find_orders(const programs::Program& program);
 
-/// Converts an order of a page, {"min_influence": 0.1, "area": [0, 0, 8, 8]}, to a record of the
-/// list. Throws BadInput for unknown keys, and for values of the wrong kind or size.
+/// Converts an order from a page, such as {"min_influence": 0.1, "area": [0, 0, 8, 8]}, to a record
+/// of the list. Throws BadInput for unknown keys, and for values of the wrong type or size.
 std::any read_order(const programs::RecordList& list, const nlohmann::ordered_json& order);
-/// The same order in the form of the experiment file.
+/// Converts an order from a page to the form of the experiment file.
 UserAction make_action(double at_s, const nlohmann::ordered_json& order);
 
-/// A page's description of the limits of an order: name, help, unit, kind, range, and initial
-/// value, taken from the file's last [[stage]] if set there.
+/// Describes the limits of an order for the page: name, help, unit, type, range and initial value.
+/// Initial values come from the file's last [[stage]] if it sets them.
 nlohmann::ordered_json describe_limits(const programs::RecordList& list,
                                        const ExperimentFile& file);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Declaration and parsing of options that commands share.
+// Declaration and parsing of options that several commands share.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -16,21 +16,22 @@
 
 namespace laboratory {
 
-/// Adds --output, --set and --jobs; `output` and `set` are the help texts of the first two.
+/// Adds --output, --set and --jobs. `output` and `set` are the help texts of the first two.
 void add_run_options(CLI::App& command, RunOptions& options, const std::string& output,
                      const std::string& set);
 
-/// Names of options, without "--", that differ from those of their fields.
+/// Options whose names differ from those of their fields: field to option, without "--".
 using Aliases = std::map<std::string, std::string>;
 
-/// Adds the option `--name`. `assign` receives the value and returns "" if it is valid, else a
-/// description of valid values; `standard` is the default shown in the help.
+/// Adds the option `--name`. `assign` receives its value, and returns "" if the value is valid,
+/// else a description of valid values. The help shows `standard` as the default.
 void add_field_option(CLI::App& app, const std::string& name, const std::string& help,
                       const base::Domain& domain, const base::Scalar& standard,
                       const std::function<std::string(const base::Scalar&)>& assign);
 
-/// Adds an option for each field, named like the field with - for _. It sets the field in `params`,
-/// which must outlive `app`, and has the present value as default. Numbers, choices and texts only.
+/// Adds an option for each field, named like the field with - for _. The option sets the field in
+/// `params`, which must outlive `app`. Its default is the field's current value. Fields must be
+/// numbers, choices or strings.
 template <class P>
 void bind_options(CLI::App& app, const base::Fields<P>& fields, P& params,
                   const Aliases& aliases = {}) {
@@ -44,31 +45,33 @@ void bind_options(CLI::App& app, const base::Fields<P>& fields, P& params,
   }
 }
 
-/// Counts of work and of rays, in the format of --stats.
+/// Formats the counts of work and of rays for --stats.
 nlohmann::ordered_json make_json(const renderer::Work& work);
 nlohmann::ordered_json make_json(const renderer::RayCounts& rays);
 
-/// Throws CLI::ValidationError for an image without one of the endings (".png"; no ending counts as
-/// one), for a missing folder, and if both paths name one file.
+/// Throws CLI::ValidationError for an image name without one of the extensions (".png"), for a
+/// missing folder, and for two paths of the same file. A name without an extension is refused too.
 void check_output(const std::string& output, const std::vector<std::string>& endings,
                   const std::string& stats);
-/// Refuses `file`, the value of an option, if it equals one of the `others`; ignores empty ones.
+/// Throws if `file`, the value of an option, is also among the files `others`. Empty names never
+/// match.
 void check_apart(const std::string& option, const std::string& file,
                  std::initializer_list<std::string> others);
 
-/// A name from a list with commas, without surrounding blanks. Throws CLI::ValidationError for an
-/// empty one.
+/// Removes blanks around a name from a comma-separated list. Throws CLI::ValidationError for an
+/// empty name.
 std::string trim_name(const std::string& name);
 
-/// Help of --columns for commands that show the results of a run.
+/// Help of --columns in commands that show the results of a run.
 inline constexpr const char* COLUMNS_HELP =
     "results that the table shows beside the axes, or all [those that the file asks about, and "
     "what fits]";
 
-/// Makes the folder named by an option, unless it exists. Throws CLI::ValidationError.
+/// Makes the folder given to an option, unless it exists. Throws CLI::ValidationError if that
+/// fails.
 void make_folder(const std::string& option, const std::string& path);
 
-/// Parses "WxH", or "X,Y,WxH" for an area. Throws CLI::ValidationError.
+/// Parses a size, "WxH", or an area, "X,Y,WxH". Throws CLI::ValidationError for other text.
 template <std::size_t N>
 std::array<int, N> parse_numbers(const std::string& option, const std::string& text,
                                  const char* form) {
@@ -86,7 +89,7 @@ std::array<int, N> parse_numbers(const std::string& option, const std::string& t
   return values;
 }
 
-/// Sets width and height from `--size`, unless it is empty.
+/// Sets width and height from the value of --size, unless it is empty.
 template <class Params>
 void parse_size(const std::string& text, Params& params) {
   if (text.empty()) return;

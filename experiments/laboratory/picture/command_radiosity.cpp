@@ -31,7 +31,7 @@ struct RadiosityOptions {
   radiosity::PictureParams picture;
   radiosity::Display display;
   radiosity::AdaptParams adapt;
-  bool preview = false, asks_display = false;  // --exposure or --gamma is given
+  bool preview = false, asks_display = false;  // asks_display: --exposure or --gamma was given
 };
 
 bool is_exr(const RadiosityOptions& o) {
@@ -47,7 +47,7 @@ void check_files(const RadiosityOptions& o) {
                                 o.output));
 }
 
-// 0 means automatic exposure.
+// Parses the value of --exposure. 0 means automatic.
 double parse_exposure(const std::string& text) {
   if (text == "auto") return 0;
   const auto value = base::parse_number<double>(text);
@@ -59,19 +59,19 @@ double parse_exposure(const std::string& text) {
 
 struct Outcome {
   int rounds = 0;
-  double error = 0;  // estimated
+  double error = 0;  // estimated error
   std::size_t patches = 0, vertices = 0, mirrors = 0, creases = 0, left_out = 0;
   radiosity::Solution solution;
-  Rgb emitted;  // power
+  Rgb emitted;  // emitted power
   bool is_closed = false;
   Picture picture;
   Work picture_work;
   double mesh_s = 0, solve_s = 0, picture_s = 0;
 };
 
-// Shows the progress of all solutions on one bar.
+// Makes a callback that shows the progress of all solutions on one bar.
 radiosity::Step make_step(const RadiosityOptions& o, Progress& bar) {
-  // Each shot sends a similar share of the remaining light, so the bar is logarithmic.
+  // The bar is logarithmic in the unshot energy, since each shot distributes a similar share of it.
   const double end = std::log(std::max(o.light.solve.tolerance, 1e-9));
   return [&o, &bar, end](int shots, double unshot) {
     const double by_light = end < 0 ? std::log(std::max(unshot, 1e-9)) / end : 1;
@@ -158,7 +158,7 @@ void save_stats(const RadiosityOptions& o, const Outcome& made) {
   base::save_whole(o.stats, stats.dump(2) + "\n");
 }
 
-// Imbalance of a closed room, as a share of the emitted power, that is accepted without a warning.
+// Imbalance of a closed room, as a share of the emitted power, above which a warning appears.
 constexpr double FAIR_BALANCE = 0.01;
 
 void print_balance(const Outcome& made) {

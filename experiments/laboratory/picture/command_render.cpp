@@ -28,7 +28,7 @@ struct RenderOptions : RenderTask {
   std::string samples_map;
 };
 
-// Writes the statistics: `rays` traced in `seconds`, and the members of `more`.
+// Writes the file of --stats: `rays` traced in `seconds`, and the members of `more`.
 void save_stats(const RenderOptions& o, const renderer::Rendering& image, std::uint64_t rays,
                 double seconds, const nlohmann::ordered_json& more) {
   nlohmann::ordered_json stats = {{"scene", o.scene},
@@ -61,7 +61,7 @@ void check_samples_map(const RenderOptions& o) {
 
 void render_at_once(const RenderOptions& o) {
   const auto scene = renderer::load_scene(o.scene);
-  const InterruptGuard guard;  // until all is written
+  const InterruptGuard guard;  // holds interrupts until all files are written
   Progress bar("rendering");
   Clock clock;
   int rows_done = 0, all_rows = 0;
@@ -84,7 +84,7 @@ void render_at_once(const RenderOptions& o) {
 
 void render_in_order(const RenderOptions& o) {
   const auto scene = renderer::load_scene(o.scene);
-  const InterruptGuard guard;  // until all is written
+  const InterruptGuard guard;  // holds interrupts until all files are written
   Clock clock;
   const auto refined = render_refined(o.refined, o, scene);
   const double seconds = clock.lap();
@@ -128,7 +128,8 @@ void render_scene(RenderOptions& o) {
 void add_render_command(CLI::App& app) {
   auto* command = app.add_subcommand("render", "render a scene with the sequential renderer");
   auto o = std::make_shared<RenderOptions>();
-  // Experiments use the thesis's search; this one is faster and gives the same image.
+  // Experiments use the thesis's traversal. The traversal `nearest` is faster and yields the same
+  // image.
   o->params.traversal = renderer::Traversal::nearest;
 
   command

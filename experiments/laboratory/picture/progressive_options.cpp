@@ -77,7 +77,7 @@ void render_progressively(const ProgressiveOptions& o, const RenderTask& task) {
   const auto scene = renderer::load_scene(task.scene);
   if (!task.key_images.empty()) make_folder("--key-images", task.key_images);
   const auto steps = make_steps(o.kind, o.max_cell, last);
-  const InterruptGuard guard;  // until all is written
+  const InterruptGuard guard;  // holds interrupts until all files are written
   Progress bar("rendering");
   Clock clock;
   double seconds = 0;
@@ -90,7 +90,7 @@ void render_progressively(const ProgressiveOptions& o, const RenderTask& task) {
     const auto counts = image.advance(step, was_interrupted);
     seconds += clock.lap();
     if (!counts) is_stopped = true;
-    // Trees without a deeper level have none further below either.
+    // Ends when no tree grew: if there are no rays at one depth, there are none below.
     if (!counts || (o.kind == StepKind::depth && counts->rays.fresh.total() == 0)) break;
     all += counts->rays;
     rows.push_back(make_step_json(step, *counts));

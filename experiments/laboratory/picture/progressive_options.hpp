@@ -1,5 +1,5 @@
 #pragma once
-// tlab render --progressive: options and execution.
+// The options of tlab render --progressive, and their execution.
 #include <CLI/CLI.hpp>
 #include <string>
 
@@ -14,7 +14,7 @@ struct ProgressiveOptions {
   renderer::progressive::StepKind kind = renderer::progressive::StepKind::cells;
 };
 
-/// The input common to all ways of rendering; the parameters have passed renderer::check().
+/// Input common to all ways of rendering. The parameters have passed renderer::check().
 struct RenderTask {
   std::string scene, output, stats;
   std::string key_images;  ///< folder for intermediate pictures; "": none
@@ -22,7 +22,7 @@ struct RenderTask {
   int threads = 1;
 };
 
-/// Adds --progressive and its dependent options.
+/// Adds --progressive and the options that depend on it.
 void add_progressive_options(CLI::App& command, ProgressiveOptions& options);
 
 /// Renders step by step and saves the requested files. Depth and area come from the task.

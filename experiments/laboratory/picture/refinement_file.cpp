@@ -10,8 +10,9 @@
 #include "experiments/laboratory/host/version.hpp"
 #include "renderer/files/load_scene.hpp"
 
-// Format: FIRST_LINE; "name: value" for each member of the identity; an empty line; the numbers in
-// the host's binary format, each list after its length; the hash of all this.
+// File format: FIRST_LINE, then "name: value" for each member of the identity, and an empty line.
+// Then come numbers in the host's binary format, with its length before each list. The last part is
+// a hash of everything before it.
 namespace laboratory {
 namespace {
 
@@ -29,7 +30,7 @@ std::string hash_scene(const std::string& path) {
   return hash_of(hashes);
 }
 
-// Passes every number of a state to `take`, which reads or writes an object's or a list's bytes.
+// Passes the bytes of every number or list of a state to `take`, which reads or writes them.
 template <class State, class Take>
 void visit(State& state, const Take& take) {
   take(state.done);
@@ -89,7 +90,7 @@ struct Reader {
   }
 };
 
-// Consumes the lines of the identity and the empty line.
+// Reads the identity and the empty line after it. Throws if the identity differs.
 void check_identity(const std::string& path, std::string_view& text, const Identity& identity) {
   const auto take_line = [&] {
     const auto end = std::min(text.find('\n'), text.size());

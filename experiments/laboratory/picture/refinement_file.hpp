@@ -1,5 +1,5 @@
 #pragma once
-// The file with the state of a rendering, for continuation by another run.
+// File with the state of an interrupted rendering, which another run can continue.
 
 #include <string>
 #include <utility>
@@ -13,8 +13,9 @@ namespace laboratory {
 /// them are equal.
 using Identity = std::vector<std::pair<std::string, std::string>>;
 
-/// The program's version, the scene, the order and all parameters. A generated scene is identified
-/// by its name; a file by its bytes and those of the files it names, not by its name.
+/// Collects the program's version, the scene, the pixel order and all parameters. A generated scene
+/// is identified by its name. A scene file is identified by its bytes and those of the files it
+/// names, not by its own name.
 Identity identify(const std::string& scene, const renderer::Params& params,
                   renderer::progressive::Order order);
 
@@ -22,7 +23,8 @@ Identity identify(const std::string& scene, const renderer::Params& params,
 void save_state(const std::string& path, const Identity& identity,
                 const renderer::progressive::RefinementState& state);
 
-/// Throws BadInput "path: ..." for a file that is not a state, is damaged, or has another identity.
+/// Loads a state. Throws BadInput with the path for a file that is not a state, is damaged, or has
+/// another identity.
 renderer::progressive::RefinementState load_state(const std::string& path,
                                                   const Identity& identity);
 

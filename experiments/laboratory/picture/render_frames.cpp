@@ -33,14 +33,15 @@ Range parse_range(const std::string& text) {
   return {*first, *last};
 }
 
-// Duration of frame `n` of an animation; no frame's start is off by more than half a millisecond.
+// Duration of frame `n` of an animation, in whole ms. Each frame starts within half a millisecond
+// of its exact time.
 int get_duration_ms(int n, double rate) {
   const auto at = [&](int frame) { return std::lround(1000 * frame / rate); };
   return static_cast<int>(at(n + 1) - at(n));
 }
 
-// An animation is written after its last frame.
-constexpr std::size_t MAX_ANIMATION = std::size_t{1} << 31;  // bytes
+// Limit in bytes on the memory of all frames, which an animation keeps until it is written.
+constexpr std::size_t MAX_ANIMATION = std::size_t{1} << 31;
 
 void check_webp(const renderer::Params& params, const Range& range) {
   if (std::max(params.width, params.height) > renderer::MAX_WEBP_SIDE)
@@ -88,7 +89,7 @@ void render_frames(const FramesOptions& o, const RenderTask& task) {
   for (int frame = range.first; frame <= range.last; ++frame)
     renderer::load_scene(task.scene, frame);
 
-  const InterruptGuard guard;  // until all is written
+  const InterruptGuard guard;  // holds interrupts until all files are written
   Progress bar("rendering");
   std::vector<renderer::Frame> animation;
   std::size_t frames_done = 0;

@@ -1,5 +1,5 @@
 #pragma once
-// tlab render --frames: options and execution.
+// The options of tlab render --frames, and their execution.
 #include <CLI/CLI.hpp>
 #include <string>
 
@@ -8,14 +8,14 @@
 namespace laboratory {
 
 struct FramesOptions {
-  std::string frames;  ///< "A-B"; "": one image
-  double rate = 25;    ///< frames a second
+  std::string frames;  ///< range "A-B"; "": render a single image
+  double rate = 25;    ///< frames per second
 };
 
-/// Adds --frames and --frame-rate; the options that --frames excludes must exist.
+/// Adds --frames and --frame-rate. The options that --frames excludes must already exist.
 void add_frames_options(CLI::App& command, FramesOptions& options);
 
-/// Renders an image of every frame; the task's output is a name that ends in .png or .webp. Writes
+/// Renders an image of every frame. The output name of the task must end in .png or .webp. Writes
 /// nothing unless the scene is readable at all frames.
 void render_frames(const FramesOptions& options, const RenderTask& task);
 

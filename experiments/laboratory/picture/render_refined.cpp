@@ -21,10 +21,10 @@ using renderer::progressive::Order;
 using renderer::progressive::Refinement;
 
 constexpr double KEY_PERCENTS[] = {1, 5, 25, 100};
-constexpr double STATE_PERCENT = 5;    // write a state at each multiple,
-constexpr double STATE_SECONDS = 2;    // and after so much time,
-constexpr double STATE_SHARE = 0.05;   // with at most this share of the time spent on writing
-constexpr double STEP_SECONDS = 0.05;  // between checks of clock and signals
+constexpr double STATE_PERCENT = 5;    // a state is written at each multiple of this progress
+constexpr double STATE_SECONDS = 2;    // a state is also written after this time
+constexpr double STATE_SHARE = 0.05;   // largest share of time spent on writing states
+constexpr double STEP_SECONDS = 0.05;  // time between checks of clock and signals
 
 std::uint64_t samples_at(double percent, std::uint64_t all) {
   return static_cast<std::uint64_t>(std::ceil(percent / 100 * static_cast<double>(all)));
@@ -49,7 +49,7 @@ Budget parse_budget(const std::string& text) {
   return budget;
 }
 
-// Writes states to one file.
+// Writer of successive states to one file.
 class StateFile {
  public:
   StateFile(std::string path, Identity identity)
@@ -65,8 +65,8 @@ class StateFile {
     saved_ = image.done();
     since_s_ = 0;
   }
-  /// Saves if this much time has passed since the last state, and enough time to keep the cost of
-  /// saving within STATE_SHARE.
+  /// Saves a state if `seconds` have passed since the last one, and saving has taken at most
+  /// STATE_SHARE of the time.
   void save_after(double seconds, const Refinement& image) {
     since_s_ += clock_.lap();
     if (since_s_ > std::max(seconds, last_cost_s_ / STATE_SHARE)) save(image);
@@ -80,7 +80,7 @@ class StateFile {
   std::optional<std::uint64_t> saved_;
 };
 
-// The intermediate pictures of a rendering.
+// Writer of intermediate pictures of a rendering.
 class KeyImages {
  public:
   KeyImages(std::string folder, const Refinement& image) : folder_(std::move(folder)) {
@@ -92,7 +92,7 @@ class KeyImages {
   void add_stops(std::set<std::uint64_t>& stops) const {
     for (const auto& [samples, name] : names_) stops.insert(samples);
   }
-  /// Saves the image if it has just reached the number of samples of a picture.
+  /// Saves the image if it has just reached the sample count of an intermediate picture.
   void save(const Refinement& image, std::uint64_t before) {
     for (const auto& [samples, name] : names_)
       if (before < samples && image.done() >= samples)
@@ -101,10 +101,10 @@ class KeyImages {
 
  private:
   const std::string folder_;
-  std::map<std::uint64_t, std::string> names_;  // by the number of samples
+  std::map<std::uint64_t, std::string> names_;  // file names by sample count
 };
 
-// The number of samples between two checks.
+// Number of samples rendered between two checks.
 class Pace {
  public:
   explicit Pace(int threads) : samples_(static_cast<std::uint64_t>(threads)) {}

@@ -10,8 +10,9 @@ namespace {
 
 using topologies::Place;
 
-constexpr std::size_t MOST_COMPARED = 2048;  // places; beyond it, no search for a free one
-// Directions around a processor, upwards first.
+// places compared in the search for a free one; larger machines skip the search
+constexpr std::size_t MOST_COMPARED = 2048;
+// Directions from a processor to its neighbours, upwards first.
 constexpr Place BESIDE[] = {{0, 1}, {-1, 1},     {1, 1},     {-1, 0},
                             {1, 0}, {-0.5, 0.5}, {0.5, 0.5}, {0, -1}};
 

@@ -8,19 +8,20 @@
 
 namespace laboratory {
 
-/// By processor of the machine; some have no place yet.
+/// Positions by machine processor; none: not yet placed.
 using SomePlaces = std::vector<std::optional<topologies::Place>>;
 
-/// The machine's id of a network processor, looked up in `network`; empty: the same number.
+/// The machine id of a network processor, looked up in `network`. If `network` is empty, the
+/// numbers are equal.
 int find_id(const std::vector<int>& network, int processor);
 
-/// Gives the remaining processors places beside others that they share a link or memory with;
-/// isolated ones form a row.
+/// Places the remaining processors next to those that they share a link or memory with. Isolated
+/// processors form a row.
 topologies::Places place_others(const machine::Machine& machine, SomePlaces places);
 
-/// A place for every processor of the machine. The network is placed as reports draw the topology,
-/// others beside a processor with a link to them. `network` maps network processors to ids in the
-/// machine; empty: equal numbers.
+/// Positions of all processors of the machine. The network is laid out as in reports, and other
+/// processors next to one that they have a link to. `network` maps network processors to machine
+/// ids; empty: equal numbers.
 topologies::Places place_processors(const machine::Machine& machine,
                                     const topologies::Topology& topology,
                                     const std::vector<int>& network);

@@ -6,9 +6,9 @@
 
 namespace laboratory {
 
-/// results.schema.json: a Table Schema (https://specs.frictionlessdata.io/table-schema) of
-/// results.csv. Each column has name, type, title and meaning, its unit if any, and the programs
-/// that produce it. The axes form the primary key.
+/// Makes results.schema.json, a Table Schema (https://specs.frictionlessdata.io/table-schema) of
+/// results.csv. Each column has name, type, title, meaning, unit if any, and the programs that
+/// produce it. The axes form the primary key.
 nlohmann::ordered_json make_dictionary(const ExperimentFile& file, const Table& table);
 
 }  // namespace laboratory

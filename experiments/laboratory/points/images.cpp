@@ -34,17 +34,18 @@ std::string save_by_content(const std::function<void(const std::string& path)>& 
   return name;
 }
 
-// An image with its points: points with equal images share one.
+// An image, and the points that share it.
 struct Shared {
   std::vector<std::size_t> points;
   bool is_named = false;
   std::string stem, caption;
 };
-using Key = std::array<std::string, 3>;  // name, content, content of all its range
+// name of the image, and the content names of its PNG and EXR files
+using Key = std::array<std::string, 3>;
 
 Key key_of(const SavedImage& image) { return {image.name, image.file, image.exr}; }
 
-// Finds the axes with one value in all of these points, but several values in `others`.
+// Finds the axes that are constant over `points` but not over `others`.
 std::vector<Coordinate> find_distinction(const ExperimentFile& file,
                                          const std::vector<std::size_t>& points,
                                          const std::vector<std::size_t>& others) {
@@ -87,12 +88,14 @@ void name_image(const std::string& name, const std::vector<Coordinate>& distinct
   image.stem = unique;
 }
 
-// An image with a self-explanatory name is distinguished only from others of its name, such as key
-// images of a stage, which depend on the progress of each machine.
+// Groups equal images, and names each group by the axes that distinguish it. An image whose name
+// already describes its content is distinguished only from images of the same name. Such are key
+// images of a stage, which depend on each machine's progress.
 std::map<Key, Shared> find_shared(const ExperimentFile& file, const Results& results) {
   std::vector<Key> order;
   std::map<Key, Shared> shared;
-  std::map<std::string, std::vector<std::size_t>> namesakes;  // points with an image of that name
+  // points that have an image of that name
+  std::map<std::string, std::vector<std::size_t>> namesakes;
   for (std::size_t i = 0; i < results.size(); ++i)
     for (const auto& image : results[i].images) {
       auto& entry = shared[key_of(image)];
@@ -111,7 +114,7 @@ std::map<Key, Shared> find_shared(const ExperimentFile& file, const Results& res
   return shared;
 }
 
-// Throws unless points with one picture key show the same.
+// Throws if points with the same picture key have different images.
 void check_images(const ExperimentFile& file, const Results& results) {
   std::map<std::string, std::string> known;
   for (std::size_t i = 0; i < results.size(); ++i) {

@@ -1,5 +1,5 @@
 #pragma once
-// The images of points: saved with the records, and placed among the results.
+// Storage of the points' images: with the records, then among the results.
 #include <filesystem>
 #include <vector>
 
@@ -7,13 +7,13 @@
 
 namespace laboratory {
 
-/// Saves each in a file of `folder` named by its content.
+/// Saves each image in `folder`, in a file named by a hash of its content.
 std::vector<SavedImage> save_images(const std::vector<programs::Image>& images,
                                     const std::filesystem::path& folder);
 
 /// Gives each image a caption and a file in `folder`, named after the image and the axes common to
-/// its points; equal images share a file. Throws base::InvariantBroken if points that must show the
-/// same differ: images do not depend on topology, number of processors or timing.
+/// its points. Equal images share a file. Images are independent of topology, number of processors
+/// and timing. Throws base::InvariantBroken if points that must have the same image differ.
 void place_images(const ExperimentFile& file, Results& results,
                   const std::filesystem::path& records, const std::filesystem::path& folder);
 

@@ -34,8 +34,8 @@ std::string describe(const std::string& name, const std::string& title) {
   return title.empty() ? fmt::format("\"{}\"", name) : fmt::format("\"{}\" ({})", name, title);
 }
 
-// Keeps the original spelling of the folder if it still names the same folder; otherwise derives it
-// from the results folder.
+// Keeps the recorded spelling of the folder if it still names the same folder. Otherwise derives
+// the folder from that of the results.
 fs::path find_folder(const fs::path& results, const std::string& file, const std::string& folder) {
   const fs::path spelled = fs::path(file).parent_path();
   const auto found = resolve(resolve(results) / folder);
@@ -129,7 +129,8 @@ void save_origin(const fs::path& results, const ExperimentFile& file, const orde
 }
 
 BadInput make_damaged(const fs::path& file, const nlohmann::json::exception& error) {
-  const std::string what = error.what();  // "[json.exception.parse_error.101] parse error at ..."
+  // text such as "[json.exception.parse_error.101] parse error at ..."
+  const std::string what = error.what();
   const auto named = what.find("] ");
   return BadInput(fmt::format("{}: damaged: {}", file.string(),
                               named == what.npos ? what : what.substr(named + 2)));

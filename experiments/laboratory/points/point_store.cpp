@@ -22,14 +22,15 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-// Identifies this program.
+// A hash of version, executable and SimGrid, which identifies this program.
 const std::string& program_id() {
   static const std::string id = hash_of(fmt::format(
       "{} {} {}", VERSION, hash_of(base::read_text("/proc/self/exe")), machine::simgrid_version()));
   return id;
 }
 
-// Describes a model's entries by content, independent of their source.
+// Formats the entries of a model. Models with equal entries yield equal text, whatever their
+// source.
 std::string describe_entries(const ModelSpec& spec) {
   const auto model = make_model(spec);
   std::string text = model.base + "\n";
@@ -39,7 +40,7 @@ std::string describe_entries(const ModelSpec& spec) {
   return text;
 }
 
-// Finds the further files that a scene's file names. Unreadable files are refused elsewhere.
+// Finds the files named in a scene file. Unreadable files are skipped here and refused elsewhere.
 std::vector<std::string> find_further_files(const std::string& path) {
   try {
     return renderer::find_files(path);
@@ -48,12 +49,12 @@ std::vector<std::string> find_further_files(const std::string& path) {
   return {};
 }
 
-// Makes the end of a record: a hash of everything before it.
+// Makes the last part of a record: a hash of all text before it.
 std::string make_seal(std::string_view text) {
   return fmt::format(",\"hash\":\"{}\"}}\n", hash_of(text));
 }
 
-// Reads a record; null if its bytes were changed or its key differs. `filter`: see
+// Reads a record; null if it is damaged or its key differs. `filter` is the callback of
 // nlohmann::json::parse.
 ordered_json read_record(const fs::path& file, const ordered_json::parser_callback_t& filter) {
   const std::string text = base::read_text(file);
@@ -83,7 +84,8 @@ bool has_images(const PointResult& result, const fs::path& folder) {
 }  // namespace
 
 std::vector<std::string> make_keys(const ExperimentFile& file, double until_s) {
-  std::map<std::string, std::string> models, files;  // hashes of data that points share
+  // hashes of models and files, computed once for all points
+  std::map<std::string, std::string> models, files;
   const auto describe_file = [&](const std::string& path) {
     auto& hash = files[path];
     if (hash.empty()) hash = fs::is_regular_file(path) ? hash_of(base::read_text(path)) : "none";
@@ -167,7 +169,7 @@ void StoreGuard::clean_up() const noexcept {
   remove_left_behind(folder);
   remove_left_behind(folder.parent_path());
   std::error_code ignored;
-  // Keeps folders that are not empty: images without records may belong to another process.
+  // fails for folders that are not empty, whose images may belong to another process's record
   fs::remove(folder, ignored);
   fs::remove(folder.parent_path(), ignored);
   if (!was_there_) fs::remove(results_, ignored);

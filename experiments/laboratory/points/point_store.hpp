@@ -1,6 +1,7 @@
 #pragma once
-// The records of points in points/ of the results folder. Each holds the result of a simulation, is
-// written upon its end, and is found by its key, a hash of everything the result depends on.
+// Store of point records, in points/ of the results folder. A record holds the result of a
+// simulation and is written when that ends. Its key is a hash of everything that the result depends
+// on.
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -11,35 +12,37 @@
 
 namespace laboratory {
 
-/// Makes the key of each point. It is a hash of the program (its version, the bytes of its
-/// executable, SimGrid's version), settings of file and sweep, entries of the machine model,
-/// content of the point's files, and simulated time limit. Points with equal keys have equal
-/// results. Throws as make_model does.
+/// Makes the key of each point, such that points with equal keys have equal results. The key is a
+/// hash of:
+///  - the program: its version, the bytes of its executable, and SimGrid's version;
+///  - the settings of file and sweep, and the simulated time limit;
+///  - the entries of the machine model, and the content of the point's files.
+/// Throws as make_model does.
 std::vector<std::string> make_keys(const ExperimentFile& file, double until_s);
 
-/// Path of this program's records and their images inside a results folder; other programs have
-/// other folders.
+/// The path of records and their images inside a results folder. It contains an id of the program,
+/// since versions of the program do not share records.
 std::filesystem::path records_folder();
-/// Path of records that belong only to the results beside them: of points that failed, were
+/// The path of records that only the results beside them may use. Their points failed, were
 /// interrupted, or depend on the host's speed.
 std::filesystem::path lone_records_folder();
 
-/// A record without the loads of processors and links; none if it is missing, damaged (reported on
-/// standard error), or lacks an image.
+/// Loads a record without the loads of processors and links. None if it is missing, damaged
+/// (reported on standard error), or lacks an image.
 std::optional<PointResult> find_record(const std::filesystem::path& results,
                                        const std::string& key);
 
-/// Writes `folder`/KEY.json atomically; several processes may do so at once. `at` names the point,
-/// for people.
+/// Writes `folder`/KEY.json atomically. Several processes may do so at once. `at` names the point
+/// for people who read the record.
 void save_record(const std::filesystem::path& folder, const std::string& key,
                  const PointResult& result, const std::string& at);
 
-/// All of a record. Throws BadInput with the file if it is damaged.
+/// Loads a complete record. Throws BadInput with the file name if it is damaged.
 PointResult load_record(const std::filesystem::path& file);
 
-/// Cleans up in its destructor, and when the program ends early (base/early_end.hpp). It removes
-/// files of records left half written by killed processes, then the records' folder if it is empty,
-/// and empty parents that were made with it.
+/// Cleans up the store when it is destroyed, and when the program ends early (base/early_end.hpp).
+/// Removes records half written by killed processes. Then removes the records' folder if it is
+/// empty, and the empty parents that were made with it.
 class StoreGuard {
  public:
   explicit StoreGuard(const std::filesystem::path& results);

@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// An ineffective axis would give rows that claim a value they do not have.
+// Throws for an axis without effect, whose rows would claim values that were not used.
 void check_axes(const ExperimentFile& file) {
   for (std::size_t axis = 0; axis < file.axes.size(); ++axis)
     for (const auto& point : file.points) {
@@ -41,12 +41,14 @@ void save_point(const PointsPlan& plan, std::size_t number, const PointResult& r
               name_of(point));
 }
 
-// Runs in the child process: a failure is a result too, but bad input is not.
+// Runs a point in the child process. A failed simulation is a result too; bad input is an
+// exception.
 PointResult run_and_save(const PointsPlan& plan, std::size_t number) {
   const Point& point = plan.file.points[number];
   try {
     auto result = run_point(point, plan.options, plan.results / records_folder());
-    save_point(plan, number, result);  // first: an error in a name of the file loses no result
+    // before the inspection, so that an error there loses no result
+    save_point(plan, number, result);
     if (plan.inspect) plan.inspect(point, result);
     result.use = nullptr;
     return result;
@@ -57,7 +59,7 @@ PointResult run_and_save(const PointsPlan& plan, std::size_t number) {
   }
 }
 
-// Adds the properties that the axes of a failed point need, and records it.
+// Adds the properties of a failed point that its axes need, and records it.
 void finish_failure(const PointsPlan& plan, std::size_t number, PointResult& failure,
                     Progress& bar) {
   const Point& point = plan.file.points[number];
@@ -81,7 +83,8 @@ void check_points(const RunOptions& options, const ExperimentFile& file, std::si
       check_threads(options, point.experiment);
       if (chosen == 1 && file.points.size() == 1) check_films(options.films, point.experiment);
       if (networks.insert(network_key(point.experiment)).second) check_network(point.experiment);
-    } catch (const std::runtime_error& error) {  // of any module: the error is in the file
+      // from any module: the error is in the experiment file
+    } catch (const std::runtime_error& error) {
       throw base::BadInput(fmt::format("{}: {}", file.path, error.what()));
     } catch (const std::bad_alloc&) {
       throw base::BadInput(fmt::format("{}: {}: the host is out of memory", file.path,

@@ -10,7 +10,7 @@
 namespace laboratory {
 namespace {
 
-constexpr double EXACT = 0x1p53;  // up to here doubles represent every integer
+constexpr double EXACT = 0x1p53;  // limit below which doubles represent every integer
 
 // Lists the programs of the points, each once.
 std::vector<const programs::Program*> programs_of(const ExperimentFile& file) {
@@ -26,13 +26,13 @@ std::string column_of(const ExperimentFile& file, const std::string& axis) {
   return axis == "workers" ? programs_of(file)[0]->processors : axis;
 }
 
-// A table filled cell by cell; new columns are appended.
+// A table that is filled cell by cell. New columns are appended.
 class Filling {
  public:
   Filling(Table& table) : table_(table) {}
 
   void begin() { table_.rows.emplace_back(table_.columns.size()); }
-  // A result that is also an input shares its column and must have the same value.
+  // Sets a cell. A result that is also an input has one column, and both values must agree.
   void put(const std::string& column, const Value& value) {
     auto known = table_.find(column);
     if (!known) {
@@ -72,7 +72,7 @@ void put_inputs(Filling& filling, const Experiment& experiment, const PointResul
   for (const auto& p : program.parameters) filling.put(p.name, to_value(p.get(experiment.params)));
 }
 
-// Lists the columns before the measurements, in order; rows may leave some empty.
+// Lists the columns before the measurements, in order. Some rows may leave columns empty.
 std::vector<std::string> input_columns(const ExperimentFile& file) {
   auto columns = axis_columns(file);
   const auto add = [&](const std::string& name) {
@@ -83,7 +83,8 @@ std::vector<std::string> input_columns(const ExperimentFile& file) {
   return columns;
 }
 
-// Converts a column of whole numbers to integers, written without a point.
+// Converts a column of integral numbers to integers, so that they are written without a decimal
+// point.
 void make_whole(Table& table) {
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const bool whole = std::ranges::all_of(table.rows, [&](const auto& row) {
@@ -104,7 +105,7 @@ bool is_base(const Table& table, const std::vector<Value>& base, const std::vect
   return true;
 }
 
-// Fills columns that are still empty from an additional run of a single worker for the point.
+// Fills empty speed-ups from a separate run of the same point with a single worker.
 void add_speedups(Table& table, const Results& results, const std::string& processors) {
   const auto workers = table.find(processors), time = table.find("time_s");
   const auto speedup = table.find("speedup"), efficiency = table.find("efficiency");
@@ -126,7 +127,7 @@ bool is_farm(const ExperimentFile& file) {
   return all.size() == 1 && all[0]->name == "farm";
 }
 
-// Removes TOML's quotes; numbers stay numbers.
+// Converts a coordinate to a cell: a number, or a string without TOML's quotes.
 Value to_value(const Coordinate& at) {
   const auto json = nlohmann::json::parse(at.toml, nullptr, false);
   if (json.is_number_integer()) return json.get<std::int64_t>();

@@ -1,5 +1,5 @@
 #pragma once
-// Combines the results of a sweep's points in one table.
+// Table of the results of all points of a sweep.
 #include <set>
 
 #include "experiments/laboratory/points/point_result.hpp"
@@ -7,46 +7,47 @@
 
 namespace laboratory {
 
-/// The columns that identify a point: first those of the program (the farm's topology, workers and
-/// objects), then the axes of the sweep in file order. The program chooses the name of the number
-/// of processors in the network.
+/// The columns that identify a point. Those of the program come first (the farm's topology, workers
+/// and objects), then the axes of the sweep in file order. The program names the column of the
+/// network's size.
 std::vector<std::string> axis_columns(const ExperimentFile& file);
 
-/// The columns of axes coupled with `column` in [sweep], including itself; only itself if there are
-/// none.
+/// The columns of the axes coupled with `column` in [sweep], including `column` itself.
 std::vector<std::string> find_coupled(const ExperimentFile& file, const std::string& column);
 
-/// Makes a row for each row of a point's result, or one for a point without. Columns are the axes;
-/// the parts of its program, which count as axes; the network and parameters, if the program shows
-/// them; the measurements; and how the point ended. With several programs in the sweep, the columns
-/// are those of all, empty where not applicable. Speed-up and efficiency relate to the row with one
-/// processor and otherwise equal axes, or to PointResult::single_s. Without either they stay empty,
-/// as do the serial fractions of laws.hpp.
+/// Makes the table of results, with one row for each row that a point measured, or one for a point
+/// that measured nothing. Columns are:
+///  - the axes, and parts of the program that count as axes;
+///  - network and parameters, if the program shows them;
+///  - the measurements, and how the point ended.
+/// With several programs in the sweep, the table has the columns of all, empty where they do not
+/// apply. Speed-up and efficiency are relative to the row with one processor and otherwise equal
+/// axes, or to PointResult::single_s. Without either they stay empty, and so do the serial
+/// fractions of laws.hpp.
 Table make_table(const ExperimentFile& file, const Results& results);
 
-/// The rows of growth.csv: the axes, and the growth of each point's picture. Empty if growth was
-/// not observed.
+/// Makes growth.csv: the axes, and the growth of each point's picture. Empty if growth was not
+/// recorded.
 Table make_growth_table(const ExperimentFile& file, const Results& results);
 
-/// True if the row's point was completed.
+/// True if the point of the row was completed.
 bool is_complete_row(const Table& table, const std::vector<Value>& row);
 
-/// Fills empty cells of speedup and efficiency, relative to the row with one processor and
-/// otherwise equal axes. `processors` is the column of an axis.
+/// Fills empty cells of speed-up and efficiency, relative to the row with one processor and
+/// otherwise equal axes. `processors` is the column with the number of processors.
 void add_speedups(Table& table, const std::string& processors);
 
-/// Fills serial_karp_flatt and serial_gustafson (laws.hpp) for every speed-up.
+/// Fills serial_karp_flatt and serial_gustafson (laws.hpp) in each row with a speed-up.
 void add_serial_fractions(Table& table, const std::string& processors);
 
-/// The names of input columns: the axes, the network's, and the programs' parameters.
+/// The names of input columns: axes, properties of the network, and parameters of the programs.
 std::set<std::string> input_names(const ExperimentFile& file, const Table& table);
 
-/// The first column of such a table that is a result and not also an input; none if all are inputs.
+/// The first column of a results table that is a result and not an input; none if all are inputs.
 std::vector<std::string> first_result(const ExperimentFile& file, const Table& table);
 
 /// True if all points run the farm.
 bool is_farm(const ExperimentFile& file);
-/// A coordinate as a cell.
 Value to_value(const Coordinate& at);
 
 }  // namespace laboratory

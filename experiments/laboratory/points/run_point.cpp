@@ -60,7 +60,8 @@ Setup make_setup(const Experiment& experiment, const machine::Model& model,
   return setup;
 }
 
-// The caller provides the network, since construction may take seconds.
+// Describes a point before its run. The caller passes the network, since making it may take
+// seconds.
 PointResult describe(const Experiment& experiment, const topologies::Topology& topology) {
   const auto& program = *experiment.program;
   PointResult result;
@@ -72,7 +73,8 @@ PointResult describe(const Experiment& experiment, const topologies::Topology& t
   return result;
 }
 
-// Requires exactly one row; for a program with parts, any number of rows with distinct parts.
+// Throws unless there is exactly one row. A program with parts may have any number of rows with
+// distinct parts.
 void check_rows(const programs::Program& program, const std::vector<base::Row>& rows) {
   if (program.parts.empty()) return base::check_equal("rows of a point", rows.size(), 1u);
   std::set<std::vector<base::Cell>> known;
@@ -94,7 +96,8 @@ void check_rows(const programs::Program& program, const std::vector<base::Row>& 
 ordered_json make_use(const programs::Outcome<base::Row>& outcome) {
   if (!outcome.use) return {};
   const auto& use = *outcome.use;
-  // Arrays, since an object searches all members before each insertion, and machines are large.
+  // Uses arrays, since machines are large and a JSON object searches all members before each
+  // insertion.
   auto cpus = ordered_json::array(), links = cpus, loads = cpus;
   for (const auto& cpu : use.cpus) {
     cpus.push_back({{"name", cpu.name},
@@ -130,7 +133,7 @@ ordered_json make_kernels(const std::vector<observe::KernelUse>& uses) {
   return kernels;
 }
 
-// Returns null for an unknown ending.
+// Finds the writer of a trace by the file's extension; null if it is unknown.
 Save find_format(const std::string& file) {
   const auto ending = fs::path(file).extension();
   if (ending == ".json") return &observe::save_chrome;
@@ -138,7 +141,7 @@ Save find_format(const std::string& file) {
   return ending == ".svg" ? &observe::save_timeline : nullptr;
 }
 
-// Reports errors of the output file before the simulation.
+// Throws before the simulation if the output file cannot be written.
 void check_place(const char* option, const std::string& file, const fs::path& results) {
   const auto inside = fs::weakly_canonical(fs::absolute(file))
                           .lexically_relative(fs::weakly_canonical(fs::absolute(results)));
@@ -221,7 +224,7 @@ void check_point(const Experiment& experiment) {
   }
   if (!experiment.program->check) return;
   auto setup = make_setup_without_network(experiment, model);
-  // Some programs need particular networks; for others, skips the slow construction.
+  // Makes the network only for programs that check it, since that is slow.
   if (experiment.program->services > 0 || !experiment.faults.empty())
     setup.topology = make_workers(experiment);
   if (!experiment.faults.empty()) setup.faults = find_faults(experiment, setup.topology);
@@ -258,7 +261,7 @@ void check_traces(const RunOptions& options, std::size_t points) {
   for (const auto& film : {options.films.picture, options.films.network}) {
     if (film.empty()) continue;
     const auto file = first_file(film);
-    // A film without its own name is beside the results folder.
+    // A film without a file name goes to the folder that contains the results folder.
     const auto folder = results_folder(options).parent_path();
     if (!folder.empty() && fs::path(file).parent_path() == folder) make_folders(folder);
     check_single("--animate", points);
@@ -293,7 +296,7 @@ PointResult run_point(const Point& point, const RunOptions& options, const fs::p
   } catch (const machine::Fault&) {
     try {
       save_traces(point, options, trace, film);
-    } catch (const std::exception& error) {  // the fault is more important
+    } catch (const std::exception& error) {  // the exception to report is the fault
       complain(fmt::format("what it did until then is not shown: {}", error.what()));
     }
     throw;

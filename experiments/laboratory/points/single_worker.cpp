@@ -32,13 +32,13 @@ bool needs_single(const Point& point, const PointResult& result) {
          result.processors > 1 && time_of(result) && speedup && *speedup == base::Cell();
 }
 
-// True for keys without meaning in a network of one worker.
+// True for keys that have no meaning in a network of one worker.
 bool is_of_network(const std::string& key) {
   return key == "fault" || key == "processor" ||
          (key.starts_with("network.") && key != "network.switches");
 }
 
-// The file without the axes of the network, and without points.
+// The file without points and without the axes of the network.
 ExperimentFile without_network(const ExperimentFile& file) {
   ExperimentFile single = file;
   single.points.clear();
@@ -81,8 +81,9 @@ void run_missing(const PointsPlan& plan, Results& results) {
 
 void measure_single_workers(const PointsPlan& plan, Results& results, SingleWorker single_worker) {
   ExperimentFile file = without_network(plan.file);
-  std::map<std::string, double> times;                     // of single workers, by name
-  std::map<std::string, std::vector<std::size_t>> needed;  // points that need one, by name
+  std::map<std::string, double> times;  // times of single workers, by the name of their point
+  // points that need a single worker's time, by its name
+  std::map<std::string, std::vector<std::size_t>> needed;
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Point& point = plan.file.points[i];
     const Point single = make_single(point, plan.file);

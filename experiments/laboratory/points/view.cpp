@@ -22,7 +22,7 @@ bool contains(const Texts& texts, const std::string& text) {
   return std::ranges::find(texts, text) != texts.end();
 }
 
-// The names used by the file's figures, checks and questions, directly or through definitions.
+// The names that the file's plots, checks and [[best]] use, directly or through [let].
 std::set<std::string> find_asked(const ExperimentFile& file) {
   std::map<std::string, std::string> formulas;
   for (const Definition& definition : file.definitions)
@@ -46,7 +46,7 @@ std::set<std::string> find_asked(const ExperimentFile& file) {
   return names;
 }
 
-// The value of a column that is equal in all rows.
+// The value of a column if it is equal in all rows.
 std::optional<std::string> find_constant(const Table& table, std::size_t column) {
   if (table.rows.empty()) return {};
   const auto& first = table.rows[0][column];
@@ -101,7 +101,7 @@ TableView choose_view(const ExperimentFile& file, const Table& table) {
     if (c < table.axes) {
       view.columns.push_back(name);
     } else if (constant == "") {
-      continue;  // does not apply to any point
+      continue;  // the parameter applies to no point
     } else if (inputs.contains(name)) {
       if (constant)
         view.constants.emplace_back(name, *constant);

@@ -1,4 +1,4 @@
-// Encodes files for inclusion in a self-contained page.
+// Encoding of files for a self-contained HTML page.
 #pragma once
 
 #include <string>
@@ -6,28 +6,27 @@
 
 namespace laboratory {
 
-/// RFC 4648.
+/// Base64 according to RFC 4648.
 std::string to_base64(std::string_view bytes);
 
-/// "data:image/png;base64,..." for the type "image/png".
+/// Makes a data URI, such as "data:image/png;base64,..." for the type "image/png".
 std::string to_data_uri(std::string_view type, std::string_view bytes);
 
-/// In pixels.
+/// Size of an image in pixels.
 struct ImageSize {
   unsigned width = 0, height = 0;
 };
 
-/// Reads the size from the file's header. Throws std::invalid_argument, naming `name`, for bytes
-/// that are not a PNG.
+/// Reads the size from the header of a PNG. Throws std::invalid_argument with `name` for bytes that
+/// are not a PNG.
 ImageSize read_png_size(std::string_view bytes, const std::string& name);
-/// The same for a WebP, animated or lossless.
+/// Reads the size of a WebP, animated or lossless. Throws as read_png_size does.
 ImageSize read_webp_size(std::string_view bytes, const std::string& name);
 
-/// Extracts the <svg> element of a file for use inside a page: without prolog, titles and
-/// descriptions, and without its first four characters, "<svg", so that the page can add
-/// attributes. Puts `prefix` before every identifier and reference, so that several drawings share
-/// a page. Throws std::invalid_argument, naming the drawing's `caption`, for a text without an
-/// <svg> element.
+/// Extracts the <svg> element of a drawing for use inside an HTML page, without prolog, titles and
+/// descriptions. The result starts after "<svg", so that the page can add attributes. Puts `prefix`
+/// before every identifier and reference, so that several drawings can share a page. Throws
+/// std::invalid_argument with the drawing's `caption` for a text without an <svg> element.
 std::string inline_svg(std::string_view svg, const std::string& prefix, const std::string& caption);
 
 }  // namespace laboratory

@@ -24,7 +24,7 @@ std::vector<std::size_t> axes_of_x(const Figure& figure, const Table& table) {
   return axes;
 }
 
-// Finds the axes that distinguish the curves: the declared ones, if any.
+// Chooses the axes that distinguish the curves: those that the plot declares, else those that vary.
 std::vector<std::size_t> choose_axes(const Figure& figure, const Table& table,
                                      const RowList& rows) {
   if (!figure.spec.series) return choose_series_axes(table, rows, axes_of_x(figure, table));
@@ -32,21 +32,22 @@ std::vector<std::size_t> choose_axes(const Figure& figure, const Table& table,
   return find_all(table, *figure.spec.series);
 }
 
-// Chooses the given label, or derives one from the column, or uses an expression itself.
+// The label of an axis: the given one, else one made from the column name, else the expression.
 std::string label_of(const std::string& text, const std::string& given) {
   if (!given.empty()) return given;
   return base::Formula::is_name(text) ? make_label(text) : text;
 }
 
-// Names a curve by the values of the series' axes, prefixed by the label of y if there are several.
+// Names a curve by its values of the distinguishing axes. With several y, the label of y comes
+// first.
 std::string name_curve(const Figure& figure, std::size_t y, const std::string& values) {
   if (figure.y.size() == 1) return values;
   const auto label = without_unit(label_of(figure.spec.y[y], ""));
   return values.empty() ? label : fmt::format("{}, {}", label, values);
 }
 
-// Makes a curve for each combination of values of the series' axes. Adds to `left_out` the rows
-// whose value needs missing rows.
+// Makes a curve for each combination of values of the distinguishing axes. Rows whose value refers
+// to missing rows are added to `left_out`.
 std::vector<Series> make_curves(const Figure& figure, const Rows& rows, RowList& left_out) {
   const auto chosen = choose_rows(rows, figure.where);
   const auto axes = choose_axes(figure, rows.table(), chosen);
@@ -64,15 +65,15 @@ std::vector<Series> make_curves(const Figure& figure, const Rows& rows, RowList&
   return curves;
 }
 
-// The beginning of a sentence on a curve: "200 objects: ", or "" for the only curve.
+// Begins a sentence on a curve: "200 objects: ", or "" for the only curve.
 std::string describe(const std::string& curve) { return curve.empty() ? "" : curve + ": "; }
 
-// ---- References: numbers from elsewhere ----
+// ---- References: published values ----
 
 double round_to(double value, double step) { return std::round(value / step) * step; }
 
-// Finds the published value for each row of the table. Adds a note on those whose points were not
-// run.
+// Finds the published value for each row of the table. Adds a note on published values whose points
+// were not run.
 std::vector<std::optional<double>> find_published(Exhibit& exhibit, const Figure& figure,
                                                   const Table& table) {
   const PlotSpec& spec = figure.spec;
@@ -83,7 +84,7 @@ std::vector<std::optional<double>> find_published(Exhibit& exhibit, const Figure
   return published;
 }
 
-// Adds the published points to curve `i`, and the deviations of the simulated ones.
+// Adds the published points of curve `i`, and how far the simulated points deviate from them.
 void compare_curve(Exhibit& exhibit, const PlotSpec& spec, const Series& curve, std::size_t i,
                    const std::vector<std::optional<double>>& published) {
   const auto name = (curve.name.empty() ? "" : curve.name + ", ") + spec.reference_name;
@@ -134,8 +135,8 @@ void add_reference(Exhibit& exhibit, const Figure& figure, const Rows& rows,
 
 // ---- Fits: laws through the curves ----
 
-// A law to fit: its name in the key, its fit to a curve and its value at an x. Some laws need the
-// growth G(n) of each point.
+// A law to fit: its name in the legend, its fit to a curve, and its value at an x. Some laws need
+// the growth G(n) at each point.
 struct FittedLaw {
   const char* name;
   std::optional<Fit> (*fit)(const Series& curve, const std::vector<double>& growth);
@@ -166,7 +167,8 @@ const FittedLaw& find_law(Law law) {
   return LAWS.at(law);
 }
 
-// Draws the fitted law as a line; with growths only through the curve's x, where they are known.
+// Draws the fitted law as a line. Laws with a growth are drawn only at the curve's x, where the
+// growth is known.
 Series draw_law(const FittedLaw& law, const Fit& fit, const Series& curve,
                 const std::vector<double>& growth, bool log_x) {
   constexpr int SAMPLES = 128;
@@ -185,9 +187,10 @@ Series draw_law(const FittedLaw& law, const Fit& fit, const Series& curve,
   return line;
 }
 
-// A warning if the interval contains impossible serial fractions; else "".
+// Returns a warning if the confidence interval contains impossible serial fractions, else "".
 const char* judge_interval(const Estimate& p) {
-  constexpr double EXACT = 1e-6;  // the points lie on the law, even with the fraction 0 or 1
+  // the points lie exactly on the law, so a fraction of 0 or 1 is possible
+  constexpr double EXACT = 1e-6;
   if (p.name != "serial fraction" || p.high - p.low < 2 * EXACT) return "";
   if (p.high < 0 || p.low > 1) return ": no share of the work, the law does not hold";
   return p.low <= 0 || p.high > 1 ? ": the points do not determine it" : "";
@@ -204,7 +207,7 @@ void tell_fit(Exhibit& exhibit, const std::string& curve, const Fit& fit) {
   }
 }
 
-// Formats the result after the curve's name in the key: "s = 0.0123 ± 0.0021".
+// Formats a fit for the legend, after the curve's name: "s = 0.0123 ± 0.0021".
 std::string label_fit(const Fit& fit) {
   const auto& p = fit.parameters.back();
   const char* name = fit.parameters.size() > 1 ? "k" : "s";
@@ -214,7 +217,7 @@ std::string label_fit(const Fit& fit) {
   return fmt::format("{} = {:.{}f} ± {:.{}f}", name, p.value, digits, error, digits);
 }
 
-// Adds the fitted laws; only the first line appears in the key, with the law's name.
+// Adds the fitted laws. The legend names a law only once.
 void add_fits(Exhibit& exhibit, const Figure& figure, const Rows& rows,
               const std::vector<Series>& curves) {
   exhibit.fits.columns = {"series",   "law",     "parameter",      "value",
@@ -242,9 +245,9 @@ void add_fits(Exhibit& exhibit, const Figure& figure, const Rows& rows,
   }
 }
 
-// ---- Optima: where the curves are largest ----
+// ---- Optima: maxima of the curves ----
 
-// Describes a curve after its maximum. Ignores a fall of less than 1 %.
+// Describes a curve beyond its maximum. A decrease of less than 1 % is ignored.
 std::string describe_after(const Series& curve, std::size_t best, bool& falls) {
   constexpr double LEVEL = 0.01;
   const double most = curve.y[best];
@@ -259,7 +262,7 @@ std::string describe_after(const Series& curve, std::size_t best, bool& falls) {
   return fmt::format("still rising at {:g}", curve.x.back());
 }
 
-// Adds marks; only the first appears in the key.
+// Adds marks at the maxima. The legend has only the first.
 void add_optima(Exhibit& exhibit, const Figure& figure, const std::vector<Series>& curves) {
   const auto& y = figure.spec.y;
   const std::string of_y = y.size() == 1 && base::Formula::is_name(y[0]) ? y[0] : "y";
@@ -286,7 +289,7 @@ void add_optima(Exhibit& exhibit, const Figure& figure, const std::vector<Series
 
 // ---- The figure ----
 
-// Makes "Time per ray" of a column; keeps an explicit label.
+// Makes a title such as "Time per ray" from a column name. An explicit label stays unchanged.
 std::string title_of(const std::string& label, bool is_column) {
   auto title = without_unit(label);
   if (is_column && !title.empty())

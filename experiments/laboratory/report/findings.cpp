@@ -24,7 +24,7 @@ Curves curves_of(const Plot& plot) {
   return curves;
 }
 
-// Names a value of x with its unit, if any: "7 workers", "1000 s", "width 32".
+// Formats a value of x with its unit, if any: "7 workers", "1000 s", "width 32".
 std::string name_x(const Plot& plot, double x) {
   const auto name = without_unit(plot.x_label);
   if (name.size() < plot.x_label.size())
@@ -33,13 +33,13 @@ std::string name_x(const Plot& plot, double x) {
   return name.ends_with('s') ? fmt::format("{:g} {}", x, name) : fmt::format("{} {:g}", name, x);
 }
 
-// Formats "200, 800 and 3200".
+// Joins texts: "200, 800 and 3200".
 std::string join_and(const Texts& texts) {
   if (texts.size() < 2) return texts.empty() ? "" : texts[0];
   return join_texts({texts.begin(), texts.end() - 1}, ", ") + " and " + texts.back();
 }
 
-// Formats " for line and ring", " for all 8 curves"; "" for the only curve.
+// Lists curves: " for line and ring", " for all 8 curves"; "" for the only curve.
 std::string name_curves(const Curves& some, std::size_t all) {
   constexpr std::size_t MOST_NAMES = 8;
   if (all < 2) return "";
@@ -50,25 +50,25 @@ std::string name_curves(const Curves& some, std::size_t all) {
   return " for " + join_and(names);
 }
 
-// Capitalises the first word.
+// Capitalises the first word of a sentence.
 std::string begin(std::string sentence) {
   sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
   return sentence;
 }
 
-// ---- Bends ----
+// ---- Bends of curves ----
 
 struct FittedCurve {
   const Series* curve;
   PowerLaw law;
 };
 
-// Formats "workers^0.95", or the range "workers^0.90…0.95" of several.
+// Formats a power law, "workers^0.95", or the range of several, "workers^0.90…0.95".
 std::string name_power(const std::string& x, const std::vector<FittedCurve>& all,
                        double PowerLaw::*exponent) {
   const auto [low, high] =
       std::ranges::minmax(all, {}, [&](const FittedCurve& fitted) { return fitted.law.*exponent; });
-  // Adding 0 avoids the power -0.00.
+  // Adding 0 turns the exponent -0.00 into 0.00.
   const auto round = [](double value) {
     return fmt::format("{:.2f}", std::round(100 * value) / 100 + 0.0);
   };
@@ -102,16 +102,17 @@ std::string tell_bends(const Plot& plot) {
                      straight.empty() ? "" : "; it ", straight);
 }
 
-// ---- Limits ----
+// ---- Limiting resources ----
 
 // The limiting resource at the end of a curve.
 struct Limit {
   const Series* curve;
   const programs::Load* load;  // the busiest resource of the last point
-  double from;                 // x at which it begins to limit
+  double from;                 // the x from which on it is the limit
 };
 
-// Groups resources with one role: the busiest link may be another one at each point.
+// The role of a resource, which groups resources of the same role. At different points, different
+// links may be the busiest.
 std::string part_of(const programs::Load* limit) {
   if (!limit) return "";
   const auto& name = limit->resource;
@@ -119,7 +120,7 @@ std::string part_of(const programs::Load* limit) {
   return name.ends_with(" (routing)") ? "routing" : name;
 }
 
-// None if the loads of a point are unknown.
+// Finds the limit of a curve; none if the loads of a point are unknown.
 std::optional<Limit> find_limit_of(const Series& s, const Table& table,
                                    const std::vector<PointLoads>& points) {
   Texts parts;
@@ -135,9 +136,10 @@ std::optional<Limit> find_limit_of(const Series& s, const Table& table,
   return Limit{&s, &last->loads[0], s.x[from]};
 }
 
-// Formats "from 4 workers on for line, throughout for ring" for curves with one limit.
+// Tells where the same resource limits several curves: "from 4 workers on for line, throughout for
+// ring".
 std::string tell_since(const Plot& plot, const std::vector<Limit>& limits, std::size_t all) {
-  std::map<std::pair<bool, double>, Curves> since;  // throughout comes first
+  std::map<std::pair<bool, double>, Curves> since;  // false (limited throughout) sorts first
   for (const auto& limit : limits) {
     const bool is_later = limit.from > limit.curve->x.front();
     since[{is_later, is_later ? limit.from : 0}].push_back(limit.curve);
@@ -150,7 +152,8 @@ std::string tell_since(const Plot& plot, const std::vector<Limit>& limits, std::
   return join_texts(parts, ", ");
 }
 
-// Describes the busiest last point of the curves: "200 objects at 7 workers 0.98: its CPU 42 %".
+// Describes the last point of the most limited curve: "200 objects at 7 workers 0.98: its CPU 42
+// %".
 std::string tell_example(const Plot& plot, const std::vector<Limit>& limits,
                          const std::string& part) {
   const auto& limit =
@@ -167,7 +170,8 @@ std::string tell_example(const Plot& plot, const std::vector<Limit>& limits,
 std::string tell_limits(const Plot& plot, const Table& table,
                         const std::vector<PointLoads>& points) {
   const auto curves = curves_of(plot);
-  std::map<std::string, std::vector<Limit>> groups;  // unsaturated curves first
+  // limits by resource; "" (unsaturated) sorts first
+  std::map<std::string, std::vector<Limit>> groups;
   for (const auto* s : curves)
     if (const auto limit = find_limit_of(*s, table, points))
       groups[limit->load->busy < SATURATED ? "" : part_of(limit->load)].push_back(*limit);
@@ -189,14 +193,14 @@ std::string tell_limits(const Plot& plot, const Table& table,
   return sentence.empty() ? "" : sentence + ".";
 }
 
-// ---- The largest ----
+// ---- Largest and smallest curve ----
 
 struct End {
   double y;
   const Series* curve;
 };
 
-// The values at this x of all curves with such a point.
+// The values of all curves that have a point at this x.
 std::vector<End> values_at(const Curves& curves, double x) {
   std::vector<End> values;
   for (const auto* s : curves)
@@ -239,7 +243,7 @@ RowList ends_of(const Plot& plot) {
 std::vector<std::string> tell_plots(const std::vector<Plot>& plots, bool titled, const Table& table,
                                     const std::vector<PointLoads>& points) {
   Texts findings;
-  std::set<std::size_t> told;  // rows with reported limits
+  std::set<std::size_t> told;  // rows whose limits have been reported
   for (const auto& plot : plots) {
     Texts sentences = {tell_bends(plot), tell_extremes(plot)};
     const auto ends = ends_of(plot);
@@ -259,7 +263,7 @@ std::vector<std::string> tell_plots(const std::vector<Plot>& plots, bool titled,
 }
 
 std::vector<std::string> tell_points(const std::vector<PointLoads>& points) {
-  std::map<std::string, int> numbers;  // by limiting resource
+  std::map<std::string, int> numbers;  // number of points by limiting resource
   const PointLoads* known = nullptr;
   int all = 0;
   for (const auto& point : points) {

@@ -1,4 +1,4 @@
-// Describes plots in sentences: bends of curves, limits of points, and the largest curve.
+// Sentences about plots: bends of curves, limits of points, and the largest curve.
 #pragma once
 
 #include <string>
@@ -9,20 +9,21 @@
 
 namespace laboratory {
 
-/// At most one sentence of each kind about each plot, shared by curves with the same finding:
+/// Makes at most one sentence of each kind about each plot. Curves with the same finding share a
+/// sentence. The kinds are
 /// - bends (fit_power_law): "Speed-up bends at 4 workers for 200 objects (workers^0.95, then
-///   workers^0.35)";
+///  workers^0.35)";
 /// - limits, if the points' loads are known: "Limited by coordination from 6 workers on for 200
-///   objects (at 7 workers 0.98: its CPU 42 %, waiting for replies 52 %)", once for equal points;
+///  objects (at 7 workers 0.98: its CPU 42 %, waiting for replies 52 %)", once for equal points;
 /// - the largest and the smallest y, at the largest x that at least half of the curves have.
-/// Rows of the series are those of `table`. With `titled`, the sentences about a plot form one text
-/// that begins with the plot's title unless that is y.
+/// The rows of the series are those of `table`. With `titled`, the sentences about a plot form one
+/// text. It begins with the plot's title, unless the title is just y.
 std::vector<std::string> tell_plots(const std::vector<Plot>& plots, bool titled, const Table& table,
                                     const std::vector<PointLoads>& points);
 
-/// The limits of the points, for results without plots. For one point this is explain(), else a
-/// count by resource: "Limited: 30 of 52 points by coordination, 10 by tasks; in 12 nothing is
-/// saturated." Empty if no loads are known.
+/// Makes sentences about the limits of the points, for results without plots. A single point yields
+/// explain(). Several points are counted by resource: "Limited: 30 of 52 points by coordination, 10
+/// by tasks; in 12 nothing is saturated." Empty if no loads are known.
 std::vector<std::string> tell_points(const std::vector<PointLoads>& points);
 
 }  // namespace laboratory

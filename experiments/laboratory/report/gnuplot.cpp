@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Runs a script and returns the drawing from standard output: the only place that starts gnuplot.
-// Throws std::runtime_error, naming the plot, unless it succeeds.
+// Runs a script and returns the drawing that gnuplot writes to standard output. All calls of
+// gnuplot pass here. Throws std::runtime_error with the plot's name on failure.
 std::string run_script(const std::string& script, const std::string& name) {
   return base::run_program({.name = "gnuplot",
                             .arguments = {"-d", "-"},
@@ -50,7 +50,7 @@ bool is_whole(const Drawing& drawing) {
          png.substr(png.size() - 8, 4) == "IEND";
 }
 
-// gnuplot leaves "]]>" in texts, but XML allows it only at the end of CDATA.
+// Escapes "]]>", which gnuplot leaves in texts. XML allows it only at the end of CDATA.
 std::string escape_ends_of_cdata(std::string svg) {
   constexpr std::string_view BEGIN = "<![CDATA[", END = "]]>";
   for (std::size_t at = 0; (at = svg.find_first_of("<]", at)) != svg.npos; ++at) {
@@ -86,7 +86,7 @@ void draw_plot(const Plot& plot, const fs::path& folder) {
   base::save_whole(folder / (plot.name + ".png"), drawing.png);
 }
 
-// Each thread only waits for its gnuplot.
+// Threads suffice, since each only waits for its gnuplot process.
 std::vector<std::string> draw_plots(const std::vector<Plot>& plots, const fs::path& folder) {
   std::vector<std::string> failures(plots.size());
   const auto threads = std::max(1u, std::thread::hardware_concurrency());

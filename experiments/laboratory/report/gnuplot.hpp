@@ -1,4 +1,4 @@
-// Draws plots into files with the program gnuplot.
+// Drawing of plots with the program gnuplot.
 #pragma once
 
 #include <filesystem>
@@ -9,25 +9,25 @@
 
 namespace laboratory {
 
-/// The bytes of the two files that a script draws.
+/// The contents of the two files that a script draws.
 struct Drawing {
   std::string svg, png;
 };
 
-/// Runs gnuplot without the user's settings. `script` sets neither terminal nor output; `name`
+/// Runs gnuplot without the user's settings. `script` must set neither terminal nor output. `name`
 /// appears in the drawing's identifiers and in messages. The SVG is 800 pixels wide and `height`
-/// high, the PNG twice that. Throws std::runtime_error if gnuplot is not installed (with the
-/// remedy), fails (with its message), or leaves an incomplete file.
+/// high; the PNG has twice that size. Throws std::runtime_error if gnuplot is not installed (with
+/// the remedy), fails (with its message), or leaves an incomplete file.
 Drawing run_gnuplot(const std::string& script, const std::string& name, int height = 500);
 
-/// Writes NAME.svg and NAME.png into an existing folder; the bytes depend only on the plot and on
-/// gnuplot's version and fonts. Throws std::invalid_argument, naming the plot, if it has no points
-/// or its name is not a file stem; the exceptions of run_gnuplot; std::system_error if a file
-/// cannot be written.
+/// Writes NAME.svg and NAME.png into an existing folder. The bytes depend only on the plot, and on
+/// gnuplot's version and fonts. Throws std::invalid_argument with the plot's name if the plot has
+/// no points, or its name is not valid for a file. Throws as run_gnuplot does, and
+/// std::system_error if a file cannot be written.
 void draw_plot(const Plot& plot, const std::filesystem::path& folder);
 
-/// Draws all plots, as many in parallel as this host has processors. Returns the error of each plot
-/// that failed, "" for success.
+/// Draws all plots, as many in parallel as the host has processors. Returns one text for each plot:
+/// "" for success, else the error.
 std::vector<std::string> draw_plots(const std::vector<Plot>& plots,
                                     const std::filesystem::path& folder);
 

@@ -23,10 +23,11 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr int MAX_SHOWN = 1024;  // workers of a drawing in the report, where it takes 2 MB
+constexpr int MAX_SHOWN = 1024;  // largest network in the report, whose drawing takes 2 MB
 
-// Shares of the time, clamped to 0 to 1 since rounding may exceed 1 slightly.
-using Busy = std::unordered_map<std::string, double>;  // by name
+// Busy shares of processors by name. Rounding may exceed 1 slightly, so the shares are clamped to
+// the range 0 to 1.
+using Busy = std::unordered_map<std::string, double>;
 
 double busy(const ordered_json& of) { return std::clamp(of.at("busy").get<double>(), 0.0, 1.0); }
 
@@ -36,7 +37,8 @@ Busy read_cpus(const ordered_json& use) {
   return cpus;
 }
 
-// Keyed by "FROM>TO"; several links between the two are in topology order.
+// Busy shares of links, by "FROM>TO". Several links between the same two processors are in topology
+// order.
 using LinkBusy = std::unordered_map<std::string, std::deque<double>>;
 
 LinkBusy read_links(const ordered_json& use) {
@@ -48,7 +50,8 @@ LinkBusy read_links(const ordered_json& use) {
   return links;
 }
 
-// Takes the next link between the two; none if the record has no further one.
+// Removes and returns both directions of the next link between two processors; none if there is no
+// further one in the record.
 std::optional<std::array<double, 2>> take_both_ways(LinkBusy& links, const std::string& a,
                                                     const std::string& b) {
   auto &there = links[a + ">" + b], &back = links[b + ">" + a];
@@ -59,7 +62,7 @@ std::optional<std::array<double, 2>> take_both_ways(LinkBusy& links, const std::
   return both;
 }
 
-// Names the worker of a processor as in records.
+// The name of a processor's worker in records.
 std::string worker(const topologies::Topology& topology, int id) {
   return name_of(topology, id, fmt::format("worker{}", id + 1));
 }
@@ -83,7 +86,7 @@ std::string draw(topologies::Topology topology, const std::string& caption,
     loads.processors.push_back(cpus.at(worker(topology, id)));
     loads.labels.push_back(name_of(topology, id, std::to_string(id + 1)));
   }
-  // Removes the link that the farm opens if the root has no free one.
+  // Drops the link that the farm opens to free a link of the root.
   std::erase_if(topology.links, [&](const topologies::Link& link) {
     const auto both = take_both_ways(links, worker(topology, link.a.processor),
                                      worker(topology, link.b.processor));
@@ -101,7 +104,8 @@ std::string draw(topologies::Topology topology, const std::string& caption,
   return to_load_svg(topology, loads);
 }
 
-// Makes "topology-tree-workers-16" from the axes, or uses the topology's name if there are none.
+// Makes a file name such as "topology-tree-workers-16" from the axes, or from the topology without
+// axes.
 std::string file_name(const Point& point) {
   std::string name;
   for (const auto& at : point.at) name += "-" + at.axis + "-" + to_string(to_value(at));
@@ -111,7 +115,7 @@ std::string file_name(const Point& point) {
   return name.substr(1);
 }
 
-// True for points with the most workers among those that differ only in workers.
+// True for the points with the most workers among those that differ only in workers.
 std::vector<bool> find_largest(const Simulation& s) {
   std::map<std::string, std::size_t> largest;
   const std::size_t column = *s.table.find("workers");
@@ -134,14 +138,14 @@ fs::path drawing_of(const Point& point) {
   return fs::path("networks") / (file_name(point) + ".svg");
 }
 
-// A network shared by points, or the reason why it failed.
+// A network that several points use, or the reason why it could not be made.
 struct Network {
-  std::size_t point;  // one of them
+  std::size_t point;  // one of the points that use it
   topologies::Topology topology = {};
   std::string failure = {};
 };
 
-// A point's drawing, or the reason why it failed.
+// The drawing of a point, or the reason why it failed.
 struct Drawn {
   std::size_t point;
   const Network* network;
@@ -159,7 +163,7 @@ void draw_point(const fs::path& folder, const Simulation& s, Drawn& drawn) try {
   drawn.failure = error.what();
 }
 
-// Calls f for each element, RunOptions::jobs in parallel.
+// Calls f for each element, RunOptions::jobs at a time.
 template <class Thing, class F>
 void share(const RunOptions& options, std::vector<Thing>& things, const F& f) {
   base::share(static_cast<int>(things.size()), static_cast<int>(options.jobs),
@@ -174,9 +178,9 @@ NetworkDrawings draw_networks(const fs::path& folder, const RunOptions& options,
   if (s.file.report.networks == "none" || !is_farm(s.file)) return networks;
   const auto is_largest = find_largest(s);
   make_folders(folder / "networks");
-  std::map<std::string, std::size_t> known;  // networks, by network_key
+  std::map<std::string, std::size_t> known;  // index of each network in `made`, by network_key
   std::vector<Network> made;
-  std::vector<std::pair<std::size_t, std::size_t>> asked;  // point and network
+  std::vector<std::pair<std::size_t, std::size_t>> asked;  // points to draw, each with its network
   for (std::size_t i = 0; i < s.file.points.size(); ++i) {
     if (!s.results[i].is_complete() || (s.file.report.networks == "largest" && !is_largest[i]))
       continue;

@@ -11,16 +11,17 @@
 namespace laboratory {
 
 struct NetworkDrawings {
-  std::vector<Report::Drawing> drawings;  ///< for the report: only points with the most workers
-  std::vector<std::string> failures;      ///< points that could not be drawn, and the reasons
-  std::vector<std::string> notes;         ///< points that are too large for the report
+  /// drawings in the report: only points with the most workers
+  std::vector<Report::Drawing> drawings;
+  std::vector<std::string> failures;  ///< points that could not be drawn, with reasons
+  std::vector<std::string> notes;     ///< points that are too large for the report
 };
 
-/// Writes networks/NAME.svg into `folder`, which holds the points' records, as [report] networks
-/// requests: for every point ("all"), or for points with the most workers among otherwise equal
-/// ones ("largest"). Only the farm has such drawings. The report shows none of more than 1024
-/// workers; above topologies::MAX_DRAWN workers there is no file either. Draws up to
-/// RunOptions::jobs in parallel.
+/// Writes networks/NAME.svg into `folder`, which holds the points' records. [report] networks
+/// selects the points: "all", or "largest" for those with the most workers among otherwise equal
+/// points. Only the farm has such drawings. The report shows networks of up to 1024 workers; files
+/// are written up to topologies::MAX_DRAWN workers. Draws up to RunOptions::jobs points in
+/// parallel.
 NetworkDrawings draw_networks(const std::filesystem::path& folder, const RunOptions& options,
                               const Simulation& s);
 

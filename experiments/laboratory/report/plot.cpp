@@ -27,7 +27,8 @@ std::vector<Series> make_series(const Table& table, std::size_t x, std::size_t y
   const auto others = choose_series_axes(table, all_rows(table), {x});
   std::vector<Series> all;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    if (!is_complete_row(table, table.rows[row])) continue;  // incomplete: half a result
+    // values of incomplete points are not final
+    if (!is_complete_row(table, table.rows[row])) continue;
     const auto at = as_number(table.rows[row][x]), value = as_number(table.rows[row][y]);
     if (!at || !value || !std::isfinite(*at) || !std::isfinite(*value)) continue;
     add_point(all, name_values(table, row, others), row, *at, *value);
@@ -37,7 +38,7 @@ std::vector<Series> make_series(const Table& table, std::size_t x, std::size_t y
   return all;
 }
 
-// Makes the plot of column y on linear scales, without series if y has no values.
+// Makes the plot of column y on linear scales. It has no series if y has no values.
 Plot make_plot(const Table& table, std::size_t x, std::size_t y) {
   Plot plot;
   plot.name = table.columns[y];
@@ -47,7 +48,7 @@ Plot make_plot(const Table& table, std::size_t x, std::size_t y) {
   return plot;
 }
 
-// Names the axes with a single value, and that value.
+// Names the axes that have a single value, with that value.
 std::string name_constants(const Table& table) {
   if (table.rows.empty()) return {};
   std::vector<std::size_t> constant;

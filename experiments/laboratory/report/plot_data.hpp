@@ -1,4 +1,4 @@
-// Plots as JSON for the page's script.
+// Plots as JSON for the script of the report.
 #pragma once
 
 #include <string>
@@ -7,9 +7,10 @@
 
 namespace laboratory {
 
-/// The plot as JSON: labels, scales, and series with their looks and points [x, y, point of the
-/// sweep], which `table` gives for each row. A speed-up also has the serial fractions, 0 to 1, from
-/// fits of Amdahl's and Gustafson's laws to its curves, unless that law is already a series.
+/// Formats a plot as JSON: labels, scales, and series with their styles and points. A point is [x,
+/// y, number of its sweep point], the latter taken from `table`. A speed-up also has the serial
+/// fractions, 0 to 1, of fits of Amdahl's and Gustafson's laws to its curves. A law that is already
+/// a series is omitted.
 std::string make_plot_data(const Plot& plot, const Table& table);
 
 }  // namespace laboratory

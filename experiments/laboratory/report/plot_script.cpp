@@ -19,7 +19,7 @@ struct Dot {
   double x, y;
 };
 
-// Finds the points of a series that can be drawn on a logarithmic or linear scale of y.
+// The points of a series that can be drawn on a logarithmic or linear scale of y.
 std::vector<Dot> drawn_points(const Plot& plot, const Series& s, bool log_y) {
   if (s.x.size() != s.y.size())
     throw std::invalid_argument(fmt::format("plot {}: the series \"{}\" has {} x but {} y",
@@ -36,12 +36,12 @@ std::vector<Dot> upper_points(const Plot& plot, const Series& series) {
   return drawn_points(plot, series, plot.log_y);
 }
 
-// The scale of differences is always linear.
+// The points of a series in the lower panel, whose scale is always linear.
 std::vector<Dot> lower_points(const Plot& plot, const Series& series) {
   return drawn_points(plot, series, false);
 }
 
-// The edges of a curve's band: x, low and high; skips points that cannot be drawn.
+// Formats the edges of a curve's band as x, low and high. Skips points that cannot be drawn.
 std::string make_band(const Plot& plot, const Series& s) {
   std::string text;
   for (std::size_t i = 0; i < s.low.size(); ++i)
@@ -50,7 +50,7 @@ std::string make_band(const Plot& plot, const Series& s) {
   return text;
 }
 
-// Makes a data block such as $data0.
+// Makes a named data block of gnuplot, such as $data0.
 std::string make_data_block(const std::string& name, const std::vector<Dot>& points) {
   auto text = fmt::format("${} << END\n", name);
   for (const auto& point : points) text += fmt::format("{} {}\n", point.x, point.y);
@@ -65,11 +65,11 @@ struct Extent {
   }
 };
 
-// Ranges of the points for the axes.
+// The ranges of the points, which determine the axes.
 struct Axes {
   Extent x, y, difference;
   std::set<double> marks;    // x of all points of the upper panel, except those of laws
-  bool is_doubling = false;  // x is logarithmic and its marks are powers of two
+  bool is_doubling = false;  // x is logarithmic with ticks at powers of two
 };
 
 bool is_power_of_two(double value) {
@@ -97,7 +97,7 @@ Axes measure_axes(const Plot& plot) {
   return axes;
 }
 
-// A doubling x has base 2, and so has y if there is an ideal line.
+// The base of logarithmic scales: 2 if x doubles, also for y if there is an ideal line; else 10.
 std::string make_scales(const Plot& plot, const Axes& axes) {
   const int x_base = axes.is_doubling ? 2 : 10;
   std::string text;
@@ -113,8 +113,8 @@ std::string make_x_range(const Plot& plot, const Extent& x) {
                      plot.log_x ? x.high * ratio : x.high + margin);
 }
 
-// Integers get integer ticks; a logarithmic scale with few points gets a tick at each of them.
-// `labelled` is false for a panel that shares its numbers with the one below.
+// Makes the ticks of x: integers if the values are, and one at each point if a logarithmic scale
+// has few points. `labelled` is false for an upper panel, whose numbers stand below the lower one.
 std::string make_x_ticks(const Plot& plot, const Axes& axes, bool labelled) {
   if (plot.log_x && axes.marks.size() <= 12) {
     std::vector<std::string> ticks;
@@ -128,7 +128,7 @@ std::string make_x_ticks(const Plot& plot, const Axes& axes, bool labelled) {
   return "";
 }
 
-// Clips an ideal line far above the points, which would squeeze them together.
+// Limits y if the ideal line lies far above the points, which it would otherwise flatten.
 std::string make_linear_y_range(const Plot& plot, const Axes& axes) {
   const Extent &x = axes.x, &y = axes.y;
   std::string low = "*", high = "*";
@@ -139,8 +139,8 @@ std::string make_linear_y_range(const Plot& plot, const Axes& axes) {
   return fmt::format("set yrange [{}:{}]\n", low, high);
 }
 
-// Makes ticks at 1, 2 and 5 times the powers of ten for ranges up to two and a half decades, where
-// powers of ten alone would be sparse.
+// Makes ticks at 1, 2 and 5 times the powers of ten, for ranges of at most two and a half decades.
+// Powers of ten alone would be too few.
 std::string make_log_ticks(double low, double high) {
   if (high > 300 * low) return {};
   std::vector<std::string> ticks;
@@ -163,7 +163,8 @@ std::string make_y_range(const Plot& plot, const Axes& axes) {
          (axes.is_doubling && plot.ideal_line ? "" : make_log_ticks(low, high));
 }
 
-// Chooses 1, 2 or 5 times a power of ten: the smallest step that fits at most `most` times.
+// Chooses the step between ticks: the smallest of 1, 2 or 5 times a power of ten that fits at most
+// `most` times.
 double choose_step(double length, double most) {
   const double least = length / most, power = std::pow(10, std::floor(std::log10(least)));
   for (const double factor : {1, 2, 5})
@@ -171,7 +172,7 @@ double choose_step(double length, double most) {
   return 10 * power;
 }
 
-// The range of the lower panel includes 0, with a margin of at least half a percent.
+// The y range of the lower panel. It includes 0, and has a margin of at least half a percent.
 std::string make_difference_range(const Extent& difference) {
   const double margin = std::max(0.1 * (difference.high - difference.low), 0.5);
   const double low = std::min(0.0, difference.low) - margin;
@@ -179,8 +180,8 @@ std::string make_difference_range(const Extent& difference) {
   return fmt::format("set yrange [{}:{}]\nset ytics {}\n", low, high, choose_step(high - low, 5));
 }
 
-// Okabe and Ito's colours, distinct for colour-blind readers, darkest first. Omits yellow, which is
-// invisible on white paper.
+// Okabe and Ito's colours, distinct for colour-blind readers, darkest first, without yellow, which
+// is invisible on white.
 constexpr const char* COLOURS[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                    "#E69F00", "#56B4E9", "#000000"};
 // gnuplot's numbers for the symbols of Look.
@@ -207,7 +208,7 @@ std::string make_style(SeriesKind kind, std::size_t look) {
   return "with points linecolor rgb '#000000' linewidth 1.5 pointtype 6 pointsize 2.4";
 }
 
-// The arguments of the command `plot` in one panel, with their data blocks.
+// The arguments of the command `plot` for one panel, with their data blocks.
 struct Panel {
   std::vector<std::string> curves;
   std::string data;
@@ -226,7 +227,7 @@ Panel make_upper(const Plot& plot) {
   if (plot.ideal_line)
     panel.curves.push_back(
         "x with lines linecolor rgb '#707070' linewidth 1.5 dashtype (18,9) title 'ideal'");
-  std::size_t banded = 0;  // drawn behind the curves
+  std::size_t banded = 0;  // number of bands, which are drawn behind the curves
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& s = plot.series[i];
     if (s.kind != SeriesKind::curve) continue;
@@ -260,12 +261,13 @@ Panel make_lower(const Plot& plot) {
   return panel;
 }
 
-// Heights in pixels of a drawing 800 wide, from the bottom: key, x label and numbers, lower panel
-// with the gap above it, upper panel, title.
+// Heights in pixels of a drawing 800 wide, from the bottom: legend, x label and numbers, lower
+// panel with the gap above it, upper panel, title.
 constexpr int KEY_MARGIN = 8, KEY_LINE = 21, BELOW = 62, LOWER = 130, GAP = 16, UPPER = 325,
               ABOVE = 50;
 
-// Limits columns to gnuplot's own number, so that lines can be counted.
+// Layout of the legend. It has at most the columns that gnuplot itself would choose, so that the
+// number of lines is known.
 struct Key {
   int lines = 0, columns = 1;
 };
@@ -281,9 +283,10 @@ Key arrange_key(const Plot& plot) {
   return {static_cast<int>(lines), static_cast<int>(columns)};
 }
 
-// Chooses a font size that fits the title: the longer, the smaller.
+// Chooses the font size of the title: the longer the title, the smaller.
 std::string choose_title_size(const std::string& title) {
-  constexpr double LARGEST = 17, FITS = 58;  // points, and the characters that fit at that size
+  // largest size, and number of characters that fit at that size
+  constexpr double LARGEST = 17, FITS = 58;
   const double size = std::min(LARGEST, LARGEST * FITS / static_cast<double>(title.size() + 1));
   return fmt::format("{:.3g}", size);
 }
@@ -295,14 +298,14 @@ Look look_of(std::size_t curve) {
           curve % std::size(FILLED)};
 }
 
-// Uses double quotes, since gnuplot misreads single quotes at the start of a single-quoted text.
+// Uses double quotes, since gnuplot misreads a single quote at the start of a single-quoted text.
 std::string quote_for_gnuplot(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
     if (c == '"' || c == '\\')
       quoted += fmt::format("\\{}", c);
-    else if (c == '`' || c == '@')  // a command, a macro
+    else if (c == '`' || c == '@')  // ` would run a command, @ expand a macro
       quoted += fmt::format("\\{:o}", code);
     else
       quoted += code < 0x20 || code == 0x7f ? ' ' : c;
@@ -325,7 +328,7 @@ std::string make_gnuplot_script(const Plot& plot) {
     throw std::invalid_argument(fmt::format("plot {}: no points to draw", plot.name));
   const Axes axes = measure_axes(plot);
   const Panel upper = make_upper(plot), lower = make_lower(plot);
-  const int bottom = choose_height(plot) - ABOVE - UPPER;  // of the upper panel
+  const int bottom = choose_height(plot) - ABOVE - UPPER;  // lower edge of the upper panel
   const Key key = arrange_key(plot);
   const auto edge = [&](int pixels) {
     return fmt::format("{:.4f}", pixels / static_cast<double>(choose_height(plot)));

@@ -13,19 +13,19 @@ namespace {
 using nlohmann::ordered_json;
 using programs::Load;
 
-// The share of the time; 0 if no time passed, which is null in JSON.
+// The busy share of a resource. It is null in JSON, and 0 here, if no time passed.
 double share_of(const ordered_json& part) {
   const auto& busy = part.at("busy");
   return busy.is_null() ? 0 : busy.get<double>();
 }
 
-// Returns null for a machine without such parts.
+// The busiest of these resources; null if there are none.
 const ordered_json* find_busiest(const ordered_json& parts) {
   const auto busiest = std::ranges::max_element(parts, {}, share_of);
   return busiest == parts.end() ? nullptr : &*busiest;
 }
 
-// Takes the busiest processor and link, for programs with one role for all processors.
+// The busiest processor and link, for programs that have one role for all processors.
 std::vector<Load> find_busiest_parts(const ordered_json& use) {
   std::vector<Load> loads;
   if (const auto* cpu = find_busiest(use.at("cpus")))

@@ -33,7 +33,7 @@ data make_list(const std::vector<T>& elements, Make make) {
 
 data make_texts(const std::vector<std::string>& texts) { return make_list(texts, std::identity()); }
 
-// True for rows that begin a group: an axis other than the fastest-changing one changes there.
+// True for rows that begin a group: an axis other than the fastest one has changed.
 std::vector<bool> find_groups(const Table& table) {
   const auto& rows = table.rows;
   std::vector<bool> begins(rows.size());
@@ -47,8 +47,8 @@ std::vector<bool> find_groups(const Table& table) {
   return begins;
 }
 
-// Makes the data of a table with its axes first. Rows refer to their points if these have data, up
-// to `points` of them. Moves large data into place, since an initializer list would copy them.
+// Makes the page's data for a table, with its axes first. Rows refer to the first `points` points,
+// which have details. Moves large data into place, since an initializer list would copy them.
 data make_table(const Table& table, const std::vector<std::string>& columns,
                 std::size_t points = 0) {
   auto shown = find_all(table, columns);
@@ -82,7 +82,7 @@ data make_table(const Table& table, const std::vector<std::string>& columns,
   return made;
 }
 
-// Truncates the table to the limit of a page, with a note.
+// Truncates the table to the limit of a page, and adds a note.
 void shorten(Table& table, std::vector<std::string>& notes) {
   constexpr std::size_t MOST = 1000;
   if (table.rows.size() <= MOST) return;
@@ -143,9 +143,9 @@ data make_results(const Report& report) {
   return results;
 }
 
-// Enlarges small images by a whole factor, so that every pixel is a square.
+// Enlarges small images by an integer factor, so that every pixel is a square.
 data make_image(const Report::Image& image) {
-  constexpr unsigned ENLARGED = 400;  // about the width in pixels of the page
+  constexpr unsigned ENLARGED = 400;  // pixels; about the width of the page's text
   const auto bytes = base::read_text(image.file);
   const bool is_webp = image.file.extension() == ".webp";
   const auto size = is_webp ? read_webp_size(bytes, image.file.string())
@@ -182,7 +182,7 @@ nlohmann::ordered_json make_point(const PointLoads& point) {
   return made;
 }
 
-// Data for the page's script, as JSON that cannot close its element.
+// Makes the JSON for the page's script. It contains no text that would close the script element.
 std::string make_data(const Report& report) {
   std::vector<std::string> plots;
   for (const auto& plot : report.plots) plots.push_back(plot.data.empty() ? "null" : plot.data);
@@ -195,7 +195,7 @@ std::string make_data(const Report& report) {
   return text;
 }
 
-// The template leaves out missing sections.
+// Adds a section to the page. The template omits missing sections.
 void add_section(data& page, const char* name, data items) {
   if (!items.is_empty_list()) page[name]["items"] = std::move(items);
 }
@@ -212,7 +212,8 @@ std::string make_report(const Report& report) {
   page["style"] = REPORT_STYLE;
   page["script"] = REPORT_SCRIPT;
   page["data"] = make_data(report);
-  // Permits only these scripts: a script hidden in a text would have to contain a hash of itself.
+  // Makes a nonce, with which the page permits only its own scripts. A script injected by a text of
+  // the results does not know it, since it is a hash over that text.
   page["nonce"] = hash_of(report.title + to_csv(report.table) + make_data(report));
   page["title"] = report.title;
   add_text(page, "question", report.question);

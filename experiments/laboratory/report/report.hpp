@@ -1,4 +1,4 @@
-// The report of an experiment: one self-contained HTML page.
+// Report of an experiment: one self-contained HTML page.
 #pragma once
 
 #include <filesystem>
@@ -11,9 +11,9 @@
 
 namespace laboratory {
 
-/// The content of a page. Sections without content are left out.
+/// The content of a page. Sections without content are omitted.
 struct Report {
-  /// Notes and tables below a heading; tables without rows are left out.
+  /// Notes and tables below a heading. Tables without rows are omitted.
   struct Part {
     std::string heading;
     std::vector<std::string> notes;
@@ -22,15 +22,15 @@ struct Report {
 
   struct Drawing {
     std::string caption;
-    std::string svg;        ///< the whole file
-    Part numbers = {};      ///< without a heading, below the drawing
-    std::string data = {};  ///< of make_plot_data() for the page's script; "": none
+    std::string svg;        ///< content of the SVG file
+    Part numbers = {};      ///< tables below the drawing, without a heading
+    std::string data = {};  ///< JSON from make_plot_data() for the page's script; "": none
   };
 
   struct Image {
     std::string caption;
     std::filesystem::path file;  ///< a PNG, or an animated WebP
-    bool is_step = false;        ///< an intermediate image: smaller, side by side
+    bool is_step = false;        ///< true for an intermediate image, shown smaller and side by side
   };
 
   struct ModelRow {
@@ -38,27 +38,29 @@ struct Report {
   };
 
   std::string title, question;
-  std::vector<std::string> findings;                       ///< sentences
-  std::vector<std::pair<std::string, std::string>> facts;  ///< machine, model, topology, rays ...
-  std::vector<Drawing> plots;                              ///< captions are for screen readers
-  std::vector<Part> answers;                               ///< an answer is left out if it is empty
-  Table table;                                             ///< whole, as a download in the page
-  std::vector<std::string> shown_columns;                  ///< of the table in the page; empty: all
-  std::vector<PointLoads> points;         ///< of the table, shown on a click; empty: not shown
-  std::vector<std::string> load_columns;  ///< of a second, folded table; empty: no such table
-  std::vector<Part> checks;               ///< the heading says whether the check holds, how well
-  std::vector<Drawing> networks;          ///< with their load
+  std::vector<std::string> findings;  ///< one sentence for each finding
+  /// properties of machine, model, topology and program: name and value
+  std::vector<std::pair<std::string, std::string>> facts;
+  std::vector<Drawing> plots;              ///< plots; their captions are for screen readers
+  std::vector<Part> answers;               ///< answers to [[best]]; empty ones are omitted
+  Table table;                             ///< the complete table, as a download in the page
+  std::vector<std::string> shown_columns;  ///< columns of the table in the page; empty: all
+  std::vector<PointLoads> points;  ///< details of the table's rows, shown on a click; empty: none
+  /// columns of a second, folded table; empty: no such table
+  std::vector<std::string> load_columns;
+  std::vector<Part> checks;       ///< checks; the heading tells whether and how well each holds
+  std::vector<Drawing> networks;  ///< networks with their loads
   std::vector<Image> images;
   std::vector<std::string> notes;
-  std::string settings;  ///< the experiment as TOML, every setting resolved
-  std::string command;   ///< how to reproduce
+  std::string settings;  ///< the experiment as TOML, with every setting resolved
+  std::string command;   ///< command that reproduces the results
   std::vector<ModelRow> model;
 };
 
-/// Makes the page, without a date: the same report gives the same bytes. Throws std::system_error
-/// for an unreadable image, std::invalid_argument for an image that is not a PNG (or WebP), for a
-/// drawing that is not an SVG and for unknown shown columns. A browser without scripts shows
-/// everything except PointLoads and content that is only in Drawing::data.
+/// Makes the page. It contains no date, so equal reports yield equal bytes. A browser without
+/// scripts shows everything except PointLoads and what is only in Drawing::data. Throws
+/// std::system_error for an unreadable image. Throws std::invalid_argument for an image that is
+/// neither PNG nor WebP, a drawing that is not SVG, and unknown columns.
 std::string make_report(const Report& report);
 
 }  // namespace laboratory

@@ -1,11 +1,11 @@
-// Interactive parts of a report: plots with values and points, and tables to sort and fold. Without
-// this script the page shows static plots and whole tables.
+// Interactive parts of a report: plots that show values and points, and tables that can be sorted
+// and folded. Without this script the page shows static plots and complete tables.
 "use strict";
 (() => {
   const {plots, points} =
       JSON.parse(document.querySelector('script[type="application/json"]').textContent);
 
-  // ---- Elements ----
+  // ---- Page elements ----
 
   function fill(element, attributes, children) {
     for (const [name, value] of Object.entries(attributes ?? {}))
@@ -27,7 +27,7 @@
   const tell = value => value === 0 || (Math.abs(value) >= 1e-4 && Math.abs(value) < 1e7)
       ? String(Number(value.toPrecision(4))) : value.toExponential(3);
 
-  // ---- Points: their loads, and reasons why they are not faster ----
+  // ---- Details of points: loads and bottlenecks ----
 
   function makeDetails(number, close) {
     const {name, ended, why, loads} = points[number];
@@ -60,7 +60,7 @@
 
   const isPowerOfTwo = value => Number.isInteger(Math.log2(value));
 
-  // Maps values to pixels, low at `from`, high at `to`.
+  // Maps values to pixels: the value `low` to `from`, `high` to `to`.
   function makeScale(log, low, high, from, to) {
     const way = log ? Math.log : value => value;
     const a = way(low), b = way(high);
@@ -91,12 +91,12 @@
         const tick = factor * base ** i;
         if (tick >= low && tick <= high) ticks.push(Number(tick.toPrecision(12)));
       }
-    if (ticks.length < 2) return makeLinearTicks(scale, most);  // less than a decade
+    if (ticks.length < 2) return makeLinearTicks(scale, most);  // the range is less than a decade
     const every = Math.ceil(ticks.length / most);
     return ticks.filter((_, i) => i % every === 0);
   }
 
-  // ---- Looks ----
+  // ---- Styles of curves ----
 
   const polygon = (corners, turn) => {
     let path = "";
@@ -148,10 +148,10 @@
     constructor(figure, data, number) {
       Object.assign(this, {figure, data, number});
       this.log = {x: data.x.log, y: data.y.log};
-      this.hidden = new Set();     // entries of the key
-      this.laws = new Set();       // names of visible laws
-      this.lawsAreChosen = false;  // by the user
-      this.at = null;              // the selected point: {s, i}
+      this.hidden = new Set();  // hidden entries of the legend
+      this.laws = new Set();  // names of the visible laws
+      this.lawsAreChosen = false;  // true once the user has selected laws
+      this.at = null;  // the selected point: series s, index i
       this.curves = data.series.filter(s => s.kind === "curve");
       const told = data.series.filter(s => s.kind === "curve" || s.kind === "reference");
       this.marks = [...new Set(data.series.filter(s => s.kind !== "law")
@@ -166,7 +166,7 @@
 
     // ---- Visibility ----
 
-    // The key entry that controls a series, besides that of its curve.
+    // The legend entry that shows or hides a series. Its curve's entry does so as well.
     entryOf(s) { return s.name ? s : this.data.series.find(t => t.name && t.kind === s.kind) ?? s; }
     isShown(s) { return !this.hidden.has(this.entryOf(s)) && !this.hidden.has(this.curves[s.of]); }
     canBeDrawn([x, y]) { return (!this.log.x || x > 0) && (!this.log.y || y > 0); }
@@ -177,7 +177,7 @@
           this.data.series.every(s => s.points.every(p => p[axis === "x" ? 0 : 1] > 0));
     }
 
-    // Shows laws of speed-up on linear axes, where their shapes are familiar.
+    // Shows the laws of speed-up if both axes are linear, where their shapes are familiar.
     followLaws() {
       if (this.lawsAreChosen || !this.data.laws) return;
       const are = !this.log.x && !this.log.y && this.curves.length <= 3;
@@ -207,7 +207,7 @@
                         : makeScale(false, low - margin, high + margin, left, right);
     }
 
-    // Covers the visible series only, so that small ones can be examined alone.
+    // Fits the scale to the visible series, so that small ones can be examined alone.
     yScale(bottom, top, xHigh) {
       const {min, max} = this.data.y;
       let [low, high] = this.extent(1, this.data.series.filter(s => this.isShown(s)));
@@ -217,7 +217,7 @@
         const end = showsIdeal ? Math.max(high * margin, Math.min(xHigh, 2 * high)) : high * margin;
         return makeScale(true, low / margin, end, bottom, top);
       }
-      if (this.data.y.log && low > 0) low = 0;  // as on plots that were linear from the start
+      if (this.data.y.log && low > 0) low = 0;  // linear plots also begin at 0
       if (min !== undefined) low = Math.min(min, low);
       if (showsIdeal) high = xHigh > 2.5 * high ? 1.5 * high : Math.max(high, xHigh);
       else if (max !== undefined) high = Math.max(high, max);
@@ -225,7 +225,7 @@
       return makeScale(false, low === 0 ? 0 : low - margin, high + margin, bottom, top);
     }
 
-    // ---- The plot's elements of the page ----
+    // ---- Elements of a plot ----
 
     build() {
       const {data, figure} = this;
@@ -257,7 +257,7 @@
     }
 
     buildTools() {
-      this.pressed = [];  // buttons with the predicates of their state
+      this.pressed = [];  // buttons, each with a function that tells whether it is pressed
       const add = (text, title, is, click) => {
         const button = makeButton(text, title, () => {
           click();
@@ -287,7 +287,7 @@
       const named = this.data.series.filter(s => s.name);
       const entries = this.data.ideal ? [IDEAL, ...named] : named;
       if (entries.length === 0) this.key.hidden = true;
-      this.serials = [];  // texts beside curves, of visible laws
+      this.serials = [];  // labels of visible laws beside the curves
       for (const s of entries) {
         const text = make("span", {}, s.name);
         const serial = make("span", {class: "serial"});
@@ -386,7 +386,7 @@
       return makeScale(false, low - margin, high + margin, bottom, top);
     }
 
-    // Clips drawings to the panel.
+    // Draws the curves, clipped to the panel.
     drawCurves(x, y, series) {
       const id = `clip${this.number}${series === this.data.series ? "" : "l"}`;
       this.svg.append(draw("clipPath", {id}, draw("rect", {
@@ -436,7 +436,7 @@
           s => s.points.map((p, i) => ({s, i, p})).filter(({p}) => this.canBeDrawn(p)));
     }
 
-    // Prefers the nearest x, then the nearest y there.
+    // Selects the point with the nearest x, and among these the nearest y.
     follow(event) {
       const box = this.svg.getBoundingClientRect();
       const px = event.clientX - box.left, py = event.clientY - box.top;
@@ -521,7 +521,7 @@
 
   // ---- Tables ----
 
-  const FEW = 12;  // rows of a folded table
+  const FEW = 12;  // number of rows shown of a folded table
 
   function makeRows(table) {
     const body = table.tBodies[0], rows = [...body.rows];
@@ -541,7 +541,7 @@
       const number = text === "" ? NaN : Number(text);
       return {text, number};
     };
-    // Empty cells come last.
+    // Compares two cells for sorting. Empty cells come last.
     function compare(a, b, way) {
       if (!a.text || !b.text) return !a.text - !b.text;
       return way * (Number.isNaN(a.number) || Number.isNaN(b.number)
@@ -585,7 +585,7 @@
     place();
   }
 
-  // A click on the row of a point unfolds its loads.
+  // Makes a click on a row show or hide the loads of its point.
   function addDetails(row) {
     const number = Number(row.dataset.point);
     if (row.dataset.point === undefined || !points[number].loads.length) return;

@@ -40,15 +40,15 @@ namespace fs = std::filesystem;
 using Texts = std::vector<std::string>;
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
-// Appends the texts that are still missing.
+// Appends the texts that are missing in `to`.
 void append(Texts& to, const Texts& from) {
   for (const auto& text : from)
     if (std::ranges::find(to, text) == to.end()) to.push_back(text);
 }
 
-// ---- What is shown of a program ----
+// ---- Description of the program ----
 
-// Lists the values of an axis, or the value of a key that is not swept.
+// Lists the values of an axis, or the value of a key that is not an axis.
 std::string values_of(const ExperimentFile& file, const char* axis, const std::string& value) {
   Texts values;
   for (const auto& point : file.points)
@@ -64,8 +64,8 @@ bool is_void(const Experiment& e, const programs::Parameter& p) {
   return e.program->voids && !e.program->voids(e.params, programs::key_of(p)).empty();
 }
 
-// Adds missing parameters of the program: all, or only those that are axes or differ from their
-// defaults.
+// Adds the program's parameters that are not listed yet: all, or only axes and those that differ
+// from their defaults.
 void add_parameters(Facts& facts, const ExperimentFile& file) {
   const Experiment& e = file.points[0].experiment;
   for (const auto& p : e.program->parameters) {
@@ -87,7 +87,7 @@ std::string values_in(const Table& table, const std::string& column) {
   return join_texts(values, ", ");
 }
 
-// The model, the network and the scene of the points, including defaults.
+// Describes the model, the network and the scene of the points, including defaults.
 Facts make_facts(const Simulation& s) {
   const ExperimentFile& file = s.file;
   const Experiment& e = file.points[0].experiment;
@@ -114,7 +114,7 @@ Facts make_facts(const Simulation& s) {
   return facts;
 }
 
-// A parameter's value in the file's spelling.
+// Formats a parameter's value as the experiment file spells it.
 std::string spell(const programs::Parameter& p, const std::any& params) {
   const auto value = p.get(params);
   const auto text = base::to_text(value);
@@ -125,7 +125,7 @@ std::string spell(const programs::Parameter& p, const std::any& params) {
   return is_text ? spell_text(text) : text;
 }
 
-// The experiment as TOML, with defaults as comments.
+// Formats the experiment as TOML, with defaults as comments.
 std::string make_settings(const ExperimentFile& file) {
   std::vector<std::string> lines;
   const auto add = [&](const std::string& key, const std::string& value) {
@@ -152,7 +152,7 @@ std::string make_settings(const ExperimentFile& file) {
              : fmt::format("{}\n\n# By default:\n{}", file.resolved, join_texts(lines, "\n"));
 }
 
-// Chooses the axes, and those of the names that are columns.
+// Chooses the axes, and those of the given names that are columns.
 Texts choose_columns(const Table& table, std::initializer_list<const char*> names) {
   Texts chosen = axis_names(table);
   for (const char* name : names)
@@ -160,7 +160,7 @@ Texts choose_columns(const Table& table, std::initializer_list<const char*> name
   return chosen;
 }
 
-// Chooses the columns of a second table.
+// Chooses the columns of a second table with the loads, for the farm only.
 Texts load_columns(const ExperimentFile& file, const Table& table) {
   if (!is_farm(file)) return {};
   return choose_columns(
@@ -169,14 +169,14 @@ Texts load_columns(const ExperimentFile& file, const Table& table) {
               "busiest_busy", "next_busiest", "next_busy"});
 }
 
-// Makes the plots of an experiment that declares none.
+// Makes the default plots of an experiment that declares none.
 std::vector<Plot> usual_plots(const ExperimentFile& file, const Table& table) {
   return is_farm(file) ? make_plots(table) : make_plots(table, first_result(file, table));
 }
 
-// ---- What a run adds to the page ----
+// ---- Sections of the page ----
 
-// Lists all entries of the first model, and those of the others that differ from it.
+// Lists all entries of the first model, and those of other models that differ from it.
 std::vector<Report::ModelRow> model_rows(const std::vector<machine::Model>& models) {
   std::vector<Report::ModelRow> rows;
   for (const auto& model : models)
@@ -201,7 +201,8 @@ void add_images(Report& report, const fs::path& folder, const Simulation& s) {
                                  image.at_s.has_value() && image.path.ends_with(".png")});
 }
 
-// The growth of the pictures, with a curve for each point. None without observations.
+// Makes plots of the growth of pictures, with a curve for each point. None if growth was not
+// recorded.
 std::vector<Exhibit> plot_growth(const ExperimentFile& file, const Table& growth) {
   if (growth.rows.empty()) return {};
   const auto rows = all_rows(growth);
@@ -230,7 +231,7 @@ void save_unless_empty(const fs::path& file, const Table& table) {
   if (!table.rows.empty()) base::save_whole(file, to_csv(guard_formulas(table)));
 }
 
-// Adds the declared figures and the answers if some point was completed.
+// Adds the declared plots and the answers to [[best]] if any point was completed.
 std::vector<Exhibit> add_figures(Report& report, const fs::path& folder, const Simulation& s) {
   const auto plan = plan_checks(s.file);
   if (std::ranges::none_of(s.table.rows,
@@ -255,7 +256,8 @@ std::vector<Exhibit> add_figures(Report& report, const fs::path& folder, const S
   return exhibits;
 }
 
-// Adds the findings of the figures and of the fits. The speed-up represents the default plots.
+// Adds the findings of the plots and of the fits. Among the default plots, only the speed-up has
+// findings.
 void add_findings(Report& report, const std::vector<Exhibit>& exhibits, bool are_declared) {
   std::vector<Plot> plots;
   for (const auto& exhibit : exhibits) plots.push_back(exhibit.plot);
@@ -269,8 +271,8 @@ void add_findings(Report& report, const std::vector<Exhibit>& exhibits, bool are
   for (const auto& exhibit : exhibits) append(report.findings, exhibit.findings);
 }
 
-// Draws the plots of these exhibits into `folder` if they have points; their rows are those of
-// `table`. Adds failed ones to `undrawn`.
+// Draws the plots that have points into `folder`. Their rows are those of `table`. Adds failed
+// plots to `undrawn`.
 void add_plots(Report& report, Texts& undrawn, const fs::path& folder, const Table& table,
                std::vector<Exhibit> exhibits) {
   std::erase_if(exhibits, [](const Exhibit& exhibit) { return !has_points(exhibit.plot); });
@@ -291,7 +293,7 @@ void add_plots(Report& report, Texts& undrawn, const fs::path& folder, const Tab
       undrawn.push_back(failures[i]);
   }
   std::error_code ignored;
-  fs::remove(folder, ignored);  // stays unless it is empty
+  fs::remove(folder, ignored);  // fails harmlessly unless the folder is empty
 }
 
 void add_checks(Report& report, const Simulation& s) {
@@ -304,7 +306,7 @@ void add_checks(Report& report, const Simulation& s) {
   }
 }
 
-// The rows of these columns.
+// The given columns of a table.
 Table choose_rows(Table table, const Texts& columns) {
   const auto name = *table.find("column");
   std::erase_if(table.rows, [&](const auto& row) {
@@ -313,7 +315,8 @@ Table choose_rows(Table table, const Texts& columns) {
   return table;
 }
 
-// Adds the confidence in the results from drawn machines, and a tornado chart of the first.
+// Adds the uncertainty of the results, from drawn machines, and a tornado chart of the first
+// result.
 void add_sureness(Report& report, Texts& undrawn, const fs::path& folder) {
   const auto found = load_confidence(folder);
   if (!found) return;

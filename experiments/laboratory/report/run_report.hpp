@@ -1,4 +1,4 @@
-// The report of a run: plots, tables of figures, drawings of networks, and the page.
+// Report of a run: plots, tables, drawings of networks, and the page.
 #pragma once
 
 #include <filesystem>
@@ -10,20 +10,20 @@
 
 namespace laboratory {
 
-/// Writes report.html, plots/*.svg, plots/*.png and networks/*.svg, fits.csv, best.csv and pays.csv
-/// into the folder of the run's images and records. Returns the failed drawings with reasons, which
-/// the page shows too. Throws the exceptions of make_report, and std::system_error if another file
+/// Writes report.html, plots/*.svg, plots/*.png, networks/*.svg, fits.csv, best.csv and pays.csv
+/// into the folder with the run's images and records. Returns the failed drawings with reasons,
+/// which the page shows too. Throws as make_report does, and std::system_error if another file
 /// cannot be written.
 std::vector<std::string> write_report(const std::filesystem::path& folder,
                                       const RunOptions& options, const Simulation& simulation);
 
-/// Throws Failure with the number of failed drawings, if not 0.
+/// Throws Failure with the number of failed drawings, unless it is 0.
 void throw_undrawn(std::size_t undrawn, const std::string& results);
 
 /// Writes the report again for the results of an earlier run, and prints the location of the page.
-/// Throws base::BadInput, with the file, if the folder holds no results or damaged ones; Failure,
-/// after writing everything, if a drawing failed. `columns` replaces the file's [report] columns
-/// unless it is empty; unknown ones are refused.
+/// `columns` replaces the file's [report] columns unless it is empty. Throws base::BadInput for
+/// unknown columns, and for a folder with no results or damaged ones. After writing everything,
+/// throws Failure if a drawing failed.
 void report_results(const std::string& folder, const std::vector<std::string>& columns);
 
 /// The title of the experiment, else the name of its file.

@@ -138,10 +138,11 @@ void save_run_json(const fs::path& folder, const RunOptions& options, const Simu
   run["threads"] = options.threads;
   if (!s.host_speeds.empty()) run["host_speed"] = speeds_json(s.host_speeds);
   auto text = run.dump(2);
-  text.resize(text.size() - 2);  // without its end, "\n}"
+  text.resize(text.size() - 2);  // removes the final "\n}"
   base::save_whole(folder / "run.json", [&](std::ostream& out) {
     out << text << ",\n  \"points\": [";
-    for (std::size_t i = 0; i < s.results.size() && out; ++i)  // errno is that of the first failure
+    // stops at a write error, so that errno is that of the first failure
+    for (std::size_t i = 0; i < s.results.size() && out; ++i)
       out << (i > 0 ? ",\n    " : "\n    ") << point_json(folder, s, i).dump();
     out << "\n  ]\n}\n";
   });

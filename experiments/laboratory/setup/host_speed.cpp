@@ -17,12 +17,12 @@ namespace laboratory {
 namespace {
 
 constexpr const char* SCENE = "spheres:800";
-constexpr int SIZE = 48, SHOTS = 3, REPEATS = 5;  // SIZE: pixels a side
+constexpr int SIZE = 48, SHOTS = 3, REPEATS = 5;  // SIZE: image width and height, pixels
 
 using Kernels = std::vector<kernels::KernelUse>;
 
-// Runs each workload on a machine of one worker. So kernels are measured as they will run: between
-// events of a simulation that share the host's caches.
+// Measures each workload of the farm by simulating a machine with one worker. The kernels then run
+// as in an experiment, between events of a simulation with which they share the host's caches.
 Kernels run_farm(const machine::Model& model, std::optional<farm::Block> block) {
   farm::Params params;
   params.image.width = params.image.height = SIZE;
@@ -32,7 +32,7 @@ Kernels run_farm(const machine::Model& model, std::optional<farm::Block> block) 
   return farm::run_farm(model, worker, renderer::load_scene(SCENE), params).kernels;
 }
 
-// A box of 2 x 2 x 2 m with a lamp below its ceiling, also a face, and a screen.
+// Makes a box of 2 x 2 x 2 m with a screen. Below its ceiling is a lamp, also a face.
 radiosity::Room make_room() {
   radiosity::Room room;
   room.materials = {{"wall", {0.6, 0.6, 0.6}, {}}, {"lamp", {}, {10, 10, 10}}};
@@ -85,11 +85,12 @@ constexpr Workload WORKLOADS[] = {
      }},
     {"radiosity", &run_radiosity}};
 
-// Alternates the workloads, so that a temporarily slow host is slow for all.
+// Alternates the workloads, so that a temporary slowdown of the host affects all of them.
 HostSpeed measure(const machine::Model& model) {
   HostSpeed host;
   host.repeats = REPEATS;
-  host.clock_interval_s = kernels::this_host().interval_s;  // before any job: they share this host
+  // measured before any job, since jobs inherit this_host()
+  host.clock_interval_s = kernels::this_host().interval_s;
   std::vector<double> speeds[std::size(WORKLOADS)];
   for_each_job(
       REPEATS * std::size(WORKLOADS), 1,

@@ -37,7 +37,7 @@ Topology make_network(const Experiment& experiment) {
             n);
     return topologies::make_topology(fmt::format("hypercube:{}", dimensions));
   }
-  // The smallest rings are lines.
+  // A ring of one or two processors is a line.
   if (name == "ring" && n < 3) return topologies::make_topology(fmt::format("line:{}", n));
   auto topology = topologies::make_topology(fmt::format("{}:{}", name, n));
   require(topology.processors == n, "network.workers",
@@ -48,8 +48,8 @@ Topology make_network(const Experiment& experiment) {
 
 }  // namespace
 
-// Loading takes about ten milliseconds, as long as a short run, so the last model is cached.
-// Excludes models from files, which may change.
+// Caches the last model, since loading takes about ten milliseconds, as long as a short run. Does
+// not cache models from files, which may change.
 machine::Model make_model(const ModelSpec& spec) {
   thread_local std::string known;
   thread_local machine::Model last;

@@ -1,5 +1,5 @@
 #pragma once
-// Values of a table's axes: selection, dependence and names for people.
+// Values of a table's axes: selection, dependence and display.
 
 #include <string>
 #include <vector>
@@ -8,27 +8,27 @@
 
 namespace laboratory {
 
-/// Rows of a table, as indices.
+/// Row numbers of a table.
 using RowList = std::vector<std::size_t>;
 
 RowList all_rows(const Table& table);
 
-/// The distinct values of a column in these rows, in the order of the rows; ignores empty cells.
+/// The distinct values of a column in these rows, in the order of the rows, without empty cells.
 std::vector<Value> distinct(const Table& table, const RowList& rows, std::size_t column);
 
-/// True if an axis has one value for each combination of values of `others`. This is true of
-/// coupled axes, and on a diagonal of the sweep. False without others.
+/// True if each combination of values of `others` has only one value of the axis. This holds for
+/// coupled axes, and on a diagonal of the sweep. False if `others` is empty.
 bool is_determined(const Table& table, const RowList& rows, std::size_t axis,
                    const std::vector<std::size_t>& others);
 
-/// Names the values of these axes, without the empty ones: "tree, 3200 objects".
+/// Formats the values of these axes, without empty ones: "tree, 3200 objects".
 std::string name_values(const Table& table, std::size_t row, const std::vector<std::size_t>& axes);
 
-/// True if the numbers are positive and span more than a decade, so that a linear scale would crowd
-/// the smaller ones: 50, 200, 800, 3200.
+/// True if the numbers are positive and span more than a decade, such as 50, 200, 800, 3200. A
+/// linear scale would crowd the smaller ones.
 bool is_geometric(const std::vector<double>& values);
 
-/// The numbers of a column.
+/// The numbers of a column in these rows.
 std::vector<double> numbers_of(const Table& table, const RowList& rows, std::size_t column);
 
 }  // namespace laboratory

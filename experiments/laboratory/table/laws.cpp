@@ -19,7 +19,7 @@ struct Points {
 
 bool is_good(double value) { return std::isfinite(value) && value > 0; }
 
-// Chooses the points with n > 1, since n = 1 fits any serial fraction.
+// Drops points with n = 1, which fit any serial fraction.
 Points choose_points(const std::vector<double>& n, const std::vector<double>& speedup,
                      const std::vector<double>& growth) {
   base::check_equal("points of a fit", speedup.size(), n.size());

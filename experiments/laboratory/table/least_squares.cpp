@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t MOST_STEPS = 200;
 constexpr double TOLERANCE = 1e-10;
 
-// Disables GSL's default error handler, which ends the program, during its lifetime.
+// Disables GSL's default error handler, which ends the program, while this object lives.
 struct QuietErrors {
   gsl_error_handler_t* before = gsl_set_error_handler_off();
   ~QuietErrors() { gsl_set_error_handler(before); }
@@ -31,7 +31,8 @@ std::vector<double> to_values(const gsl_vector& vector) {
   return values;
 }
 
-// Callback data for GSL with the exception thrown there, which must not pass through C code.
+// Callback data for GSL. Stores an exception thrown in the callback, since exceptions must not pass
+// through C code.
 struct Problem {
   const Residuals& residuals;
   const Step& step;
@@ -75,7 +76,7 @@ int eval_jacobian(const gsl_vector* at, void* problem_of, gsl_matrix* into) {
   }
 }
 
-// Refuses zero columns and pairs of parallel columns.
+// Throws if a column is zero or two columns are parallel.
 void require_determined(const gsl_matrix& jacobian) {
   constexpr double NOTHING = 1e-7, ALIKE = 0.99999;
   std::vector<double> lengths;
@@ -125,7 +126,7 @@ LeastSquares fit_least_squares(const Residuals& residuals, const std::vector<dou
     problem.rethrow();
     require_determined(*jacobian);
   }
-  // Without progress, the start or an intermediate step was already optimal.
+  // GSL reports no progress if the start or an intermediate step was already optimal.
   if (status != GSL_SUCCESS && status != GSL_ENOPROG) throw Unsettled();
   const Matrix covariances(gsl_matrix_alloc(start.size(), start.size()), gsl_matrix_free);
   gsl_multifit_nlinear_covar(jacobian, 0, covariances.get());

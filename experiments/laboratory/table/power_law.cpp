@@ -13,7 +13,8 @@
 namespace laboratory {
 namespace {
 
-constexpr std::size_t FEWEST = 5;  // points: a broken line through fewer fits almost anything
+// minimum number of points; a broken line fits almost any fewer points
+constexpr std::size_t FEWEST = 5;
 constexpr double LEAST_CHANGE = 0.2, MOST_LEFT = 0.25;
 
 struct Line {
@@ -39,7 +40,7 @@ Line fit_straight(const std::vector<double>& t, const std::vector<double>& v) {
   return {slope, slope, squares};
 }
 
-// Fits v = a + b t + c max(0, t - at).
+// Fits v = a + b t + c max(0, t - at), a line that bends at t = at.
 Line fit_broken(const std::vector<double>& t, const std::vector<double>& v, double at) {
   const Owned<gsl_matrix> terms(gsl_matrix_alloc(t.size(), 3), gsl_matrix_free);
   const Owned<gsl_matrix> covariance(gsl_matrix_alloc(3, 3), gsl_matrix_free);
@@ -68,7 +69,7 @@ std::optional<PowerLaw> fit_power_law(const std::vector<double>& x, const std::v
   if (t.size() < FEWEST || v.size() < FEWEST || !ascends) return std::nullopt;
   const Line straight = fit_straight(t, v);
   PowerLaw growth{straight.before, straight.after};
-  // Residuals of a straight line at rounding level do not justify a bend.
+  // Residuals of a straight line that are only rounding errors do not justify a bend.
   double least = std::max(MOST_LEFT * straight.squares, 1e-18 * static_cast<double>(t.size()));
   if (straight.squares <= least) return growth;
   for (std::size_t i = 1; i + 1 < t.size(); ++i) {

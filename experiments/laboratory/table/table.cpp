@@ -16,7 +16,7 @@
 namespace laboratory {
 namespace {
 
-// Chooses the format of the doubles of one column.
+// Chooses the number format for the doubles of one column.
 std::string choose_format(const Table& table, std::size_t column) {
   double largest = 0, smallest = INFINITY;
   for (const auto& row : table.rows) {
@@ -40,7 +40,7 @@ Value read_bare(std::string_view text) {
   return std::string(text);
 }
 
-// Quotes ambiguous texts.
+// Quotes a string that would read back as a number or needs quotes in CSV.
 std::string write_text(const std::string& text) {
   return read_bare(text) == Value(text) ? base::quote_csv(text) : '"' + text + '"';
 }
@@ -117,7 +117,7 @@ struct Ending {
   std::string_view ending, unit;
 };
 
-// The unit at the end of a column's name; empty for none.
+// The unit at the end of a column's name; empty if there is none.
 Ending find_unit(std::string_view column) {
   static constexpr std::pair<std::string_view, std::string_view> UNITS[] = {
       {"_s", "s"},           {"_ms", "ms"},         {"_us", "µs"},       {"_ns", "ns"},

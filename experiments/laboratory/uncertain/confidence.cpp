@@ -22,13 +22,14 @@ std::string of_rows(std::size_t rows) {
   return rows > 1 ? fmt::format(" (the median of {} rows)", rows) : "";
 }
 
-// Reads a row of either table, computed or loaded from a file.
+// Reads a row of intervals.csv or assumptions.csv, from the computed table or from one loaded from
+// a file.
 class Reader {
  public:
   Reader(const Table& table, std::size_t row) : table_(table), row_(row) {}
   std::string text(std::string_view column) const { return to_string(cell(column)); }
   double number(std::string_view column) const { return as_number(cell(column)).value_or(0); }
-  // The cells before the column "column".
+  // The cells of the axes, which precede the column "column".
   std::string axes() const {
     std::string text;
     for (std::size_t c = 0; c < *table_.find("column"); ++c)
@@ -44,7 +45,8 @@ class Reader {
   std::size_t row_;
 };
 
-// "X matters most: ± 2 % (the median of 6 rows); then Y ± 1 %, Z ± 0.5 %".
+// Formats the entries of most influence: "X matters most: ± 2 % (the median of 6 rows); then Y ± 1
+// %, Z ± 0.5 %".
 std::string tell_weights(const std::vector<Weight>& weights) {
   constexpr std::size_t MOST_TOLD = 5;
   auto text = fmt::format("{} matters most: ± {:.2g} %{}", weights[0].entry,
@@ -69,7 +71,7 @@ Confidence find_confidence(const ExperimentFile& file, const Table& table, const
   const auto drawn = static_cast<std::size_t>(file.uncertain.machines);
   const auto seed = static_cast<std::uint64_t>(file.uncertain.seed);
   const std::size_t points = file.points.size();
-  std::vector<std::vector<double>> all;  // of each entry, by machine
+  std::vector<std::vector<double>> all;  // quantiles of each entry, by machine
   for (const auto& entry : confidence.entries) all.push_back(draw_quantiles(seed, entry, drawn));
   std::vector<Table> tables;
   for (std::size_t machine = 0; machine < drawn; ++machine) {
@@ -144,10 +146,10 @@ std::optional<std::pair<double, double>> find_interval(const ConfidenceTables& c
 }
 
 std::vector<Weight> weigh(const ConfidenceTables& confidence, const std::string& column) {
-  std::map<std::string, double> values;  // by row
+  std::map<std::string, double> values;  // nominal results, by row
   each_of(confidence.intervals, column,
           [&](const Reader& row) { values[row.axes()] = row.number("value"); });
-  std::map<std::string, std::vector<double>> shares;  // of each entry
+  std::map<std::string, std::vector<double>> shares;  // relative influence of each entry, by row
   each_of(confidence.assumptions, column, [&](const Reader& row) {
     const auto value = values.find(row.axes());
     if (value != values.end() && value->second != 0)

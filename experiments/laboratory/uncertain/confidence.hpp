@@ -1,5 +1,5 @@
 #pragma once
-// Confidence in an experiment's results, from the drawn machines.
+// Uncertainty of an experiment's results, from drawn machines.
 #include <filesystem>
 #include <optional>
 
@@ -10,47 +10,49 @@ namespace laboratory {
 
 struct Confidence {
   std::vector<Interval> intervals;
-  std::vector<std::string> entries;            ///< entries that were drawn
-  std::vector<std::vector<double>> quantiles;  ///< of each entry, by machine
-  std::size_t machines = 0;                    ///< with all points done
-  std::size_t left_out = 0;                    ///< with incomplete points
+  std::vector<std::string> entries;            ///< names of the drawn entries
+  std::vector<std::vector<double>> quantiles;  ///< quantiles of each entry, by machine
+  std::size_t machines = 0;                    ///< number of machines with all points done
+  std::size_t left_out = 0;                    ///< number of machines with incomplete points
 };
 
 constexpr std::size_t LEAST_MACHINES = 3;
 
-/// `table` is that of the file's own points; `results` are of all points of the spread file. There
-/// are no intervals if fewer than LEAST_MACHINES machines have all their points.
+/// Evaluates the drawn machines. `table` has the file's own points, and `results` all points of the
+/// file with drawn machines. There are no intervals if fewer than LEAST_MACHINES machines have
+/// completed all their points.
 Confidence find_confidence(const ExperimentFile& file, const Table& table, const Results& results);
 
-/// The confidence in the results, as two tables of the results folder.
+/// Tables of the results folder that describe the uncertainty of the results.
 struct ConfidenceTables {
-  Table intervals;    ///< intervals.csv, see make_intervals_table
-  Table assumptions;  ///< assumptions.csv: for each result the most influential entries, the
-                      ///< strongest first
+  Table intervals;  ///< intervals.csv (see make_intervals_table)
+  /// assumptions.csv: for each result its most influential entries, strongest first
+  Table assumptions;
 };
 ConfidenceTables make_confidence_tables(const Table& table, const Confidence& confidence);
 void save_confidence(const std::filesystem::path& folder, const ConfidenceTables& tables);
-/// None without drawn machines. Throws BadInput for damaged files.
+/// Loads the tables; none without drawn machines. Throws BadInput for damaged files.
 std::optional<ConfidenceTables> load_confidence(const std::filesystem::path& folder);
 
-/// The interval from 5 to 95 % of the machines, for a cell of the table of results; none if it has
-/// no interval.
+/// The interval of 5 to 95 % of the machines for a cell of the table of results; none if the cell
+/// has no interval.
 std::optional<std::pair<double, double>> find_interval(const ConfidenceTables& confidence,
                                                        const Table& table, std::size_t row,
                                                        const std::string& column);
 
-/// The influence of an entry on a column.
+/// The influence of a model entry on a result column.
 struct Weight {
   std::string entry;
-  double share;  ///< half the change of the result from 5 to 95 % of the entry's range, relative to
-                 ///< the result; the median of the rows
-  std::size_t rows;  ///< number of rows with this entry among the strongest
+  /// Half the relative change of the result over 5 to 95 % of the entry's range; the median over
+  /// the rows.
+  double share;
+  std::size_t rows;  ///< number of rows in which the entry is among the strongest
 };
-/// Sorted by the number of rows, then by share.
+/// Lists the influences on a column, sorted by the number of rows, then by share.
 std::vector<Weight> weigh(const ConfidenceTables& confidence, const std::string& column);
 
-/// A sentence for each of these columns with intervals: their width, and the most influential
-/// entries, five at most.
+/// Makes a sentence for each of these columns that has intervals: their width, and up to five of
+/// the most influential entries.
 std::vector<std::string> describe_confidence(const ConfidenceTables& confidence,
                                              const std::vector<std::string>& columns);
 

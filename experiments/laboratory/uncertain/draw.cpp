@@ -22,12 +22,12 @@ bool is_set(const Entries& set, const std::string& key) {
   return std::ranges::find(set, key, &Entries::value_type::first) != set.end();
 }
 
-// The seed of an entry's draws: a hash of its name, the same on every host.
+// The random seed of an entry: a hash of its name, the same on every host.
 std::uint64_t number_of(const std::string& entry) {
   return std::stoull(hash_of(entry).substr(0, 16), nullptr, 16);
 }
 
-// The slice of each machine: a permutation determined by seed and entry.
+// The slice of each machine in a Latin hypercube: a permutation determined by seed and entry.
 std::vector<std::size_t> shuffle_slices(std::uint64_t stream, std::size_t machines) {
   std::vector<std::pair<std::uint64_t, std::size_t>> keyed;
   for (std::size_t i = 0; i < machines; ++i) keyed.emplace_back(base::random_at(stream, i), i);
@@ -37,15 +37,15 @@ std::vector<std::size_t> shuffle_slices(std::uint64_t stream, std::size_t machin
   return slices;
 }
 
-// TOML of a number, or of a formula.
+// Formats a number as TOML, or as a formula if it is a share of the entry's value.
 std::string spell_value(const machine::Entry& entry, double number, bool is_share) {
   if (!is_share) return fmt::format("{}", number);
   if (entry.formula.empty()) return fmt::format("{}", entry.value * number);
   return fmt::format("\"({}) * {}\"", entry.formula, number);
 }
 
-// The factor on an entry's value in the machine `set` that restores its `holds` formula to the
-// value `before`. The formula is linear in the entry, so two points determine it.
+// The factor for a calibrated entry in the machine `set` that restores its `holds` formula to its
+// value in `before`. The formula is linear in the entry, so two evaluations determine the factor.
 double fit_to_held(const machine::Entry& entry, const machine::Model& before, Entries set,
                    const std::function<machine::Model(const Entries&)>& make) {
   const auto where = entry.where + ": holds";
@@ -94,7 +94,8 @@ Entries draw_machine(const std::string& model, const Entries& set,
   };
   const auto before = make(set);
   Entries drawn = set;
-  std::vector<std::pair<const machine::Entry*, double>> fitted;  // with the number drawn for it
+  // calibrated entries, each with the number drawn for it
+  std::vector<std::pair<const machine::Entry*, double>> fitted;
   for (const auto& entry : before.entries) {
     if (!entry.range || is_set(set, entry.key)) continue;
     const double number = find_in(*entry.range, quantile(entry.key));
@@ -137,11 +138,11 @@ ExperimentFile spread(const ExperimentFile& file) {
   all.axes.emplace_back("machine");
   all.axis_keys.emplace_back("uncertain.machine");
   const auto seed = static_cast<std::uint64_t>(file.uncertain.seed);
-  std::map<std::string, std::vector<double>> quantiles;  // of each entry
+  std::map<std::string, std::vector<double>> quantiles;  // quantiles of each entry, by machine
   for (const auto& entry : drawn_entries(file))
     quantiles[entry] = draw_quantiles(seed, entry, machines);
   for (std::size_t machine = 0; machine < machines; ++machine) {
-    std::map<std::string, Entries> known;  // of the models of the file
+    std::map<std::string, Entries> known;  // drawn entries of each model of the file
     for (Point point : file.points) {
       const auto draw = [&](ModelSpec& spec) {
         auto [found, is_new] = known.try_emplace(model_key(spec));
@@ -152,7 +153,8 @@ ExperimentFile spread(const ExperimentFile& file) {
         spec.entries = found->second;
       };
       draw(point.experiment.model);
-      point.experiment.links = machine::Links::direct;  // equal up to rounding, in half the time
+      // this engine yields equal results up to rounding in half the time
+      point.experiment.links = machine::Links::direct;
       point.experiment.processes = machine::Processes::fibers;
       for (auto& other : point.experiment.others) draw(other.model);
       point.at.push_back({"machine", std::to_string(machine + 1)});

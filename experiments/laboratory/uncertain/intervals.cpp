@@ -15,10 +15,10 @@ namespace laboratory {
 namespace {
 
 constexpr double LOW = 0.05, HIGH = 0.95;
-constexpr double CHANCE = 0.05;  // of naming an entry although none has an effect
+constexpr double CHANCE = 0.05;  // probability of selecting an entry if none has an effect
 constexpr std::size_t MOST_CHOSEN = 8;
 
-// The row of another table with the same axes; none if missing.
+// The row of another table with the same axes; none if it is missing.
 std::optional<std::size_t> find_row(const Table& table, const std::vector<Value>& row,
                                     std::size_t likely, std::size_t axes) {
   const auto is_it = [&](const std::vector<Value>& other) {
@@ -45,9 +45,9 @@ std::vector<double> gather(const Table& table, std::size_t row, std::size_t colu
   return all;
 }
 
-// A linear fit of the results over the quantiles of some entries.
+// A linear regression of the results on the quantiles of some entries.
 struct Plane {
-  std::vector<double> slopes, errors;  // of each entry
+  std::vector<double> slopes, errors;  // slope of each entry, and its standard error
   std::vector<double> left;            // residual of each result
 };
 
@@ -86,7 +86,7 @@ Plane fit_plane(const std::vector<double>& results,
     plane.slopes.push_back(gsl_vector_get(slopes.get(), term));
     plane.errors.push_back(std::sqrt(gsl_matrix_get(covariances.get(), term, term)));
   }
-  // Residuals at rounding level count as zero.
+  // Residuals that are only rounding errors count as zero.
   const double size = *std::ranges::max_element(results, {}, [](double r) { return std::abs(r); });
   for (std::size_t machine = 0; machine < n; ++machine) {
     const double rest = gsl_vector_get(left.get(), machine);
@@ -95,7 +95,7 @@ Plane fit_plane(const std::vector<double>& results,
   return plane;
 }
 
-// NaN if either is constant.
+// Spearman's rank correlation; NaN if either sample is constant.
 double correlate_ranks(const std::vector<double>& a, const std::vector<double>& b) {
   std::vector<double> work(2 * a.size());
   return gsl_stats_spearman(a.data(), 1, b.data(), 1, a.size(), work.data());
@@ -113,8 +113,8 @@ std::vector<Interval> find_intervals(const Table& table, const std::vector<Table
       auto sorted = all;
       std::ranges::sort(sorted);
       if (sorted.front() == sorted.back()) continue;
-      // Places quantiles such that another machine is below with that probability: rank share * (n
-      // + 1), counted from 1 and clamped to the range.
+      // Estimates a quantile such that a further machine lies below it with that probability. Its
+      // rank is share * (n + 1), counted from 1 and clamped to the samples.
       const auto at = [&](double share) {
         const auto n = static_cast<double>(sorted.size());
         const double place = std::clamp((share * (n + 1) - 1) / (n - 1), 0.0, 1.0);

@@ -1,12 +1,12 @@
-// Displays over simulated time: the time line of processors, and curves of growing quantities.
+// Charts over simulated time: a Gantt chart of the processors, and curves of progress.
 import { fit, style, watchSize, widthOf } from "/colour.js";
 
 const DOING = ["high", "low", "switching"];
 const SAYS = ["high priority", "low priority", "switches"];
-const LEFT = 78;  // of the time line, for names
+const LEFT = 78;  // width left of the Gantt chart, for names
 const MOST_CHUNKS = 600, MOST_POINTS = 2000;
-const LONGEST_S = 1e4, SHORTEST_S = 1e-6;  // limits of the window
-const REDRAW_MS = 250;                     // minimum interval between redraws of curves
+const LONGEST_S = 1e4, SHORTEST_S = 1e-6;  // limits of the visible interval
+const REDRAW_MS = 250;  // least time between redraws of the curves
 
 export const tellTime = (s) => s < 1 ? `${+(s * 1e3).toPrecision(7)} ms` : `${+s.toPrecision(7)} s`;
 
@@ -14,16 +14,16 @@ export class TimeLine {
   constructor(canvas, processors, onChange) {
     Object.assign(this, { canvas, onChange,
       names: processors.slice(0, 64).map((p) => p.name) });
-    this.chunks = [];   // for each frame: first and last date, and spans
-    this.open = [];     // spans that have not ended
+    this.chunks = [];  // for each frame: first and last time, and its spans
+    this.open = [];  // spans that have not ended
     this.window = 0.01;
-    this.to = null;     // the date at the right end; null: the present
+    this.to = null;  // time at the right edge; null: follow the present
     this.present = 0;
     this.listen();
     watchSize(canvas, () => this.draw());
   }
 
-  // Spans are processor, doing, begin, end in sequence.
+  // Adds the spans of a frame. They are a flat list of processor, activity, begin and end.
   add(state) {
     this.open = state.open;
     this.present = state.t_s;
@@ -49,7 +49,7 @@ export class TimeLine {
     return this.from + Math.min(1, Math.max(0, share)) * this.window;
   }
 
-  // Stretches or shrinks the window around the fixed date `at`.
+  // Scales the visible interval around the fixed time `at`.
   zoomBy(factor, at = this.right) {
     const window = Math.min(LONGEST_S, Math.max(SHORTEST_S, this.window * factor));
     const share = (at - this.from) / this.window;
@@ -64,7 +64,7 @@ export class TimeLine {
     this.onChange();
   }
 
-  // Describes the span at a screen position.
+  // Describes the span under the pointer.
   tell(event) {
     const box = this.canvas.getBoundingClientRect(), t = this.dateAt(event);
     const processor = Math.floor((event.clientY - box.top) / this.row);
@@ -80,7 +80,7 @@ export class TimeLine {
 
   listen() {
     const { canvas } = this;
-    let last = null;  // while the line is dragged
+    let last = null;  // position of the pointer while the chart is dragged
     canvas.addEventListener("wheel", (event) => {
       event.preventDefault();
       this.zoomBy(event.deltaY < 0 ? 0.8 : 1.25, this.dateAt(event));
@@ -117,18 +117,19 @@ export class TimeLine {
     context.font = `${Math.max(9, row - 5)}px system-ui, sans-serif`;
     context.textBaseline = "middle";
     context.fillStyle = style("soft");
-    const every = row < 12 ? 4 : 1;  // avoids overlapping names
+    const every = row < 12 ? 4 : 1;  // labels only some rows if names would overlap
     this.names.forEach((name, i) => {
       if (i % every === 0) context.fillText(name, 0, row * (i + 0.5), LEFT - 6);
     });
     const colours = DOING.map(style);
-    const drawn = new Float64Array(3 * this.names.length).fill(-1);  // last drawn x, by row and kind
+    // last drawn x, for each row and activity
+    const drawn = new Float64Array(3 * this.names.length).fill(-1);
     const drawSpans = (spans) => {
       for (let i = 0; i < spans.length; i += 4) {
         if (spans[i + 3] < from || spans[i + 2] > to || spans[i] >= this.names.length) continue;
         const at = x(Math.max(spans[i + 2], from)), end = x(Math.min(spans[i + 3], to));
         const place = 3 * spans[i] + spans[i + 1];
-        if (end < drawn[place]) continue;  // within a pixel that already has this colour
+        if (end < drawn[place]) continue;  // ends in a pixel that has this colour already
         context.fillStyle = colours[spans[i + 1]];
         const width = Math.max(0.5, end - at);
         drawn[place] = at + width;
@@ -155,11 +156,10 @@ export class TimeLine {
 }
 const tellNumber = (value) => value === null ? "" : String(+value.toPrecision(6));
 
-// One dygraphs chart for each growing quantity: {name, help, value(state)}. The value is null while
-// unknown.
+// One dygraphs chart for each curve: {name, help, value(state)}. The value is null while unknown.
 export class Curves {
   constructor(parent, things) {
-    // dygraphs' legend sets inline styles, which our policy forbids.
+    // The legend of dygraphs sets inline styles, which our content security policy forbids.
     const { Dygraph } = window;
     Dygraph.PLUGINS = Dygraph.PLUGINS.filter((plugin) => plugin !== Dygraph.Plugins.Legend);
     this.curves = things.map(({ name, help, value }) => {
@@ -184,7 +184,7 @@ export class Curves {
       if (value === null) continue;
       if (points.length && points.at(-1)[0] === state.t_s) points.pop();
       points.push([state.t_s, value]);
-      // Drops every second point above the limit.
+      // Thins out the curve: above the limit, drops every second point.
       if (points.length > MOST_POINTS) curve.points = points.filter((_, j) => j % 2 === 0);
     }
     this.timer ??= setTimeout(() => {

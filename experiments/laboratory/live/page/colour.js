@@ -1,5 +1,5 @@
-// Cached colours of the page's style and widths of canvases, for drawing code that reads them many
-// times a frame.
+// Cache of the page's colours and canvas widths. Drawing code reads them many times per frame, and
+// the browser computes them slowly.
 
 const styles = new Map();
 export function style(name) {
@@ -10,12 +10,12 @@ export function style(name) {
 
 const SHADES = 64;
 let loads = [];
-const draws = [];  // redraws canvases when the colours change
+const draws = [];  // functions that redraw canvases when colours change
 
 const parse = (hex) => [1, 3, 5].map((i) => parseInt(
   hex.length === 4 ? hex[(i + 1) / 2] + hex[(i + 1) / 2] : hex.slice(i, i + 2), 16));
 
-// The colour of a load from 0 to 1: from idle to busy, with growing contrast to the page.
+// The colour of a load from 0 to 1: the higher the load, the higher the contrast to the page.
 export function loadColour(share) {
   const shade = Math.round(share * SHADES);
   if (!loads[shade]) {
@@ -32,8 +32,8 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
   draws.forEach((draw) => draw());
 });
 
-// Calls `draw` when the canvas changes its size or the page its colours. `widthOf` then returns the
-// cached width, which the browser would otherwise recompute after every change of the page.
+// Calls `draw` when the canvas changes its size or the page its colours. Caches the canvas width
+// for `widthOf`, since the browser recomputes it after every change of the page.
 const widths = new WeakMap();
 export function watchSize(canvas, draw) {
   draws.push(draw);
@@ -44,7 +44,7 @@ export function watchSize(canvas, draw) {
 }
 export const widthOf = (canvas) => widths.get(canvas) ?? canvas.clientWidth;
 
-// Matches a canvas to the pixels of the screen; returns its context in units of the page.
+// Sets the canvas resolution to that of the screen. Returns a drawing context in units of the page.
 export function fit(canvas, height) {
   const ratio = window.devicePixelRatio || 1, width = widthOf(canvas);
   const w = Math.max(1, Math.round(width * ratio)), h = Math.max(1, Math.round(height * ratio));

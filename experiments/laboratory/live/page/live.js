@@ -1,5 +1,5 @@
-// The live page: authenticates with the token in its address, requests the next frame after drawing
-// the last, and sends the user's commands.
+// The live page. It authenticates with the token in its address, requests the next frame after
+// drawing the last one, and sends the user's commands.
 import { Curves, TimeLine, tellTime } from "/charts.js";
 import { Machine } from "/machine.js";
 import { Picture } from "/picture.js";
@@ -7,11 +7,12 @@ import { Picture } from "/picture.js";
 const $ = (id) => document.getElementById(id);
 const SPEEDS = [1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1, 0.5, 1, 2, 5, 10, 100, null];
 const WINDOWS = [1e-4, 1e-3, 0.01, 0.1, 1, 10];
-const kept = new URLSearchParams(location.hash.slice(1));  // settings in the address
+const kept = new URLSearchParams(location.hash.slice(1));  // settings kept in the address
 
 let socket, outline, state, picture, machine, line, curves;
 let steers = false, asked = 0;
-let goesTo = NaN;  // a requested date in the address, until the first state arrives
+// the simulated time to run to, as given in the address, until the first state arrives
+let goesTo = NaN;
 const replies = new Map();
 
 // --- connection to the session ------------------------------------------------------------------
@@ -41,7 +42,7 @@ function want() {
   if (socket.readyState === WebSocket.OPEN) socket.send(JSON.stringify({ want: "frame" }));
 }
 
-// Resolves when the command is executed or refused.
+// Sends a command. The promise resolves when the command has been executed or refused.
 function ask(command) {
   const id = ++asked;
   socket.send(JSON.stringify({ id, ...command }));
@@ -61,7 +62,8 @@ function setSteering(value) {
   document.body.classList.toggle("watches", !steers);
 }
 
-// The first byte is the kind of picture: the display's, or the sequential one.
+// Shows a received picture. Its first byte tells whether it is the display or the sequential
+// rendering.
 function hearPicture(data) {
   picture?.add(new Uint8Array(data, 0, 1)[0] === 0 ? "shown" : "sequential", data.slice(1));
 }
@@ -103,7 +105,8 @@ function begin(what) {
   want();
 }
 
-// Curves of the program's gauges and of loads, and of the error if there is a sequential picture.
+// Lists the curves: the program's gauges, the loads, and the error once there is a sequential
+// picture.
 function whatGrows() {
   const mean = (all) => all.reduce((sum, load) => sum + load, 0) / all.length / 1000;
   const things = outline.gauges.map(({ name, help }, i) =>
@@ -120,7 +123,7 @@ function whatGrows() {
   return things;
 }
 
-// Shows the window of the time line, even if it is not among the choices.
+// Selects the chart's interval in the list. Adds it if it is not among the choices.
 function showWindow() {
   const own = $("window").options[WINDOWS.length];
   if (own) own.remove();
@@ -156,7 +159,8 @@ function show(now) {
   requestAnimationFrame(want);
 }
 
-// Updates elements that rarely change, and only on a change: each assignment costs browser time.
+// Updates elements that rarely change, and only if they changed, since each assignment costs
+// browser time.
 let toldLast = "";
 function showSeldom(announced) {
   if ($("announced").textContent !== announced) $("announced").textContent = announced;
@@ -170,14 +174,14 @@ function showSeldom(announced) {
   $("results").textContent = state.results ? `Results: ${state.results}` : "";
 }
 
-// The first line of the fault, and the cycle of waiting processes.
+// The first line of the fault message, then the cycle of waiting processes.
 function tellFault() {
   if (!state.fault) return "";
   const cycle = (state.deadlock?.processes ?? []).join(" → ");
   return `: ${state.fault.split("\n")[0]}` + (cycle ? ` The cycle: ${cycle}.` : "");
 }
 
-// A date with microsecond precision.
+// Formats a simulated time with microsecond precision.
 const date = (s) => s < 1 ? `${(s * 1e3).toFixed(3)} ms` : `${s.toFixed(6)} s`;
 const percent = (perMille) => `${(perMille / 10).toFixed(1)} %`;
 
@@ -296,7 +300,7 @@ function makeLimits() {
   };
 }
 
-// The form's limits as an order; empty fields keep their defaults.
+// Reads the form's limits as an order. Empty fields keep their defaults.
 function readLimits() {
   const order = {};
   for (const limit of outline.limits) {
@@ -400,7 +404,7 @@ document.addEventListener("keydown", (event) => {
 
 // --- view settings in the address ---------------------------------------------------------------
 
-// Delayed, since updates of the address are expensive.
+// Delays updates of the address, since they are expensive.
 let remembering;
 function remember() {
   remembering ??= setTimeout(() => {
@@ -428,5 +432,5 @@ function restoreView(text) {
   picture.move(0, 0);
 }
 
-window.tlabAsk = ask;  // for scripts that steer the run
+window.tlabAsk = ask;  // lets scripts steer the run
 connect();

@@ -1,8 +1,9 @@
-// The network: processors and links coloured by load, messages in transit, and cut parts.
+// Drawing of the network: processors and links coloured by load, messages in transit, and failed
+// parts.
 import { fit, loadColour, style, watchSize, widthOf } from "/colour.js";
 
-// Lateral offset of each link from the straight line between its ends: 0 for a single link, -1/2
-// and 1/2 for two, and so on.
+// Lateral offset of each link from the straight line between its ends, so that parallel links are
+// separate: 0 for a single link, -1/2 and 1/2 for two, and so on.
 function asides(links) {
   const nth = [], count = new Map();
   for (const [a, b] of links) {
@@ -52,7 +53,7 @@ export class Machine {
     this.draw();
   }
 
-  // The two ends of a link on the canvas. Links that join the same two run side by side.
+  // The two ends of a link on the canvas. Parallel links are drawn side by side.
   ends(link, { unit, place }) {
     const [a, b] = this.outline.links[link].map((id) => place(this.outline.processors[id]));
     this.aside ??= asides(this.outline.links);
@@ -131,7 +132,7 @@ export class Machine {
     });
   }
 
-  // The vector between two places: ends, length, direction, and the margin left free at both ends.
+  // The line between two places: its ends, length, direction, and the gap at both ends.
   way([ax, ay], [bx, by], radius) {
     const length = Math.hypot(bx - ax, by - ay);
     return { ax, ay, bx, by, length, ux: (bx - ax) / length, uy: (by - ay) / length,
@@ -139,7 +140,7 @@ export class Machine {
   }
 
   // Draws each message in transit as a dot to the right of its link. The dot's position shows the
-  // share of the message that has passed.
+  // transferred share of the message.
   drawMessages(context, layout, radius, size) {
     const moving = this.state?.moving ?? [];
     context.fillStyle = style("high");
@@ -154,12 +155,12 @@ export class Machine {
     }
   }
 
-  // Draws the cycle of waits as arrows from processor to processor.
+  // Draws a deadlock's cycle of waits as arrows from processor to processor.
   drawCycle(context, cycle, place, radius) {
     context.strokeStyle = context.fillStyle = style("warn");
     context.lineWidth = 2.5;
     for (let i = 1; i < cycle.length; ++i) {
-      if (cycle[i - 1] === cycle[i]) continue;  // two processes of one processor
+      if (cycle[i - 1] === cycle[i]) continue;  // both processes run on the same processor
       const { processors } = this.outline;
       const { ax, ay, bx, by, ux, uy, margin } =
         this.way(place(processors[cycle[i - 1]]), place(processors[cycle[i]]), radius + 2);

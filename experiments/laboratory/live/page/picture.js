@@ -1,11 +1,11 @@
-// The picture as the display shows it: arriving tiles, zoom, pixel values, and an area marked by
-// the user. A second canvas beside it shows the picture for comparison.
+// The growing picture: received tiles, zoom, pixel values, and an area that the user marks. A
+// second canvas beside it shows a picture for comparison.
 export class Picture {
   constructor(canvas, beside, { width, height }, onArea, onChange) {
     Object.assign(this, { width, height, onArea, onChange });
     this.views = [{ canvas, layer: "shown" }];
     this.beside = { canvas: beside, layer: "" };
-    this.has = new Set();  // layers with data
+    this.has = new Set();  // names of the layers that have data
     this.layers = Object.fromEntries(["shown", "sequential", "error"].map((name) => {
       const canvas = document.createElement("canvas"), image = new ImageData(width, height);
       for (let i = 3; i < image.data.length; i += 4) image.data[i] = 255;
@@ -19,24 +19,25 @@ export class Picture {
     this.listen(beside);
   }
 
-  // layer: "sequential", "error", or "" for none.
+  // Selects the second picture: "sequential", "error", or "" for none.
   showBeside(layer) {
     this.beside.layer = layer;
     this.views.splice(1, 1, ...(layer ? [this.beside] : []));
     this.draw();
   }
 
-  // The root mean square difference between display and sequential renderer, as a share of the
-  // range; null until the latter's picture exists.
+  // The root mean square error against the sequential rendering, as a share of the value range;
+  // null until that rendering exists.
   error() {
     if (!this.has.has("sequential")) return null;
     const a = this.layers.shown.image.data, b = this.layers.sequential.image.data;
     let squares = 0;
-    for (let i = 0; i < a.length; ++i) squares += (a[i] - b[i]) ** 2;  // alpha does not differ
+    for (let i = 0; i < a.length; ++i) squares += (a[i] - b[i]) ** 2;  // alpha values are equal
     return Math.sqrt(squares / (0.75 * a.length)) / 255;
   }
 
-  // Tiles: x, y, width, height as 16-bit numbers, and three bytes a pixel.
+  // Adds tiles to a layer. Each is x, y, width and height as 16-bit numbers, then three bytes per
+  // pixel.
   add(name, buffer) {
     const view = new DataView(buffer), bytes = new Uint8Array(buffer);
     const { canvas, image } = this.layers[name], context = canvas.getContext("2d"), { data } = image;
@@ -58,8 +59,8 @@ export class Picture {
     this.draw();
   }
 
-  // Maps the largest difference of a pixel's three values to a colour: none is black, a quarter of
-  // the range red, half of it yellow, all of it white.
+  // Colours each pixel by its largest difference over the three channels: none is black, a quarter
+  // of the range red, half yellow, all white.
   compare(x, y, w, h) {
     const { error } = this.layers, { data } = error.image;
     const a = this.layers.shown.image.data, b = this.layers.sequential.image.data;
@@ -80,7 +81,7 @@ export class Picture {
     this.draw();
   }
 
-  // Keeps the picture's point (x, y) in place.
+  // Zooms while the picture point (x, y) keeps its position on the screen.
   zoomBy(factor, x = this.left + this.width / this.zoom / 2,
     y = this.top + this.height / this.zoom / 2) {
     const zoom = Math.min(64, Math.max(1, this.zoom * factor));
@@ -103,7 +104,7 @@ export class Picture {
   }
 
   drawView({ canvas, layer }) {
-    const side = Math.ceil(640 / this.width);  // of a pixel
+    const side = Math.ceil(640 / this.width);  // side of a pixel
     if (canvas.width !== side * this.width) {
       canvas.width = side * this.width;
       canvas.height = side * this.height;
@@ -132,7 +133,7 @@ export class Picture {
         this.height)];
   }
 
-  // The pixel's values in every visible picture.
+  // Describes the values of a pixel in every visible picture.
   tell(x, y) {
     const at = 4 * (y * this.width + x);
     return this.views.map(({ layer }) => {
