@@ -1,5 +1,5 @@
 #pragma once
-// Counts, by kind, the things that a file format cannot express.
+// Counter of scene parts that a file format cannot express, by kind.
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ class LeftOut {
   /// `kind` is a plural, such as "spheres".
   void add(const std::string& kind) { ++counts_[kind]; }
 
-  /// "creases (2), spheres (1)", or empty.
+  /// Formats the counts: "creases (2), spheres (1)"; "" if nothing was left out.
   std::string describe() const {
     std::string text;
     for (const auto& [kind, count] : counts_)

@@ -12,7 +12,7 @@ namespace renderer {
 
 namespace {
 
-// These targets keep only the names of further files.
+// Targets that ignore a scene's content and collect only the names of the files it refers to.
 struct NffFiles : NffTarget {
   std::vector<std::string> files;
 

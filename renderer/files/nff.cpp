@@ -17,7 +17,8 @@ namespace {
 constexpr int MAX_VERTICES = 1 << 24;
 constexpr double MAX_TIME = 1e6;
 
-// Tests of the words after a statement's name in a comment; other comments are prose.
+// Predicates for statements in comments. They test whether the words after the name have the
+// statement's form; otherwise the comment is prose.
 bool always(const Words&) { return true; }
 bool has_file(const Words& words) {
   return std::ranges::any_of(std::array{".path", ".csv", ".txt"}, [&](const char* ending) {
@@ -69,7 +70,7 @@ class Reader {
     read(*this);
   }
 
-  // A statement that other readers of NFF treat as a comment.
+  // A statement in a comment, which other NFF readers ignore.
   struct Comment {
     std::string_view name;
     bool is_of_rooms;
@@ -115,7 +116,7 @@ class Reader {
     tokens_.within_line([&] { known->read(*this); });
   }
 
-  // Rejects a second occurrence of a statement that a file has only once.
+  // Throws if a statement that may appear only once appears again.
   void require_first(std::string_view statement, int& line) {
     if (line != 0)
       tokens_.fail(target_.line, fmt::format("found a second '{}', expected one, that of line {}",
@@ -167,7 +168,7 @@ class Reader {
     tell([&] { target_.set_motion({velocity, {}}); });
   }
 
-  // Takes the name of a file beside this one.
+  // Takes a file name and makes it relative to the folder of this file.
   std::string take_file() {
     const auto folder = std::filesystem::path(tokens_.name()).parent_path();
     const auto file = (folder / tokens_.take_word("a file")).string();
@@ -245,7 +246,7 @@ class Reader {
     }
   }
 
-  // Only the rest of a polygon may follow '# uv'.
+  // Throws if '# uv' is not followed by a polygon.
   void require_polygon(std::string_view statement) {
     if (coordinates_.empty() || statement == "p" || statement == "pp" || statement == "uv") return;
     const auto found = statement.empty() ? "the end of the file" : base::quote(statement);
@@ -263,7 +264,7 @@ class Reader {
     const double ior = tokens_.take_number("the index of refraction", 0, MAX_IOR);
     if (ior > 0)
       s.ior = ior;
-    else if (s.t > 0)  // files give opaque surfaces 0
+    else if (s.t > 0)  // opaque surfaces may state 0
       tokens_.fail(tokens_.line(),
                    "found an index of refraction of 0, expected one > 0 where T > 0");
     has_surface_ = true;
@@ -305,8 +306,8 @@ class Reader {
   NffTarget& target_;
   int view_line_ = 0, lens_line_ = 0, shutter_line_ = 0, camera_line_ = 0;
   bool has_surface_ = false;
-  Surface surface_;                  // the one set last
-  std::vector<Corner> coordinates_;  // of the next polygon
+  Surface surface_;                  // current surface
+  std::vector<Corner> coordinates_;  // texture coordinates of the next polygon
 };
 
 }  // namespace

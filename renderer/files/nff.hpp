@@ -47,57 +47,59 @@
 
 namespace renderer {
 
-/// Times at which the shutter opens and closes, in frames after the frame's own time.
+/// Times at which the shutter opens and closes, in frames relative to the rendered frame.
 struct Shutter {
   double open = 0, close = 0;
 };
 
-/// Motion of objects: their displacement at a time, in frames, is time * velocity, or the path's
-/// value if there is a path.
+/// Motion of objects. The displacement at a time, in frames, is given by the path, or without a
+/// path by time * velocity.
 struct Motion {
-  Vec velocity;  ///< scene units a frame
+  Vec velocity;  ///< scene units per frame
   Path path;
 };
 
-/// Receiver of an NFF file: it gets every statement, in the file's order. A BadInput that it throws
-/// is reported with the statement's line.
+/// Receiver of the statements of an NFF file, in the order of the file. If it throws BadInput, the
+/// message gets the line of the statement.
 class NffTarget {
  public:
   virtual ~NffTarget() = default;
-  /// The kind of file that it reads: rooms have `# emit R G B`, scenes have the other statements in
-  /// comments. A target for both takes `# emit` for prose if no number follows.
+  /// The kind of file that the target reads. Rooms have `# emit R G B`, and scenes have the other
+  /// statements in comments. For a target of both kinds, `# emit` is prose unless a number follows.
   enum class Knows : std::uint8_t { scenes, rooms, both };
   virtual Knows knows() const { return Knows::scenes; }
 
   virtual void set_view(const View& view) = 0;
   virtual void set_background(const Rgb&) {}
-  /// The light has no colour yet.
+  /// Adds a light that has no colour yet.
   virtual void add_light(const Light& light, const std::optional<Rgb>& colour) = 0;
   virtual void set_surface(const Surface& surface) = 0;
-  /// Replaces the current surface for the objects that follow.
+  /// Sets the surface of the objects that follow.
   virtual void change_surface(const Surface&) {}
   virtual void set_emission(const Rgb&) {}
   virtual void set_lens(const Lens&) {}
   virtual void set_shutter(const Shutter&) {}
-  /// Applies to the objects that follow.
+  /// Sets the motion of the objects that follow.
   virtual void set_motion(Motion) {}
   virtual void set_camera(Path) {}
-  /// A further file that the statement reads.
+  /// Adds a file that a statement refers to.
   virtual void add_file(const std::string&) {}
-  /// Returns the texture's index.
+  /// Adds a texture and returns its index.
   virtual std::uint32_t add_texture(const std::string&, const Mapping&) { return NO_TEXTURE; }
-  /// For the corners of the next polygon; none if it has no coordinates.
+  /// Sets the texture coordinates for the corners of the next polygon. The list is empty for a
+  /// polygon without coordinates.
   virtual void set_coordinates(std::vector<Corner>) {}
   virtual void add_sphere(const Vec& centre, double radius) = 0;
-  /// Either one normal for each corner or none.
+  /// Adds a polygon with one normal for each corner, or with no normals.
   virtual void add_polygon(std::vector<Vec> corners, std::vector<Vec> normals) = 0;
   virtual void add_cone(const Vec& base, double base_radius, const Vec& apex,
                         double apex_radius) = 0;
 
-  int line = 0;  ///< of the current statement
+  int line = 0;  ///< line of the current statement
 };
 
-/// Sends `target` the statements of a text, which must have a view. BadInput "name:line: ...".
+/// Sends the statements of a text to `target`. The text must have a view. Throws BadInput
+/// "name:line: ...".
 void read_nff(std::string_view text, const std::string& name, NffTarget& target);
 
 }  // namespace renderer

@@ -24,7 +24,7 @@ bool is_statement(std::string_view comment) {
          (words.name == "light" && has_light_shape(words));
 }
 
-// Takes the rest of the line, with single blanks between its words.
+// Takes the rest of the line, and reduces blanks between words to one.
 std::string take_line(Tokens& tokens, std::string_view what) {
   std::string text(tokens.take_word(what));
   while (tokens.continues()) text += fmt::format(" {}", tokens.take());
@@ -42,7 +42,7 @@ class MtlReader {
   struct Draft {
     MtlMaterial material;
     int line;
-    std::optional<double> opacity, transparency;  // d and Tr
+    std::optional<double> opacity, transparency;  // statements d and Tr
   };
 
   std::vector<Draft> read() {
@@ -150,7 +150,7 @@ class ObjReader {
     tokens_.skip_line();
   }
 
-  // A weight (one number) or a colour may follow.
+  // Reads a vertex. A weight (one number) or a colour may follow its coordinates.
   void read_point() {
     points_.push_back(tokens_.take_vec("a vertex"));
     if (tokens_.continues()) tokens_.take();
@@ -169,7 +169,7 @@ class ObjReader {
     };
     const double u = take();
     coordinates_.push_back({u, tokens_.continues() ? take() : 0});
-    tokens_.skip_line();  // a third coordinate
+    tokens_.skip_line();  // skip a third coordinate
   }
 
   void use_material() {
@@ -225,7 +225,7 @@ class ObjReader {
     tokens_.end_line();
   }
 
-  // Corners have the form v, v/vt, v//vn or v/vt/vn.
+  // Reads a face, whose corners have the form v, v/vt, v//vn or v/vt/vn.
   void read_face() {
     std::vector<Vec> corners, normals;
     std::vector<Corner> coordinates;
@@ -254,7 +254,7 @@ class ObjReader {
     });
   }
 
-  // The item that a corner refers to, counted from 1, or backwards from -1.
+  // The item that a corner refers to: counted from 1, or backwards from -1.
   template <class Item>
   const Item& find(const std::vector<Item>& list, std::string_view text, const char* what) {
     const auto count = static_cast<long long>(list.size());
@@ -271,7 +271,7 @@ class ObjReader {
   ObjTarget& target_;
   std::vector<Vec> points_, normals_;
   std::vector<Corner> coordinates_;
-  std::vector<std::string> names_, libraries_;  // of materials, and paths of their files
+  std::vector<std::string> names_, libraries_;  // names of materials, and paths of the MTL files
   bool has_view_ = false;
 };
 
@@ -285,7 +285,7 @@ View look_from_outside(const Bounds& bounds) {
   View view;
   const Vec across = bounds.hi - bounds.lo;
   if (std::hypot(across.x, across.z) < 1e-3 * across.y) view.up = {0, 0, 1};
-  const double sine = 0.38268343236508977;  // of half the view's 45 degrees
+  const double sine = 0.38268343236508977;  // sine of half the view's 45 degrees
   view.at = 0.5 * (bounds.lo + bounds.hi);
   view.from = view.at + (0.5 / sine) * across;
   return view;

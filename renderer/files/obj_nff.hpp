@@ -14,14 +14,14 @@
 
 namespace renderer {
 
-/// Forwards an OBJ to an NffTarget. Faces before any material are light grey.
+/// Adapter that forwards an OBJ file to an NffTarget. Faces before any material are light grey.
 class ObjAsNff : public ObjTarget {
  public:
-  /// Counts in `left_out`, if given, what NFF cannot express, such as coloured mirrors.
+  /// `left_out`, if given, counts what NFF cannot express, such as coloured mirrors.
   explicit ObjAsNff(NffTarget& target, LeftOut* left_out = nullptr)
       : target_(target), left_out_(left_out) {}
-  /// Call after the last statement. If the file has no view, adds one from outside, and a light at
-  /// its eye if there is no light. Files with a view get no extra light.
+  /// Completes the scene after the last statement. If the file has no view, adds one from outside,
+  /// and without lights also a light at its eye. Files with a view get no extra light.
   void finish();
 
   void add_library(const std::string& path) override { target_.add_file(path); }
@@ -44,13 +44,13 @@ class ObjAsNff : public ObjTarget {
 
   NffTarget& target_;
   LeftOut* left_out_;
-  std::vector<Look> looks_;  // by material
+  std::vector<Look> looks_;  // appearance of each material
   Bounds bounds_;
   bool has_view_ = false, has_light_ = false, has_surface_ = false;
 };
 
-/// Forwards an NFF to an ObjTarget and counts what OBJ cannot express: spheres, cones, gloss and
-/// the like.
+/// Adapter that forwards an NFF file to an ObjTarget. Counts what OBJ cannot express: spheres,
+/// cones, gloss and the like.
 class NffAsObj : public NffTarget {
  public:
   NffAsObj(ObjTarget& target, LeftOut& left_out) : target_(target), left_out_(left_out) {}
@@ -84,12 +84,12 @@ class NffAsObj : public NffTarget {
 
   ObjTarget& target_;
   LeftOut& left_out_;
-  Surface surface_;     // the one set last
-  MtlMaterial next_;    // of the next faces
-  bool is_new_ = true;  // not yet in use
+  Surface surface_;     // current NFF surface
+  MtlMaterial next_;    // material of the next faces
+  bool is_new_ = true;  // true until `next_` has been added
   std::vector<MtlMaterial> materials_;
-  std::vector<std::string> pictures_;  // by texture
-  std::vector<Corner> coordinates_;    // of the next polygon
+  std::vector<std::string> pictures_;  // picture file of each texture
+  std::vector<Corner> coordinates_;    // texture coordinates of the next polygon
 };
 
 }  // namespace renderer

@@ -1,5 +1,5 @@
 #pragma once
-// Positions over time, from a file: each row has a time in frames and a position.
+// Motion path from a file. Each row has a time in frames and a position.
 
 #include <string>
 #include <string_view>
@@ -14,17 +14,19 @@ struct PathRow {
   Vec place, target;
 };
 
-/// One or more rows with increasing times.
+/// Rows of a path, at least one, with increasing times.
 using Path = std::vector<PathRow>;
 
-/// Loads rows of `T X Y Z`, or with `has_target` of `T FROMX FROMY FROMZ ATX ATY ATZ`, one a line.
-/// Blanks or commas separate numbers, and '#' starts a comment. The first line may be a header that
-/// begins with `T`. BadInput "path:line: found ..., expected ..."; "path: ..." if unreadable.
+/// Loads a path from a file with one row per line: `T X Y Z`, or with `has_target` `T FROMX FROMY
+/// FROMZ ATX ATY ATZ`. Blanks or commas separate numbers, and '#' starts a comment. The first line
+/// may be a header that begins with `T`. Throws BadInput "path:line: found ..., expected ...", or
+/// "path: ..." if the file is unreadable.
 Path load_path(const std::string& path, bool has_target);
-/// Parses the same from a text.
+/// Parses a path from a text in that format.
 Path parse_path(std::string text, const std::string& name, bool has_target);
 
-/// The path's row at a time: linear between rows, constant before the first and after the last row.
+/// Evaluates the path at a time. Rows are interpolated linearly; the first and the last row hold
+/// outside the range.
 PathRow eval_path(const Path& path, double time);
 
 }  // namespace renderer

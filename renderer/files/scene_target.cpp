@@ -8,7 +8,7 @@ namespace renderer {
 namespace {
 
 constexpr std::size_t MAX_LIGHTS = 65535;
-constexpr double MAX_DISPLACEMENT = 1e15;  // same as the largest number in a file
+constexpr double MAX_DISPLACEMENT = 1e15;  // equal to the largest number in a file
 
 Vec eval_displacement(const Motion& motion, double time) {
   return motion.path.empty() ? time * motion.velocity : eval_path(motion.path, time).place;

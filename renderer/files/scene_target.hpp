@@ -1,5 +1,5 @@
 #pragma once
-// Builds a scene from the statements of an NFF file.
+// NFF target that builds a scene.
 
 #include <map>
 
@@ -9,12 +9,12 @@ namespace renderer {
 
 class SceneTarget : public NffTarget {
  public:
-  /// `name` is the file's, for errors.
+  /// `name` is the file's name for error messages.
   explicit SceneTarget(std::string name) : name_(std::move(name)) {}
 
-  /// The finished scene in a frame; call once, after the last statement.
+  /// Makes the scene at a frame. Called once, after the last statement.
   Scene make_scene(int frame);
-  /// Further files that the scene was read from.
+  /// The files that the scene refers to.
   const std::vector<std::string>& files() const { return files_; }
 
   void set_view(const View& view) override;
@@ -36,7 +36,7 @@ class SceneTarget : public NffTarget {
   void add_cone(const Vec& base, double base_radius, const Vec& apex, double apex_radius) override;
 
  private:
-  // A motion, from its first object to the first one of the next motion.
+  // A motion, and the index of its first object. It ends at the first object of the next motion.
   struct Moving {
     Motion motion;
     std::size_t first;
@@ -50,15 +50,15 @@ class SceneTarget : public NffTarget {
   std::string name_;
   std::vector<std::string> files_;
   Scene scene_;
-  std::vector<bool> has_colour_;                   // by light
-  std::vector<Corner> coordinates_;                // of the next polygon
-  std::map<std::string, std::uint32_t> pyramids_;  // by their files
+  std::vector<bool> has_colour_;                   // for each light, whether it states a colour
+  std::vector<Corner> coordinates_;                // texture coordinates of the next polygon
+  std::map<std::string, std::uint32_t> pyramids_;  // textures already loaded, by file
   Lens lens_;
   Shutter shutter_;
   std::vector<Moving> motions_;
   Path camera_;
-  int view_line_ = 0;               // of the view's statement
-  std::size_t objects_before_ = 0;  // present when the surface was added last
+  int view_line_ = 0;               // line of the view statement
+  std::size_t objects_before_ = 0;  // number of objects when the latest surface was set
 };
 
 }  // namespace renderer

@@ -40,7 +40,8 @@ View take_view(Tokens& tokens) {
          view.width = tokens.take_count("the resolution's width", 1, MAX_SIDE);
          view.height = tokens.take_count("the resolution's height", 1, MAX_SIDE);
        }}};
-  constexpr std::size_t REQUIRED = 4;  // hither and resolution have defaults
+  // number of required words; hither and resolution have defaults
+  constexpr std::size_t REQUIRED = 4;
   bool seen[std::size(settings)] = {};
   for (;;) {
     const auto* setting =

@@ -1,14 +1,14 @@
 #pragma once
-// Statements of NFF that other formats write in comments: the view and lights.
+// NFF statements for views and lights, which other formats use in comments.
 
 #include "renderer/files/tokens.hpp"
 #include "renderer/scene/scene.hpp"
 
 namespace renderer {
 
-// Upper limits of a surface's numbers; the lower ones are 0.
+// Upper limits for the numbers of a surface. The lower limits are 0.
 inline constexpr double MAX_SHINE = 1e9, MAX_IOR = 1e6, MAX_COLOUR = 1000;
-inline constexpr double MAX_COORDINATE = 1e6;  // of a texture, either way
+inline constexpr double MAX_COORDINATE = 1e6;  // largest magnitude of a texture coordinate
 
 /// The first words of a comment.
 struct Words {
@@ -16,23 +16,25 @@ struct Words {
 };
 Words first_words(std::string_view comment);
 
-// True if the words after a comment's name fit its statement; other comments are prose.
+// Test whether the words after a comment's name have the form of its statement. Otherwise the
+// comment is prose.
 bool has_number(const Words& words);
 bool has_light_shape(const Words& words);
 
-/// Takes the words after 'v' in any order: from, at, up and angle, optionally hither, resolution.
+/// Takes the words after 'v' in any order: from, at, up and angle, optionally hither and
+/// resolution.
 View take_view(Tokens& tokens);
 
 struct StatedLight {
   Light light;  ///< without its colour
   std::optional<Rgb> colour;
 };
-/// Takes the words after 'l'.
+/// Takes the words after 'l', a point light.
 StatedLight take_light(Tokens& tokens);
-/// Takes the words after '# light'.
+/// Takes the words after '# light', an area light.
 StatedLight take_area_light(Tokens& tokens);
 
-/// Components from 0 to MAX_COLOUR.
+/// Takes a colour with components from 0 to MAX_COLOUR.
 Rgb take_colour(Tokens& tokens, std::string_view what);
 
 }  // namespace renderer

@@ -1,5 +1,5 @@
 #pragma once
-// Words of a text file, each with its line.
+// Tokenizer for text files that keeps line numbers.
 
 #include <optional>
 #include <string>
@@ -11,14 +11,14 @@
 
 namespace renderer {
 
-/// Largest magnitude of a number in a scene, so that products of several remain finite.
+/// Largest magnitude of a number in a scene. It keeps products of several numbers finite.
 inline constexpr double MAX_NUMBER = 1e15;
 
-/// Parses a finite decimal number and nothing else, whatever the locale.
+/// Parses a finite decimal number, independent of the locale; none if there is anything else.
 std::optional<double> parse_number(std::string_view word);
 
-/// Reads words separated by blanks from a text, which must outlive it; '#' starts a comment that
-/// ends with the line. If a comment begins its line and `is_statement` accepts it, its '#' and
+/// Reads words separated by blanks from a text, which must outlive the object. '#' starts a comment
+/// that ends with the line. If a comment begins its line and `is_statement` accepts it, its '#' and
 /// words are returned like others. Every error is a BadInput "name:line: found ..., expected ...".
 class Tokens {
  public:
@@ -26,12 +26,13 @@ class Tokens {
   Tokens(std::string_view text, std::string name, IsStatement is_statement = nullptr)
       : text_(text), name_(std::move(name)), is_statement_(is_statement) {}
 
-  /// Begins a statement that ends with its line. Until the next call no function takes words from
-  /// another line. False at the end of the file. Files that never call it may break lines anywhere.
+  /// Begins a statement that ends with its line: until the next call no word of another line is
+  /// taken. Returns false at the end of the file. A reader that never calls it treats line breaks
+  /// as blanks.
   bool begin_line();
 
-  /// Runs `read` on the line of the word taken last: no function in it takes words from another
-  /// line. The line must end after it.
+  /// Runs `read` on the current line. `read` can take words of this line only, and must take all of
+  /// them.
   template <class Read>
   void within_line(const Read& read) {
     by_line_ = true;
@@ -40,32 +41,33 @@ class Tokens {
     by_line_ = false;
   }
 
-  /// The next word without taking it; empty at the end of the file or of the statement.
+  /// The next word, which is not consumed; empty at the end of the file or statement.
   std::string_view peek();
-  /// Takes the next word; empty at the end.
+  /// Takes the next word; empty at the end of the file or statement.
   std::string_view take();
-  /// Takes the next word if it is this one.
+  /// Takes the next word if it equals `word`.
   bool take_if(std::string_view word);
-  /// Skips the rest of the statement's line.
+  /// Skips the rest of the current statement's line.
   void skip_line();
-  /// Fails unless the statement ends here.
+  /// Throws unless the current statement ends here.
   void end_line();
-  /// True if the next word is on the same line as the one taken last.
+  /// True if the next word is on the same line as the last one.
   bool continues();
 
-  // `what` names the value in error messages.
+  // Takes a word. `what` names the value in error messages.
   std::string_view take_word(std::string_view what);
-  /// A finite number up to MAX_NUMBER in magnitude.
+  /// Takes a finite number up to MAX_NUMBER in magnitude.
   double take_number(std::string_view what);
-  /// A number from `lo` to `hi`.
+  /// Takes a number from `lo` to `hi`.
   double take_number(std::string_view what, double lo, double hi);
   int take_count(std::string_view what, int lo, int hi);
   Vec take_vec(std::string_view what);
-  /// Components up to MAX_NUMBER in magnitude; the range of a colour is not checked.
+  /// Takes a colour with components up to MAX_NUMBER in magnitude. The range of colours is not
+  /// checked.
   Rgb take_rgb(std::string_view what);
 
-  /// Takes the next word, which must be the name of one of the `actions`, and returns its action.
-  /// `expected` lists the names.
+  /// Takes the next word and returns the action of that name. Throws if it is not among `actions`;
+  /// `expected` lists the names for the message.
   template <class Action, std::size_t N>
   const Action& take_choice(const std::pair<std::string_view, Action> (&actions)[N],
                             std::string_view expected) {
@@ -74,15 +76,15 @@ class Tokens {
     fail_next(expected);
   }
 
-  /// Line of the word taken last.
+  /// The line of the last word taken.
   int line() const { return taken_line_; }
   const std::string& name() const { return name_; }
 
-  /// "name:line: message".
+  /// Throws BadInput "name:line: message".
   [[noreturn]] void fail(int line, std::string_view message) const;
-  /// "found ..., expected ..." about the next word.
+  /// Throws BadInput "found ..., expected ..." for the next word.
   [[noreturn]] void fail_next(std::string_view expected);
-  /// Runs `action` and reports a BadInput from it with `line`.
+  /// Runs `action`. A BadInput that it throws gets the prefix `line`.
   template <class Action>
   void at_line(int line, const Action& action) const {
     at_place(fmt::format("{}:{}", name_, line), action);

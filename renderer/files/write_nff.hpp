@@ -9,11 +9,12 @@ namespace renderer {
 
 class NffText : public NffTarget {
  public:
-  /// Picture paths are relative to `folder`. The other functions throw BadInput for invalid
-  /// polygons and for paths that NFF cannot have: with blanks or #, or without a full stop.
+  /// Makes NFF text with picture paths relative to `folder`. Throws BadInput for invalid polygons,
+  /// and for paths that NFF cannot express: those with blanks or #, or without a full stop.
   explicit NffText(std::string folder) : folder_(std::move(folder)) {}
 
-  /// View, background and lights first, then the other statements in their order.
+  /// The complete text: view, background and lights first, then the other statements in their
+  /// order.
   std::string text() const { return head_ + body_; }
 
   Knows knows() const override { return Knows::both; }
@@ -30,18 +31,18 @@ class NffText : public NffTarget {
 
  private:
   std::string folder_, head_, body_;
-  std::vector<std::string> pictures_;  // by texture
+  std::vector<std::string> pictures_;  // picture path of each texture
 };
 
-// The same words in OBJ comments, without the '#'.
+// Formats a view or light as the words of an NFF statement, without '#'.
 std::string describe_view(const View& view);
 std::string describe_light(const Light& light, const std::optional<Rgb>& colour);
-/// "X Y Z" and "R G B", which can be read back bit for bit.
+/// Formats "X Y Z" or "R G B" such that it reads back bit for bit.
 std::string describe(const Vec& v);
 std::string describe(const Rgb& colour);
-/// BadInput if it has blanks or #, which would end the word.
+/// Throws BadInput for a name with blanks or #, which would end the word.
 void check_word(const std::string& name);
-/// Path of `file` relative to `folder`; errors as check_word().
+/// Makes the path of `file` relative to `folder`. Throws as check_word() does.
 std::string find_from(const std::string& folder, const std::string& file);
 
 }  // namespace renderer

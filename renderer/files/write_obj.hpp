@@ -10,8 +10,9 @@ namespace renderer {
 
 class ObjText : public ObjTarget {
  public:
-  /// `library` names the MTL file beside the OBJ in `folder`; picture paths are relative to
-  /// `folder`. The other functions throw BadInput for names with blanks or # and for invalid faces.
+  /// `library` is the name of the MTL file, which is in `folder` beside the OBJ file. Picture paths
+  /// are relative to `folder`. The member functions throw BadInput for invalid faces, and for names
+  /// with blanks or #.
   ObjText(std::string folder, std::string library);
 
   std::string text() const;
@@ -26,12 +27,13 @@ class ObjText : public ObjTarget {
   void add_light(const Light& light, const std::optional<Rgb>& colour) override;
 
  private:
-  // The number of a point, normal or coordinate; writes its statement if it is new.
+  // Returns the number of a point, normal or texture coordinate. Writes its statement if it is new.
   std::size_t number_of(const std::string& statement, std::map<std::string, std::size_t>& known);
 
   std::string folder_, library_name_, head_, body_, library_;
-  std::vector<std::string> names_;                                     // of materials
-  std::map<std::string, std::size_t> points_, normals_, coordinates_;  // by their statements
+  std::vector<std::string> names_;  // names of the materials
+  // numbers of vertices, normals and coordinates, by statement
+  std::map<std::string, std::size_t> points_, normals_, coordinates_;
 };
 
 }  // namespace renderer

@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* WHO = "animation";
 
-// Checks the frames one after the other.
+// Validator of the frames of an animation, one after the other.
 class FrameCheck {
  public:
   void check(const Frame& frame) {
@@ -46,12 +46,12 @@ class FrameCheck {
   std::int64_t time_ms_ = 0;
 };
 
-// Checks a call of libwebp: as its input has been checked, it fails only for lack of memory.
+// Throws if a call of libwebp failed. Its input has been checked, so only memory can be missing.
 void expect(bool done, const char* call) {
   if (!done) throw std::runtime_error(fmt::format("{}: libwebp: {} failed", WHO, call));
 }
 
-// RAII wrappers for libwebp's structures.
+// RAII wrappers for the structures of libwebp.
 struct Picture : WebPPicture {
   explicit Picture(const Bitmap& bitmap) {
     expect(WebPPictureInit(this), "WebPPictureInit");
@@ -91,7 +91,7 @@ std::string make_webp(std::size_t count, const MakeFrame& make) {
   WebPConfig config;
   expect(WebPConfigInit(&config), "WebPConfigInit");
   config.lossless = 1;
-  config.quality = 25;  // effort, for lossless files
+  config.quality = 25;  // encoder effort for lossless files
   config.thread_level = 0;
 
   FrameCheck check;

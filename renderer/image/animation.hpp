@@ -11,22 +11,23 @@ namespace renderer {
 
 struct Frame {
   Bitmap bitmap;
-  int duration_ms = 1;  ///< how long it is shown, 1..MAX_DURATION_MS
+  int duration_ms = 1;  ///< duration of the frame, 1..MAX_DURATION_MS
 };
 
 inline constexpr int MAX_DURATION_MS = (1 << 24) - 1;
-inline constexpr int MAX_WEBP_SIDE = 16383;  ///< pixels
+inline constexpr int MAX_WEBP_SIDE = 16383;  ///< limit of the format, pixels
 
-/// The bytes of a lossless WebP file that repeats for ever and shows the frames' exact pixels.
-/// Equal consecutive frames may be merged, with their total duration. The bytes depend only on the
-/// frames and on libwebp's version: no date, no text, no threads. BadInput for no frame, frames of
-/// unequal or too large sizes, a duration out of range, and more than 2^31 - 1 ms in total.
+/// Encodes the frames as a lossless WebP that repeats for ever. Equal consecutive frames may be
+/// merged into one with their total duration. The bytes depend only on the frames and on the
+/// version of libwebp; they contain no date or text. Throws BadInput for no frames, frames of
+/// unequal or too large sizes, a duration out of range, and a total above 2^31 - 1 ms.
 std::string make_webp(std::span<const Frame> frames);
-/// The same for `count` frames, which `make` returns one by one from 0; holds one at a time.
+/// Encodes `count` frames, which `make` returns one by one from 0. Holds one frame at a time in
+/// memory.
 using MakeFrame = std::function<Frame(std::size_t)>;
 std::string make_webp(std::size_t count, const MakeFrame& make);
 
-/// Writes the file as base::save_whole does, with its errors.
+/// Writes an animation to a file as base::save_whole does, with the same errors.
 void save_webp(const std::string& path, std::span<const Frame> frames);
 
 }  // namespace renderer

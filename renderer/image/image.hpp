@@ -1,5 +1,5 @@
 #pragma once
-// Samples in fixed point. Integer addition is associative, so contributions may arrive in any order
+// Images in fixed point. Integer addition is associative, so contributions may arrive in any order
 // and the image is the same to the last bit.
 
 #include <array>
@@ -12,11 +12,11 @@
 
 namespace renderer {
 
-/// Three sums for each pixel, in units of 2^-32 of full intensity. A single contribution is rounded
-/// to the nearest unit and clamped to -MAX_CONTRIBUTION..MAX_CONTRIBUTION (NaN counts as 0); sums
-/// are exact below 2^21 contributions of that size, and wrap beyond.
+/// Three colour sums for each pixel, in units of 2^-32 of full intensity. Each contribution is
+/// rounded to the nearest unit and clamped to -MAX_CONTRIBUTION..MAX_CONTRIBUTION; NaN counts as 0.
+/// Sums are exact below 2^21 contributions of that size, and wrap beyond.
 struct Samples {
-  static constexpr double ONE = 4294967296.0;  ///< 2^32
+  static constexpr double ONE = 4294967296.0;  ///< units of full intensity, 2^32
   static constexpr double MAX_CONTRIBUTION = 1024;
 
   struct Sums {
@@ -25,7 +25,7 @@ struct Samples {
   };
 
   int width = 0, height = 0;
-  std::vector<Sums> sums;  ///< at y * width + x
+  std::vector<Sums> sums;  ///< indexed by y * width + x
 
   Samples() = default;
   Samples(int w, int h)
@@ -33,49 +33,49 @@ struct Samples {
 
   bool operator==(const Samples&) const = default;
   void add(std::uint32_t sample, const Rgb& contribution);
-  /// Adds the sums of a rectangle within the image; its upper left pixel is (x, y).
+  /// Adds the sums of a rectangle inside the image, whose upper left pixel is (x, y).
   void add(int x, int y, const Samples& rectangle);
-  /// Adds other contributions to the same image; sizes must be equal.
+  /// Adds the sums of another image of the same size.
   Samples& operator+=(const Samples& other);
   Rgb get(std::uint32_t sample) const;
 };
 
-/// Adds a contribution to the sums of one sample, like Samples::add.
+/// Adds a contribution to the sums of one pixel, as Samples::add does.
 void add(Samples::Sums& sums, const Rgb& contribution);
-/// Adds other contributions to the same sample; wraps like unsigned integers.
+/// Adds two sums of the same pixel. They wrap like unsigned integers.
 void add(Samples::Sums& sums, const Samples::Sums& others);
 /// The colour that the sums represent.
 Rgb to_rgb(const Samples::Sums& sums);
 
-/// A picture in the 8-bit format of PNGs and displays.
+/// A picture with 8 bits per component, as in PNGs and on displays.
 struct Bitmap {
   int width = 0, height = 0;
-  std::vector<std::uint8_t> rgb8;  ///< rows from the top, 3 bytes a pixel
+  std::vector<std::uint8_t> rgb8;  ///< rows from the top, 3 bytes per pixel
   bool operator==(const Bitmap&) const = default;
 };
 
-/// BadInput, beginning with `who`, for no pixels or a number of bytes that does not fit them.
+/// Throws BadInput with the prefix `who` for a bitmap with no pixels or the wrong number of bytes.
 void check(const Bitmap& bitmap, std::string_view who);
 
 Bitmap make_bitmap(const Samples& samples);
 
-/// Maximum number of pixels in a picture file.
+/// Largest number of pixels in a picture file.
 inline constexpr std::int64_t MAX_PICTURE = std::int64_t{1} << 24;
-/// Reads a PNG of any kind (grey, palette, 16 bits, alpha) as a display shows it, on a white
-/// background. Restores the bytes that save_png() wrote. BadInput with the file's name if it cannot
-/// be read, is not a complete PNG or has more than MAX_PICTURE pixels.
+/// Loads a PNG of any kind (grey, palette, 16 bits, alpha) as displayed on a white background.
+/// Restores the bytes written by save_png(). Throws BadInput with the file's name if it cannot be
+/// read, is not a complete PNG or has more than MAX_PICTURE pixels.
 Bitmap load_png(const std::string& path);
 
-/// Rows from the top, 3 bytes a pixel: maps 0..1 to 0..255, rounded and clamped.
+/// Converts to rows from the top, 3 bytes per pixel. Maps 0..1 to 0..255, rounded and clamped.
 std::vector<std::uint8_t> make_rgb8(const Samples& samples);
-/// The same conversion for one of its pixels, and for a colour.
+/// Converts one pixel, or a colour, in the same way.
 std::array<std::uint8_t, 3> make_rgb8(const Samples& samples, std::uint32_t sample);
 std::array<std::uint8_t, 3> make_rgb8(const Rgb& colour);
 
-/// Writes an 8-bit RGB PNG as base::save_whole does, with its errors. The bytes depend on the
-/// samples only (no date, no text). BadInput for an image of no pixels.
+/// Writes an 8-bit RGB PNG as base::save_whole does, with the same errors. The bytes depend only on
+/// the samples. Throws BadInput for an image without pixels.
 void save_png(const std::string& path, const Samples& samples);
-/// Writes bytes in the order of make_rgb8(); BadInput unless there are 3 * width * height.
+/// Writes bytes in the order of make_rgb8(). Throws BadInput unless there are 3 * width * height.
 void save_png(const std::string& path, int width, int height,
               const std::vector<std::uint8_t>& rgb8);
 

@@ -1,4 +1,4 @@
-// read_mesh() of a build without Assimp.
+// Replacement for read_mesh() in builds without Assimp.
 #include "base/errors.hpp"
 #include "renderer/meshes/read_mesh.hpp"
 

@@ -36,7 +36,7 @@ class Teller {
   }
 
  private:
-  // Makes a name of one word that differs from the other materials'.
+  // Makes a one-word name that differs from those of all other materials.
   std::string make_name(const aiMaterial& material) {
     std::string name = material.GetName().C_Str();
     for (char& c : name)
@@ -77,7 +77,7 @@ class Teller {
     target_.add_material(m);
   }
 
-  // Only pictures in files of their own are used; embedded ones are left out.
+  // Sets the picture of a material if it is a file of its own. Embedded pictures are left out.
   void tell_picture(const std::string& name, MtlMaterial& material) {
     if (scene_.GetEmbeddedTexture(name.c_str()))
       left_out_.add("pictures in the file");
@@ -141,8 +141,8 @@ class Teller {
   const std::string& path_;
   ObjTarget& target_;
   LeftOut& left_out_;
-  std::set<std::string> names_;  // of materials
-  std::size_t told_ = 0;         // faces
+  std::set<std::string> names_;  // names of materials
+  std::size_t told_ = 0;         // number of faces sent
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 #pragma once
-// Meshes in other formats, read by the Open Asset Import Library (Assimp).
+// Reader of meshes in further formats, based on the Open Asset Import Library (Assimp).
 
 #include <span>
 #include <string>
@@ -10,14 +10,14 @@
 
 namespace renderer {
 
-/// Endings of the files that can be read: ".stl" and others.
+/// File extensions that can be read, such as ".stl".
 std::span<const std::string_view> mesh_endings();
 
-/// Sends `target` the triangles of a file, transformed by its nodes, and their materials. Left out:
-/// animations, lights, cameras, points, lines, vertex colours, pictures other than colour maps, and
-/// triangles without an area. Numbers have single precision. BadInput if the file cannot be read,
-/// has no triangle, or has corners that are invalid in a scene. Damaged files can make the library
-/// abort the process or hang: call it in a process of its own.
+/// Sends the triangles of a file and their materials to `target`. Nodes' transformations are
+/// applied, in single precision. Left out are animations, lights, cameras, points, lines, vertex
+/// colours, textures other than colour maps, and triangles without an area. Throws BadInput if the
+/// file cannot be read, has no triangle, or has corners that are invalid in a scene. Call it in a
+/// separate process, since damaged files can make the library abort or hang.
 void read_mesh(const std::string& path, ObjTarget& target, LeftOut& left_out);
 
 }  // namespace renderer

@@ -16,10 +16,11 @@ struct Turn {
 
 Turn make_turn(double angle) { return {round_sine(std::cos(angle)), round_sine(std::sin(angle))}; }
 
-// Maximum number of pixels covered by a length on a surface at least `distance` from the eye.
+// Upper bound on the pixels covered by a length `size` on a surface at least `distance` from the
+// eye.
 double eval_pixels(const View& view, const Params& params, double size, double distance) {
   const Raster raster = make_raster(view, params);
-  // The extreme rays go to the image's corners: there the distance ahead is shortest, and a shift
+  // A corner of the image is the worst case: the distance ahead is shortest there, and a shift
   // along the ray covers most pixels.
   const double x = raster.step * params.width / 2, y = view.half_height;
   return size * (1 + x * x + y * y) / (raster.step * std::max(distance, 1e-9 * size));
@@ -31,8 +32,8 @@ int count_around(double radius, Fineness fineness) {
     return static_cast<int>(std::clamp(std::ceil(round_sine(count)), 4.0, double(most)));
   };
   if (fineness == Fineness::outline) return clamp(2 * PI * radius / 10, 24);
-  // A chord of 2 PI / n deviates from the circle by at most radius * (1 - cos(PI / n)). A sphere's
-  // two directions get a quarter of a pixel each.
+  // Error budget in pixels. A chord of angle 2 PI / n deviates from the circle by at most radius *
+  // (1 - cos(PI / n)). Each of a sphere's two directions gets a quarter of a pixel.
   constexpr double OFF = 0.25;
   return clamp(PI / std::acos(1 - std::min(1.0, OFF / radius)), MAX_AROUND);
 }
@@ -41,8 +42,8 @@ void end_facet(Facets& facets) {
   facets.ends.push_back(static_cast<std::uint32_t>(facets.indices.size()));
 }
 
-// Adds facets between two rings of `n` corners that begin at indices `a` and `b`; a pole is a ring
-// of one corner.
+// Adds the facets between two rings of `n` corners whose indices begin at `a` and `b`. A pole is a
+// ring of one corner.
 void add_band(Facets& facets, std::uint32_t a, bool a_is_pole, std::uint32_t b, bool b_is_pole,
               std::uint32_t n) {
   for (std::uint32_t i = 0; i < n; ++i) {

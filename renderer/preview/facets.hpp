@@ -1,5 +1,5 @@
 #pragma once
-// Objects as flat facets, for renderers that draw only polygons.
+// Tessellation of objects into flat facets, for renderers that draw only polygons.
 
 #include "renderer/trace/raster.hpp"
 
@@ -9,24 +9,24 @@ namespace renderer {
 struct Facets {
   struct Corner {
     Vec at;
-    Vec normal;  ///< of the object itself, unit, outwards
+    Vec normal;  ///< unit outward normal of the object itself, not of a facet
   };
   std::vector<Corner> corners;
-  std::vector<std::uint32_t> indices;  ///< of the facets' corners, one facet after the other
+  std::vector<std::uint32_t> indices;  ///< corner numbers, one facet after the other
   std::vector<std::uint32_t> ends;     ///< end of each facet in `indices`
 };
 
-/// Subdivision of spheres and cones; polygons and patches are one facet.
+/// Fineness of the tessellation of spheres and cones. Polygons and patches are one facet.
 enum class Fineness : std::uint8_t {
   outline,    ///< edges about ten pixels apart, 4 to 24 around
-  silhouette  ///< inscribed facets, at most half a pixel off the object on the image
+  silhouette  ///< inscribed facets, at most half a pixel off the object in the image
 };
 
-/// Maximum number of facets around a sphere or a cone, however near it is.
+/// Largest number of facets around a sphere or cone, however near it is.
 inline constexpr int MAX_AROUND = 1024;
 
-/// Divides the object at `place` for the image of `params`; overwrites `facets`. Sines are rounded
-/// to float, so that the facets do not depend on the maths library.
+/// Tessellates the object at `place` for the image of `params`, and overwrites `facets`. Sines are
+/// rounded to float, so that the facets do not depend on the maths library.
 void make_facets(const Scene& scene, Place place, const Params& params, Fineness fineness,
                  Facets& facets);
 

@@ -8,16 +8,16 @@ namespace renderer {
 
 namespace {
 
-using Triple = std::array<double, 3>;  // a colour, or a normal
+using Triple = std::array<double, 3>;  // a colour or a normal
 
 Rgb to_colour(const Triple& t) { return {t[0], t[1], t[2]}; }
 Vec to_vec(const Triple& t) { return {t[0], t[1], t[2]}; }
 Triple to_triple(const Rgb& c) { return {c.r, c.g, c.b}; }
 Triple to_triple(const Vec& v) { return {v.x, v.y, v.z}; }
 
-// The nearest object at a pixel so far.
+// An entry of the z-buffer: the nearest object at a pixel so far.
 struct Fragment {
-  double nearness = 0;  // 1 over the distance ahead; 0 if the pixel is empty
+  double nearness = 0;  // 1 / depth; 0 if the pixel is empty
   Place place;
   std::uint32_t object = NO_OBJECT;
   Triple values{};
@@ -28,14 +28,15 @@ struct Object {
   Place place;
   Tag tag;
   Facets facets;
-  std::array<std::vector<std::optional<Rgb>>, 2> colours;  // of corners, from outside and inside
+  // colours of the corners, from outside and inside
+  std::array<std::vector<std::optional<Rgb>>, 2> colours;
 };
 
 struct Facet {
   std::span<const std::uint32_t> corners;
   Vec middle;
-  Vec normal;         // unit, towards the eye
-  bool back = false;  // the eye sees its inside
+  Vec normal;         // unit normal towards the eye
+  bool back = false;  // true if the eye sees the inside
 };
 
 Facet make_facet(const Object& object, const Vec& eye, std::span<const std::uint32_t> indices) {
@@ -50,7 +51,7 @@ Facet make_facet(const Object& object, const Vec& eye, std::span<const std::uint
     outwards += corners[i].normal;
     last = i;
   }
-  // A cone's facet at its apex has an edge of zero length, but an area.
+  // The facet of a cone at its apex has an edge of zero length, but an area.
   const double area = length(newell);
   facet.normal = area > 0 ? (1 / area) * newell : normalize(outwards);
   if (dot(facet.normal, outwards) < 0) facet.normal = -facet.normal;
@@ -59,7 +60,7 @@ Facet make_facet(const Object& object, const Vec& eye, std::span<const std::uint
   return facet;
 }
 
-// True if the eye sees no facet from inside.
+// True if the eye cannot see the inside of the object.
 bool is_closed_to(const Scene& scene, Place place, const Vec& eye) {
   if (place.kind() != Kind::sphere) return false;
   const Sphere& sphere = scene.spheres[place.index()];
@@ -125,7 +126,7 @@ class Previewer {
   }
   Fragment& at(int x, int y) { return pixels_[index(x, y)]; }
 
-  // Keeps the nearer fragment; the first one if they are equally near, up to rounding.
+  // Keeps the nearer fragment. If two are equally near up to rounding, the first one stays.
   void put(int x, int y, const Fragment& fragment) {
     constexpr double EQUAL = 1 + 1e-12;
     ++preview_.counts.pixels_tested;
@@ -135,7 +136,7 @@ class Previewer {
     pixel = fragment;
   }
 
-  // Calls draw(object) for every object, in the file's order.
+  // Calls draw(object) for every object, in the order of the file.
   template <class Draw>
   void for_each_object(Fineness fineness, const Draw& draw) {
     Object object;
@@ -168,7 +169,7 @@ class Previewer {
     return {to_eye(scene_.view, object.facets.corners[i].at), values};
   }
 
-  // Fills the z-buffer; values(object, facet) returns a function from corners to values.
+  // Fills the z-buffer. values(object, facet) returns a function from a corner to its values.
   template <class Values>
   void draw_facets(Fineness fineness, const Values& values) {
     std::vector<Scanner<3>::Corner> corners;
@@ -208,7 +209,7 @@ class Previewer {
     draw_facets(Fineness::outline,
                 [](const Object&, const Facet&) { return [](std::uint32_t) { return Triple{}; }; });
     std::vector<Fragment> facets(pixels_.size());
-    facets.swap(pixels_);  // the edges are drawn on an empty picture
+    facets.swap(pixels_);  // draw the edges on an empty picture
     for_each_object(Fineness::outline, [&](const Object& object) {
       for_each_facet(object, [&](const Facet& facet) {
         const double slack = eval_slack(facet);
@@ -227,11 +228,11 @@ class Previewer {
     cue_depth();
   }
 
-  // An edge shows through a facet up to this relative difference in nearness.
+  // Largest relative difference in 1 / depth up to which an edge shows through a facet.
   static constexpr double MOST_SLACK = 0.02;
 
-  // Growth of nearness from one pixel to its neighbours on a facet. An edge's samples may be less
-  // near than those of its own facet by this amount.
+  // Change of 1 / depth from a pixel of a facet to its neighbours. Samples of an edge may lie
+  // behind its own facet by this amount.
   double eval_slack(const Facet& facet) const {
     const View& view = scene_.view;
     const double offset = std::abs(dot(facet.normal, facet.middle - view.from));
@@ -240,8 +241,8 @@ class Previewer {
            std::max(offset, 1e-300);
   }
 
-  // Mixes the drawing with the background: the nearest pixel keeps all of its colour, the farthest
-  // a quarter.
+  // Blends the drawing with the background by depth: the nearest pixel keeps its colour, and the
+  // farthest a quarter of it.
   void cue_depth() {
     double nearest = 0, farthest = std::numeric_limits<double>::infinity();
     for (const Fragment& pixel : pixels_)
@@ -258,8 +259,8 @@ class Previewer {
     }
   }
 
-  // Calls add(share) for each contribution to the light where `ray` hits. It uses the ray tracer's
-  // kernels, so that both follow the same illumination model.
+  // Calls add(share) for each contribution to the light where `ray` hits. Uses the ray tracer's
+  // kernels, so both have the same illumination model.
   template <class Add>
   void shine(const Ray& ray, const Hit& hit, bool shadows, const Add& add) {
     Work& work = preview_.work;
@@ -287,13 +288,13 @@ class Previewer {
     return colour;
   }
 
-  // The same at a corner, with the object's own normal; computed once for each side.
+  // The colour at a corner with the object's own normal, computed once for each side.
   Rgb shade(Object& object, const Facet& facet, std::uint32_t i) {
     auto& colour = object.colours[facet.back][i];
     if (!colour) {
       const auto& corner = object.facets.corners[i];
       const Vec normal = facet.back ? -corner.normal : corner.normal;
-      // The ray tracer does the same if a patch's normal points to the other side of its plane.
+      // Turns the normal, as the ray tracer does, if it points to the invisible side of the patch.
       const bool turned =
           object.place.kind() == Kind::patch && dot(normal, corner.at - scene_.view.from) > 0;
       colour = shade(object, facet, corner.at, turned ? facet.normal : normal);
@@ -301,12 +302,12 @@ class Previewer {
     return *colour;
   }
 
-  // Adds the light at the point of the object that the pixel shows.
+  // Adds the light at the point of the object that a pixel shows.
   void light_pixel(int x, int y, bool shadows) {
     const Fragment& pixel = at(x, y);
     const Ray ray = make_primary(scene_.view, params_, x, y);
     auto hit = intersect_object(scene_, ray, pixel.place, preview_.work);
-    if (!hit) {  // rounding at a rim: use the facet instead of the object
+    if (!hit) {  // rounding at the rim: use the facet instead of the object
       const Tag tag = visit(scene_, pixel.place, [](const auto& p) { return p.tag; });
       const double distance = 1 / (pixel.nearness * dot(ray.direction, scene_.view.ahead));
       Vec normal = normalize(to_vec(pixel.values));

@@ -14,13 +14,13 @@ Rgb max(const Rgb& a, const Rgb& b) {
 }
 Rgb mix(const Rgb& a, const Rgb& b, double share) { return (1 - share) * a + share * b; }
 
-// Cuts a side at its middle; returns the starts of the parts and the end.
+// Cuts an interval in the middle. Returns the starts of the parts and the end.
 std::vector<int> cut(int from, int to, int half) {
   if (from + half < to) return {from, from + half, to};
   return {from, to};
 }
 
-// Starts of the cells along a side of the image, and the end.
+// Starts of the cells along a side of the image, and its end.
 std::vector<int> cut_image(int pixels, int side) {
   std::vector<int> cuts;
   for (long long at = 0; at < pixels - 1; at += side) cuts.push_back(static_cast<int>(at));

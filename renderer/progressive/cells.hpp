@@ -1,6 +1,6 @@
 #pragma once
-// Cells of the image (thesis, 4.2.2): rectangles with samples at their four corners, and with more
-// on borders to smaller neighbours.
+// Cells of the image (thesis, 4.2.2): rectangles with samples at their four corners. Borders to
+// smaller neighbours have further samples.
 
 #include <vector>
 
@@ -9,19 +9,20 @@
 
 namespace renderer::progressive {
 
-/// From the sample at (x0, y0) to that at (x1, y1), both included: neighbours share a border.
+/// A cell from the sample at (x0, y0) to that at (x1, y1), both included. Neighbours share a
+/// border.
 struct Cell {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   bool operator==(const Cell&) const = default;
 };
 
-/// The larger of a cell's sides in pixel steps, rounded up to a power of two. A cell of size 1 has
-/// no pixel between its corners.
+/// The larger side of a cell in pixel steps, rounded up to a power of two. A cell of size 1 has no
+/// pixel between its corners.
 int get_size(const Cell& cell);
 
-/// Cells with sides of `side` steps over the image, row by row; the last ones are smaller.
+/// Makes cells with sides of `side` steps over the image, row by row. The last ones may be smaller.
 std::vector<Cell> make_cells(int width, int height, int side);
-/// The cells of half the size that a cell is divided into: 4, or 2 of a narrow one.
+/// Divides a cell into cells of half its size: 4, or 2 if it is narrow.
 std::vector<Cell> divide(const Cell& cell);
 /// True if a cell has a pixel in an area.
 bool meets(const Cell& cell, const Area& area);
@@ -29,7 +30,7 @@ bool meets(const Cell& cell, const Area& area);
 /// The pixels that have been sampled.
 struct Sampled {
   Samples samples;
-  std::vector<std::uint16_t> levels;  ///< of each pixel's shading tree; 0: not a sample
+  std::vector<std::uint16_t> levels;  ///< levels of each pixel's shading tree; 0: not sampled
 
   Sampled() = default;
   Sampled(int width, int height) : samples(width, height), levels(samples.sums.size()) {}
@@ -45,19 +46,19 @@ struct Sampled {
 struct Range {
   Rgb least, greatest;
 };
-/// The range extended by a colour.
+/// Extends the range to include a colour.
 Range widen(const Range& range, const Rgb& colour);
 /// The range of all samples on the border of a cell.
 Range find_range(const Cell& cell, const Sampled& sampled);
 
-/// (max - min) / (max + min), Eq 4.7; 0 if both are black.
+/// The contrast (max - min) / (max + min) of Eq 4.7; 0 if both are black.
 double eval_contrast(double least, double greatest);
-/// The greatest contrast of the three components.
+/// The largest contrast of the three components.
 double eval_contrast(const Range& range);
 
-/// Interpolates the pixels of a cell that are not samples into `picture`: linearly between samples
-/// on the border, inside by a bilinear Coons patch over the four sides. The result is clamped to
-/// the samples' range. Neighbours agree on their border.
+/// Interpolates the unsampled pixels of a cell into `picture`: linearly between samples on the
+/// border, and inside by a bilinear Coons patch over the four sides. The result is clamped to the
+/// range of the samples. Neighbours agree on their common border.
 void interpolate(const Cell& cell, const Sampled& sampled, Samples& picture);
 
 }  // namespace renderer::progressive

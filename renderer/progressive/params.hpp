@@ -9,22 +9,23 @@ namespace renderer::progressive {
 
 /// Target of one step.
 struct Step {
-  double contrast = 0;  ///< cells above this contrast (Eq 4.7), 0..1, are divided; 0: all cells
-  int min_cell = 1;     ///< smallest cell, pixels a side: a power of two
+  /// contrast (Eq 4.7) above which cells are divided, 0..1; 0: divide all cells
+  double contrast = 0;
+  int min_cell = 1;     ///< side of the smallest cell, pixels, a power of two
   bool pyramid = true;  ///< also divides cells that may hide an object (figure 4.4)
   int depth = 15;       ///< levels of the shading trees, 1..1000
-  Area area;            ///< of interest: cells without a pixel in it stay unchanged
+  Area area;            ///< area of interest; cells without a pixel in it stay unchanged
 };
 
 /// The quantity that grows from step to step.
 enum class StepKind : std::uint8_t {
-  cells,  ///< cells are halved from the first size to the last; trees are deep (4.6)
-  depth   ///< trees grow by a level, from 1 to the last step's; cells are small (figure 4.5)
+  cells,  ///< cells are halved in each step, with deep trees from the start (4.6)
+  depth   ///< trees grow by one level in each step, with small cells from the start (figure 4.5)
 };
 
-/// The steps up to and including `last`.
+/// Makes the steps up to and including `last`.
 std::vector<Step> make_steps(StepKind kind, int max_cell, const Step& last);
-/// The field "steps" of P.
+/// Makes the field "steps" of P.
 template <class P, class Access>
 base::Field<P> step_kind_field(Access access) {
   return base::Declare<P>::choice(
@@ -37,9 +38,9 @@ inline constexpr const char* EXPECTED_SIDE = "a power of two from 1 to 65536";
 /// True if a cell may have that side.
 bool is_side(int side);
 
-/// The fields contrast, min_cell and pyramid.
+/// Makes the fields contrast, min_cell and pyramid.
 base::Fields<Step> step_fields();
-/// A field of P that holds the side of a cell.
+/// Makes a field of P for the side of a cell.
 template <class P, class Access>
 base::Field<P> side_field(const std::string& name, Access access, const std::string& help) {
   auto field = base::Declare<P>::whole(name, access, 1, MAX_SIDE, "pixels", help);
@@ -49,13 +50,13 @@ base::Field<P> side_field(const std::string& name, Access access, const std::str
   };
   return field;
 }
-/// The field "max_cell" of P: the side of the first cells.
+/// Makes the field "max_cell" of P: the side of the first cells.
 template <class P, class Access>
 base::Field<P> max_cell_field(Access access) {
   return side_field<P>("max_cell", access, "side of the first cells, a power of two");
 }
 
-/// BadInput with the field, the value found and the values expected.
+/// Throws BadInput with the field, the value found and the values expected.
 void check(const Step& step, const Params& params, int max_cell);
 
 }  // namespace renderer::progressive

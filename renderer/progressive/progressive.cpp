@@ -57,8 +57,8 @@ void Progressive::deepen_border(const Cell& c, int depth) {
       if (sampled_.has(x, y)) want(x, y, depth);
 }
 
-// Threads take samples one by one. Each writes to its own data, and sums do not depend on the
-// order. Returns false if it was stopped.
+// Traces the requested samples in parallel. Threads take samples one by one and write to separate
+// data; sums do not depend on the order. Returns false if `is_stopped` ended it.
 bool Progressive::trace_wanted(int depth, const Stop& is_stopped, StepCounts& counts) {
   for (const Wanted& wanted : wanted_) ++(wanted.from > 0 ? counts.deepened : counts.samples);
   std::vector<std::uint32_t> hits(wanted_.size());
@@ -90,8 +90,8 @@ bool Progressive::trace_wanted(int depth, const Stop& is_stopped, StepCounts& co
   return true;
 }
 
-// Judges all cells before it divides any, so that their order does not matter. Returns true if it
-// divided one.
+// Divides the cells that qualify. Evaluates all cells before dividing any, so that their order does
+// not matter. Returns true if it divided one.
 bool Progressive::divide_cells(const Step& step, StepCounts& counts) {
   std::vector<Verdict> verdicts;
   for (const Cell& cell : cells_) verdicts.push_back(judge(cell, step, counts));

@@ -1,6 +1,6 @@
 #pragma once
-// The sequential ray tracer with increasing realism (thesis, 4.2). Its user improves an image step
-// by step, with deeper shading trees and smaller cells in areas of interest.
+// The sequential ray tracer with increasing realism (thesis, 4.2). Users improve an image step by
+// step, with deeper shading trees and smaller cells in areas of interest.
 
 #include <functional>
 #include <optional>
@@ -18,35 +18,38 @@ struct StepCounts {
   std::uint64_t by_contrast = 0;  ///< cells divided because of their contrast
   std::uint64_t by_pyramid = 0;   ///< cells divided because they might hide an object
   std::uint64_t boxes = 0;        ///< bounds examined by the pyramid test
-  std::uint64_t cells = 0;        ///< of the image after the step
+  std::uint64_t cells = 0;        ///< number of cells after the step
   TreeRays rays;
 };
 
-/// 100 N_A / N_T, the penalty of Eq 4.1 to 4.6; 0 for a step without a new ray.
+/// Share of repeated rays in %, 100 N_A / N_T (Eq 4.1 to 4.6); 0 for a step without new rays.
 double get_repeated_percent(const TreeRays& rays);
 
-/// Called before every sample, by any thread; true stops the step.
+/// Callback that stops a step by returning true. Any thread calls it before every sample.
 using Stop = std::function<bool()>;
 
 class Progressive {
  public:
-  /// `scene` must outlive it; `threads` are host threads, at least 1. `params.limits.depth` and
-  /// `params.area` have no effect: each step has its own. BadInput as check().
+  /// `scene` must outlive the object. `threads` is the number of host threads, at least 1.
+  /// `params.limits.depth` and `params.area` have no effect, since each step has its own. Throws
+  /// BadInput as check() does.
   Progressive(const Scene& scene, const Params& params, int max_cell, int threads = 1);
 
-  /// The first step samples every corner of cells of max_cell steps a side, whatever its area.
-  /// Every step deepens the trees of the samples in its area's cells to its depth, and divides
-  /// these cells until none qualifies. A cell larger than min_cell qualifies if it exceeds the
-  /// contrast or may hold an object that no sample has hit. After a step over the whole image with
-  /// min_cell 1 and the pyramid test, every object that owns a pixel of the full image has a
-  /// sample. The result depends on earlier steps, but not on the number of threads. Returns none if
-  /// `is_stopped` ended the step; the picture is then invalid. BadInput as check().
+  /// Executes a step. The first step samples every corner of cells of max_cell steps a side,
+  /// whatever its area. Every step deepens the trees of the samples in its area's cells to its
+  /// depth, and divides these cells until none qualifies. A cell larger than min_cell qualifies if
+  /// it exceeds the contrast, or may hold an object that no sample has hit.
+  ///
+  /// After a step over the whole image with min_cell 1 and the pyramid test, every object visible
+  /// at a pixel of the full image has a sample. The result depends on earlier steps, but not on the
+  /// number of threads. Returns none if `is_stopped` ended the step; the picture is then invalid.
+  /// Throws BadInput as check() does.
   std::optional<StepCounts> advance(const Step& step, const Stop& is_stopped);
   StepCounts advance(const Step& step) {
     return *advance(step, [] { return false; });
   }
 
-  /// The displayed picture: samples as they are, other pixels interpolated.
+  /// The displayed picture, with unsampled pixels interpolated.
   Samples make_picture() const;
   const Sampled& sampled() const { return sampled_; }
   /// True if a primary ray has hit the object.
@@ -56,7 +59,7 @@ class Progressive {
  private:
   struct Wanted {
     int x, y;
-    int from;  // levels that the tree already has
+    int from;  // number of levels that the tree already has
   };
   enum class Verdict { keep, contrast, pyramid };
 
@@ -71,7 +74,7 @@ class Progressive {
   Params params_;
   int max_cell_, threads_;
   Sampled sampled_;
-  std::vector<bool> seen_;  // objects
+  std::vector<bool> seen_;  // for each object, whether a primary ray has hit it
   std::vector<Cell> cells_;
   std::vector<Wanted> wanted_;
 };

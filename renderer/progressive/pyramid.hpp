@@ -1,6 +1,6 @@
 #pragma once
-// The pyramid test (thesis, 4.2.2, figure 4.4) finds objects that may be visible within a cell of
-// the image although the samples on the cell's border miss them.
+// The pyramid test (thesis, 4.2.2, figure 4.4). It finds objects that may be visible within a cell
+// although the samples on the cell's border miss them.
 
 #include <vector>
 
@@ -8,23 +8,24 @@
 
 namespace renderer::progressive {
 
-/// An infinite pyramid from the eye through a rectangle of the image plane between two points.
+/// An infinite pyramid from the eye through a rectangle of the image plane, given by two opposite
+/// corners.
 class Pyramid {
  public:
   Pyramid(const Scene& scene, const PlanePoint& upper_left, const PlanePoint& lower_right);
-  /// Conservative test: true if a ray in the pyramid or in its sides meets the box. It can also be
-  /// true for a box outside, near the pyramid's edges.
+  /// Tests conservatively whether a ray of the pyramid meets the box. May also return true for a
+  /// box outside, near an edge of the pyramid.
   bool may_meet(const Bounds& box) const;
 
  private:
   Vec eye_;
-  Vec inward_[5];  // inward normals of its sides, and ahead
-  Bounds reach_;   // bounds of the pyramid: each axis ends at the eye or is infinite
+  Vec inward_[5];  // inward normals of the four sides, and the view direction
+  Bounds reach_;   // bounding box of the pyramid, infinite on one side of each axis
   double tolerance_;
 };
 
-/// True if the bounds of an object outside `seen`, a flag for each object, may reach into the
-/// pyramid. Adds the number of examined bounds to `boxes`.
+/// True if the bounds of an object that is not in `seen` may reach into the pyramid. `seen` has a
+/// flag for each object. Adds the number of examined bounds to `boxes`.
 bool holds_unseen(const Scene& scene, const Pyramid& pyramid, const std::vector<bool>& seen,
                   std::uint64_t& boxes);
 

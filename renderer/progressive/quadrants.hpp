@@ -1,6 +1,6 @@
 #pragma once
 // Pixel order of progressive refinement. A FIFO queue divides each quadrant of the picture into
-// four. A quadrant has the colour of one of its pixels until its parts have theirs.
+// four. A quadrant has the colour of one of its pixels until its parts are computed.
 
 #include <array>
 #include <cstddef>
@@ -16,30 +16,31 @@ struct Pixel {
   bool operator==(const Pixel&) const = default;
 };
 
-/// The computed pixel of a quadrant, at its lower left on the screen. The paper counts y upwards.
+/// The computed pixel of a quadrant: the lower left one on the screen. The paper counts y upwards.
 /// In a picture of H rows, its quadrant (x, y, w, h) is {x, H - y - h, w, h} here, and its pixel
 /// (x, y) is (x, H - 1 - y).
 inline Pixel own_pixel(const Area& quadrant) {
   return {quadrant.x, quadrant.y + quadrant.height - 1};
 }
 
-/// The queue of quadrants, which begins with the whole area. Each quadrant that leaves the queue is
+/// Queue of quadrants, which begins with the whole area. Each quadrant that leaves the queue is
 /// divided into its upper left, lower right, upper right and lower left parts on the screen, as far
-/// as they exist. Right and upper parts are the larger ones if a side is odd. Parts of more than a
-/// pixel are queued, in this order. The lower left part has the own pixel of the whole: next()
-/// returns only the other three, and thus every pixel once.
+/// as they exist. If a side is odd, the right and upper parts are the larger ones. Parts of more
+/// than one pixel are queued in this order. The lower left part shares the pixel of the whole
+/// quadrant. next() therefore returns the three other parts only, and each pixel once.
 ///
-/// The queue holds at most max(1, N / 2) quadrants of an area of N pixels; N / 3 if it is a square,
-/// N / 4 if its side is also a power of two.
+/// The queue holds at most max(1, N / 2) quadrants for an area of N pixels. The maximum is N / 3
+/// for a square, and N / 4 if its side is also a power of two.
 class QuadrantQueue {
  public:
-  /// The area of interest, 1 x 1 or larger.
+  /// Starts with the area of interest, 1 x 1 or larger.
   explicit QuadrantQueue(const Area& area);
-  /// The next quadrant, to be filled with the colour of its own pixel. None after the last pixel.
+  /// The next quadrant, to be filled with the colour of its computed pixel; none after the last
+  /// pixel.
   std::optional<Area> next();
 
   std::size_t length() const { return queue_.size(); }
-  std::size_t peak() const { return peak_; }  ///< maximum length so far
+  std::size_t peak() const { return peak_; }  ///< maximum length of the queue so far
 
  private:
   void enqueue(const Area& quadrant);
@@ -48,13 +49,13 @@ class QuadrantQueue {
 
   std::deque<Area> queue_;
   std::size_t peak_ = 0;
-  std::array<Area, 3> parts_;  // of the last quadrant divided, not yet returned
+  std::array<Area, 3> parts_;  // parts of the last quadrant that have not been returned
   std::size_t part_ = 0, part_count_ = 0;
 };
 
-/// The whole order: quadrants by rank, and the rank of each pixel of the area, row by row from the
-/// top. A quadrant covers only lower ranks. If results arrive in another order, the quadrant of
-/// highest rank over a pixel gives its colour.
+/// The complete order: quadrants by rank, and the rank of each pixel of the area, row by row from
+/// the top. A quadrant covers only pixels of lower ranks. If results arrive out of order, a pixel
+/// takes its colour from the quadrant of highest rank that covers it.
 struct QuadrantOrder {
   std::vector<Area> quadrants;
   std::vector<std::uint32_t> ranks;

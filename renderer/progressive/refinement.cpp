@@ -9,7 +9,8 @@ namespace renderer::progressive {
 
 namespace {
 
-constexpr std::uint64_t MAX_BATCH = 1 << 12, MAX_PART = 256;  // pixels; MAX_BATCH for each thread
+// limits in pixels; MAX_BATCH is for each thread
+constexpr std::uint64_t MAX_BATCH = 1 << 12, MAX_PART = 256;
 
 std::uint64_t divide_up(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
 
@@ -100,7 +101,8 @@ std::size_t Refinement::find_index(const Pixel& pixel) const {
          static_cast<std::size_t>(pixel.x - area_.x);
 }
 
-// Calls trace(part, tracer) for each part, and adds up the tracers' counts.
+// Calls trace(part, tracer) for each part of a batch in parallel, and adds up the counts of the
+// tracers.
 template <class Trace>
 void Refinement::share_work(int parts, const Trace& trace) {
   std::mutex one_by_one;
@@ -167,7 +169,7 @@ Samples::Sums Refinement::find_shown(std::size_t index) const {
   return is_share ? repeat(state_.sums[index], params_.sampling.pixel_samples) : state_.sums[index];
 }
 
-// Draws each block of the first pass over the earlier ones.
+// Draws the blocks of the first pass in order, each over the earlier ones.
 void Refinement::draw_blocks(Samples& picture) const {
   Walk walk(order_, area_);
   for (std::uint64_t i = 0; i < done(); ++i) {

@@ -1,19 +1,19 @@
 #pragma once
-// Progressive refinement of a picture with several samples a pixel, in two passes over the same
-// order. The first takes one sample of every pixel, the second all others. No sample is taken
-// twice, and the final picture is that of render().
+// Progressive refinement of a picture with several samples per pixel. Two passes have the same
+// order: the first takes one sample of every pixel, the second all others. No sample is taken
+// twice, and the final picture equals that of render().
 
 #include "renderer/progressive/quadrants.hpp"
 #include "renderer/trace/pixel_tracer.hpp"
 
 namespace renderer::progressive {
 
-/// Order of the traced pixels, and display of the others.
+/// Order in which pixels are traced, and display of untraced pixels.
 enum class Order : std::uint8_t {
-  scan,      ///< row by row; a pixel is black until it is traced
-  quadrants  ///< as QuadrantQueue; a pixel has the colour of its quadrant
+  scan,      ///< row by row; untraced pixels are black
+  quadrants  ///< in the order of QuadrantQueue; untraced pixels have the colour of their quadrant
 };
-/// The field "order" of P.
+/// Makes the field "order" of P.
 template <class P, class Access>
 base::Field<P> order_field(Access access) {
   return base::Declare<P>::choice(
@@ -21,7 +21,8 @@ base::Field<P> order_field(Access access) {
       "order of pixels: row by row, or quadrants of the picture from large to small");
 }
 
-/// The pixels of an area in an order, each with the rectangle that shows its colour.
+/// Iterator over the pixels of an area in an order. Each comes with the rectangle that shows its
+/// colour.
 class Walk {
  public:
   Walk(Order order, const Area& area);
@@ -30,48 +31,50 @@ class Walk {
 
  private:
   Area area_;
-  std::optional<QuadrantQueue> queue_;  // empty for Order::scan
+  std::optional<QuadrantQueue> queue_;  // none for Order::scan
   int column_ = 0, row_ = 0;
 };
 
-/// Progress and all results of a rendering. Vectors hold the area's pixels, row by row; unknown
-/// entries are 0.
+/// Progress and results of a rendering. Vectors have one entry for each pixel of the area, row by
+/// row; unknown entries are 0.
 struct RefinementState {
-  std::uint64_t done = 0;  ///< samples, see Refinement::done()
+  std::uint64_t done = 0;  ///< number of samples taken (see Refinement::done())
   std::vector<Samples::Sums> sums;
-  std::vector<std::uint16_t> counts;   ///< of samples: 0, 1 or the pixel's total
-  std::vector<std::uint32_t> objects;  ///< hit by the first samples; only with adaptive sampling
+  std::vector<std::uint16_t> counts;  ///< samples of each pixel: 0, 1 or all
+  /// objects hit by the first samples; only with adaptive sampling
+  std::vector<std::uint32_t> objects;
   CornerObjects corners;
-  int corner_rows = 0;  ///< rows of `corners` that are known
+  int corner_rows = 0;  ///< number of rows known in `corners`
   RayCounts rays;
   Work work;
 };
 
 class Refinement {
  public:
-  /// `scene` must outlive it. BadInput as render().
+  /// `scene` must outlive the object. Throws BadInput as render() does.
   Refinement(const Scene& scene, const Params& params, Order order, int threads = 1);
-  /// Continues from the state() of another one with equal scene, parameters and order. BadInput for
-  /// a state of another size.
+  /// Continues from the state() of a refinement with equal scene, parameters and order. Throws
+  /// BadInput for a state of another size.
   Refinement(const Scene& scene, const Params& params, Order order, int threads,
              RefinementState state);
 
-  /// Samples of the whole picture, `pixel_samples` for each pixel.
+  /// Number of samples of the whole picture, `pixel_samples` for each pixel.
   std::uint64_t total() const { return pixels_ * pixel_samples(); }
-  /// Samples taken. With adaptive sampling, a finished pixel counts as if it had all its samples.
+  /// Number of samples taken. With adaptive sampling, a finished pixel counts as if it had all its
+  /// samples.
   std::uint64_t done() const { return state_.done; }
   bool is_finished() const { return done() == total(); }
-  /// Takes this many samples or a few more, as it takes all but a pixel's first sample together.
-  /// The loop `while (r.done() < n) r.advance(n - r.done())` ends at the first pixel that reaches n
-  /// samples, whatever the steps before and the number of threads.
+  /// Takes this many samples, or a few more: all further samples of a pixel are taken together. The
+  /// loop `while (r.done() < n) r.advance(n - r.done())` ends at the first pixel that reaches n
+  /// samples, whatever the earlier steps and the number of threads.
   void advance(std::uint64_t samples);
 
   /// The picture so far. A pixel with one sample has that sample's colour.
   Rendering make_rendering() const;
-  /// The same, but moves a finished picture out; the refinement cannot continue afterwards.
+  /// Moves the finished picture out. The refinement cannot continue afterwards.
   Rendering take_rendering();
   const RefinementState& state() const { return state_; }
-  /// Null unless the order is by quadrants.
+  /// The queue; null unless the order is by quadrants.
   const QuadrantQueue* queue() const { return walk_.queue(); }
 
  private:
@@ -98,8 +101,8 @@ class Refinement {
   const int threads_;
   const std::uint64_t pixels_;
   RefinementState state_;
-  Walk walk_;                 // of the current pass
-  std::vector<Pixel> batch_;  // the next pixels
+  Walk walk_;                 // position in the current pass
+  std::vector<Pixel> batch_;  // next pixels to trace
 };
 
 }  // namespace renderer::progressive

@@ -23,7 +23,7 @@ Rgb mix(const Rgb& p, double weight_p, const Rgb& q, double weight_q, const Rgb&
   return weight_p * p + weight_q * q + weight_r * r;
 }
 
-// The colour at (u, v) of the unit square, over four triangles: each side with the middle.
+// Interpolates at (u, v) of the unit square over four triangles, one for each side and the middle.
 Rgb eval_four(const Square& s, double u, double v) {
   if (v <= u && v <= 1 - u) return mix(s.a, 1 - u - v, s.b, u - v, s.m, 2 * v);
   if (v >= u && v >= 1 - u) return mix(s.c, v - u, s.d, u + v - 1, s.m, 2 * (1 - v));
@@ -31,11 +31,11 @@ Rgb eval_four(const Square& s, double u, double v) {
   return mix(s.b, u - v, s.d, u + v - 1, s.m, 2 * (1 - u));
 }
 
-// The same over eight triangles: each half of a side with the middle. `corner` and `half`, a side's
-// middle, are nearest to (u, v). `along` and `across` are distances from the corner.
+// Interpolates over eight triangles, one for each half side and the middle. `corner` and `half`
+// (the middle of a side) are nearest to (u, v). `along` and `across` are distances from the corner.
 Rgb eval_eight(const Square& s, double u, double v) {
   const bool right = u > 0.5, down = v > 0.5;
-  const double du = right ? 1 - u : u, dv = down ? 1 - v : v;  // from the corner
+  const double du = right ? 1 - u : u, dv = down ? 1 - v : v;  // distances from the nearest corner
   const Rgb& corner = down ? (right ? s.d : s.c) : (right ? s.b : s.a);
   const bool by_row = dv <= du;
   const Rgb& half = by_row ? (down ? s.s : s.n) : (right ? s.e : s.w);
@@ -82,7 +82,8 @@ std::array<SampledCell, 4> divide(const SampledCell& cell) {
 
 std::vector<Triangle> triangles_of(const SampledCell& cell) {
   std::vector<Triangle> all;
-  // Adds triangles between the middle and consecutive points around it; the last equals the first.
+  // Adds triangles between `middle` and each pair of consecutive points around it. The last point
+  // equals the first.
   const auto add_fan = [&](const Point& middle, std::initializer_list<Point> around) {
     for (const Point* p = around.begin(); p + 1 != around.end(); ++p)
       all.push_back({p[0], p[1], middle});
@@ -105,7 +106,7 @@ std::vector<Triangle> triangles_of(const SampledCell& cell) {
 
 namespace {
 
-// Interpolates within a cell that has pixels without samples.
+// Interpolation within a cell that has unsampled pixels.
 class Interpolation {
  public:
   Interpolation(const SampledCell& cell, std::span<const Rgb> colours)
@@ -119,7 +120,7 @@ class Interpolation {
     whole_.s = colours[8];
   }
 
-  // The colour at (u, v), from 0 to 1.
+  // The colour at (u, v), each from 0 to 1.
   Rgb eval(double u, double v) const {
     if (level_ == 1) return eval_four(whole_, u, v);
     if (level_ == 2) return eval_eight(whole_, u, v);

@@ -15,52 +15,52 @@
 
 namespace renderer::progressive {
 
-/// A lattice point: the sample of pixel (x, y), or a point beyond the image's right or lower
-/// border, used only for interpolation.
+/// A lattice point: the sample of pixel (x, y), or a point beyond the image's right or lower border
+/// that is used only for interpolation.
 struct Point {
   int x = 0, y = 0;
   bool operator==(const Point&) const = default;
 };
 
-/// From (x, y) to (x + side, y + side). It owns the pixels less than `side` from (x, y): its
-/// neighbours own the right and the lower border.
+/// A cell from (x, y) to (x + side, y + side). It owns the pixels less than `side` from (x, y);
+/// neighbours own the right and lower borders.
 struct SampledCell {
   int x = 0, y = 0;
   int side = 2;   ///< pixels, a power of two, at least 2
-  int level = 0;  ///< last complete level of sampling; 0: no sample
+  int level = 0;  ///< last complete level of sampling; 0: no samples
   bool operator==(const SampledCell&) const = default;
 };
 
 constexpr int MAX_CELL_SAMPLES = 13;
 using Points = boost::container::static_vector<Point, MAX_CELL_SAMPLES>;
 
-/// The level with all samples of a cell: 3, or 2 for a side of 2, which then has a sample at each
-/// of its pixels.
+/// The level at which a cell has all its samples: 3, or 2 for a side of 2, which then has a sample
+/// at each pixel.
 int last_level(const SampledCell& cell);
-/// The samples that a level adds: 5, 4 and 4. With a side of 2 the second level adds 2: the other
-/// two belong to neighbours, and no pixel of the cell needs them.
+/// The samples that a level adds: 5, 4 and 4. With a side of 2, the second level adds only 2. The
+/// other two would belong to neighbours, and no pixel of the cell needs them.
 Points points_of_level(const SampledCell& cell, int level);
 /// All samples of the cell up to its level.
 Points points_of(const SampledCell& cell);
-/// True if the point is a pixel of the cell.
+/// True if the cell owns the pixel of the point.
 bool owns(const SampledCell& cell, const Point& point);
 
-/// The four daughters of a cell at its last level, with half its side: upper left, upper right,
+/// Divides a cell at its last level into four cells of half its side: upper left, upper right,
 /// lower left, lower right. Their first level is complete.
 std::array<SampledCell, 4> divide(const SampledCell& cell);
 
-/// The triangles of a cell's level: 4, 8 or 16, of equal area.
+/// The triangles for interpolation at the cell's level: 4, 8 or 16, of equal area.
 using Triangle = std::array<Point, 3>;
 std::vector<Triangle> triangles_of(const SampledCell& cell);
 
-/// A rectangle of a picture.
+/// A painted rectangle of a picture.
 struct Painting {
   Area area;
-  std::vector<std::uint8_t> rgb8;  ///< rows from the top, 3 bytes a pixel
+  std::vector<std::uint8_t> rgb8;  ///< rows from the top, 3 bytes per pixel
 };
-/// The pixels of the cell within `image`, sampled or else interpolated in their triangles.
-/// `colours` are those of points_of(cell). The cell's level is at least 1. Counts drawn and
-/// interpolated pixels in `work`.
+/// Paints the pixels of the cell that lie in `image`, sampled or interpolated. `colours` are those
+/// of points_of(cell). The cell's level must be at least 1. Counts drawn and interpolated pixels in
+/// `work`.
 Painting paint(const SampledCell& cell, const Area& image, std::span<const Rgb> colours,
                Work& work);
 

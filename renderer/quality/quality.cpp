@@ -6,10 +6,10 @@ namespace renderer {
 
 namespace {
 
-// Sums of integers are exact, so that equal windows have equal moments.
+// Integers, whose sums are exact, so that equal windows have equal moments.
 using Numbers = std::vector<std::int64_t>;
 
-constexpr std::int64_t LEVEL = 1000;  // luminance of one level
+constexpr std::int64_t LEVEL = 1000;  // units of luminance per grey level
 
 // Luminance of each pixel, 0..255 * LEVEL.
 Numbers make_luminance(const Bitmap& picture) {
@@ -29,10 +29,11 @@ void check_pair(const Bitmap& a, const Bitmap& b, const char* who) {
       "equal sizes");
 }
 
-// The size of a picture's windows, and the number of their rows.
+// Sliding windows over a picture.
 struct Windows {
   static constexpr int SIDE = 8;
-  std::size_t width, columns, rows, down;  // picture's width, window's size, rows of windows
+  // picture width, window width and height, number of window rows
+  std::size_t width, columns, rows, down;
 
   Windows(int picture_width, int picture_height)
       : width(static_cast<std::size_t>(picture_width)),
@@ -42,7 +43,7 @@ struct Windows {
 
   // The sum of x[i] * y[i] over each window.
   Numbers sum(const Numbers& x, const Numbers& y) const {
-    Numbers strips(width), sums;  // a strip: one column of the windows' rows
+    Numbers strips(width), sums;  // a strip: the sum over one column of a window
     const auto product = [&](std::size_t row, std::size_t column) {
       return x[row * width + column] * y[row * width + column];
     };
@@ -117,7 +118,7 @@ double ssim(const Bitmap& a, const Bitmap& b) {
 
 double border_energy(const Bitmap& picture, int side) {
   constexpr const char* WHO = "border_energy";
-  // Each of the three values in 1 -2 1 is rounded with a variance of 1/12.
+  // Rounding variance of a second difference, 1 -2 1. Each of its values has a variance of 1/12.
   constexpr double ROUNDING = (1 + 4 + 1) / 12.0;
   check(picture, WHO);
   require(side >= MIN_BORDERED_CELL, WHO, fmt::format("cells of {} pixels", side),
@@ -127,7 +128,8 @@ double border_energy(const Bitmap& picture, int side) {
     double sum = 0, count = 0;
     double eval() const { return count > 0 ? sum / count : 0; }
   } border, inside;
-  // `at` counts along a line of `length` pixels with indices `step` apart.
+  // Adds the second difference at position `at` of a row or column with `length` pixels, whose
+  // indices are `step` apart.
   const auto add = [&](std::size_t pixel, int at, int length, std::size_t step) {
     if (at == 0 || at == length - 1) return;
     const double second =

@@ -14,7 +14,8 @@ inline Vec to_eye(const View& view, const Vec& at) {
   return {dot(way, view.right), dot(way, view.above), dot(way, view.ahead)};
 }
 
-/// Finds the samples of an image that polygons cover, and interpolates N linear values.
+/// Scan converter that finds the samples of an image covered by polygons, and interpolates N linear
+/// values.
 template <std::size_t N>
 class Scanner {
  public:
@@ -24,13 +25,13 @@ class Scanner {
     Values values{};
   };
 
-  /// Finds only samples within `area`.
+  /// Limits the scan conversion to samples in `area`.
   Scanner(const Raster& raster, const Area& area) : raster_(raster), area_(area) {}
 
-  /// Calls put(x, y, nearness, values) for each sample within a polygon, by the even-odd rule;
-  /// clips the part behind the eye. Values are interpolated along the edges and then along the line
-  /// (H. Gouraud, 1971), which is linear in triangles. Polygons that share an edge ahead of the eye
-  /// neither share samples nor leave a gap.
+  /// Calls put(x, y, nearness, values) for each sample in a polygon, by the even-odd rule.
+  /// `nearness` is 1 / depth. The part behind the eye is clipped. Values are interpolated along the
+  /// edges and then along the scan line (H. Gouraud, 1971), which is linear in triangles. Polygons
+  /// that share an edge ahead of the eye neither share samples nor leave a gap.
   template <class Put>
   void scan(const std::vector<Corner>& corners, const Put& put) {
     project(corners, find_near(corners));
@@ -43,7 +44,7 @@ class Scanner {
   }
 
   /// Calls put(x, y, nearness, values) along the line from `a` to `b`, once for each column or row,
-  /// whichever are more. Clips the part behind the eye.
+  /// whichever are more. The part behind the eye is clipped.
   template <class Put>
   void draw_line(const Corner& a, const Corner& b, const Put& put) {
     project({a, b}, 1e-9 * std::max(max_abs(a.at), max_abs(b.at)));
@@ -71,10 +72,11 @@ class Scanner {
   }
 
  private:
-  // A point of the image; values are multiplied by nearness, which makes them linear in the image.
+  // A point of the image. Its values are multiplied by 1 / depth, which makes them linear in the
+  // image.
   struct Spot {
     double x, y;      // in pixels, (0, 0) is the first sample
-    double nearness;  // 1 over the distance ahead
+    double nearness;  // 1 / depth
     Values values;
   };
 
@@ -99,16 +101,16 @@ class Scanner {
     spots_.push_back(spot);
   }
 
-  // The near plane: half the least distance ahead at which a sample can meet the polygon's plane.
-  // It clips nothing visible, and the rest is far enough for rounding to be harmless. 0 if the
-  // plane is seen edge-on.
+  // The near plane for clipping: half the least depth at which a sample can meet the polygon's
+  // plane. It clips nothing visible, and avoids harmful rounding close to the eye. 0 if the plane
+  // is seen edge-on.
   double find_near(const std::vector<Corner>& corners) const {
     Vec normal, middle;
     for (const Corner& c : corners) middle += (1.0 / static_cast<double>(corners.size())) * c.at;
     for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++)
       normal += cross(corners[j].at - middle, corners[i].at - middle);
-    // Along the direction (x, y, 1) the plane is dot(normal, middle) / dot(normal, way) ahead. The
-    // divisor is greatest at a corner of the area.
+    // Along the direction (x, y, 1), the depth of the plane is dot(normal, middle) / dot(normal,
+    // way). The divisor is largest at a corner of the area.
     double most = 0;
     for (const int x : {area_.x, area_.x + area_.width})
       for (const int y : {area_.y, area_.y + area_.height})
@@ -117,7 +119,8 @@ class Scanner {
     return most > 0 ? 0.5 * std::abs(dot(normal, middle)) / most : 0;
   }
 
-  // Fills spots_ with the corners at least `near` ahead, and with the points on the near plane.
+  // Fills spots_ with the corners at least `near` ahead, and with the intersections with the near
+  // plane.
   void project(const std::vector<Corner>& corners, double near) {
     spots_.clear();
     if (!(near > 0)) return;
@@ -142,7 +145,8 @@ class Scanner {
     const Spot* last = &spots_.back();
     for (const Spot& spot : spots_) {
       if ((spot.y < y) != (last->y < y)) {
-        // Ordered from above to below, so that polygons agree on a shared edge to the last bit.
+        // Orders the ends from top to bottom, so that polygons agree on a shared edge to the last
+        // bit.
         const Spot &a = spot.y < y ? spot : *last, &b = spot.y < y ? *last : spot;
         crossings_.push_back(mix(a, b, (y - a.y) / (b.y - a.y)));
       }

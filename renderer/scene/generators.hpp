@@ -10,20 +10,21 @@ namespace renderer {
 inline constexpr int MAX_SPHERES = 2'000'000;
 inline constexpr int MAX_ROOM_LIGHTS = 10'000;
 
-/// "spheres:N": the first `n` spheres, breadth first, of E. Haines's sphereflake (SPD "balls"), on
-/// a floor, which is object 0; three lights. BadInput unless 1 <= n <= MAX_SPHERES.
+/// Makes "spheres:N": the first `n` spheres, breadth first, of E. Haines's sphereflake (SPD
+/// "balls") on a floor, which is object 0. There are three lights. Throws BadInput unless 1 <= n <=
+/// MAX_SPHERES.
 Scene make_spheres(int n);
 
-/// "room:L": a room like the thesis's test image (4.2.1) with `lights` point lights below its
-/// ceiling. In the foreground stand a table, with a glass top on a metal frame, and a glazed
-/// window. The floor is polished; the walls are so hardly specular that their reflections are less
-/// than a step of an 8-bit image. BadInput unless 1 <= lights <= MAX_ROOM_LIGHTS.
+/// Makes "room:L": a room like the thesis's test image (4.2.1), with `lights` point lights below
+/// its ceiling. It has a table, with a glass top on a metal frame, in the foreground, and a glazed
+/// window. The floor is polished. The walls are slightly specular, with reflections below one step
+/// of an 8-bit image. Throws BadInput unless 1 <= lights <= MAX_ROOM_LIGHTS.
 Scene make_room(int lights);
 
 /// A generator of scenes, named "name:N".
 struct Generator {
-  std::string_view name, number;  ///< "spheres", "N"
-  int least, most;                ///< of N
+  std::string_view name, number;  ///< "spheres" and "N", for example
+  int least, most;                ///< range of N
   Scene (*make)(int n);
 };
 inline constexpr Generator GENERATORS[] = {{"spheres", "N", 1, MAX_SPHERES, &make_spheres},

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t NONE = Box::INNER;
 
-// Limits of the nodes visited by insertion: a constant plus a number for each object.
+// Limit on the nodes that insertion may visit: a constant, plus a number for each object.
 constexpr std::size_t MOST_LOOKS = 10'000'000, MOST_LOOKS_PER_OBJECT = 2000;
 
 struct Node {
@@ -23,7 +23,7 @@ struct Node {
 struct Tree {
   std::vector<Node> nodes;
   std::uint32_t root = NONE;
-  std::size_t looks = 0;  // nodes visited by insertion
+  std::size_t looks = 0;  // number of nodes that insertion has visited
 };
 
 std::uint32_t add_node(Tree& tree, const Bounds& bounds, std::uint32_t item) {
@@ -36,7 +36,7 @@ void append_child(Tree& tree, std::uint32_t parent, std::uint32_t child) {
   tree.nodes[child].parent = parent;
 }
 
-// Replaces `leaf` by an inner node with `leaf` as its child.
+// Replaces `leaf` by an inner node that has `leaf` as its child.
 std::uint32_t make_pair_place(Tree& tree, std::uint32_t leaf) {
   const std::uint32_t inner = add_node(tree, tree.nodes[leaf].bounds, NONE);
   const std::uint32_t parent = tree.nodes[leaf].parent;
@@ -59,14 +59,14 @@ struct Choice {
   }
 };
 
-// A path down the tree; `inherited` is the added cost of the nodes above `node`.
+// A path down the tree. `inherited` is the added cost of the nodes above `node`.
 struct Way {
   std::uint32_t node;
   double inherited;
 };
 
-// Computes the cost of `object` as another child of `way.node` and in a pair with each leaf under
-// it. Appends the further paths to `ways`.
+// Computes the cost of `object` as another child of `way.node`, and in a pair with each leaf below
+// it. Appends the paths to search next to `ways`.
 void weigh(const Tree& tree, const Bounds& object, const Way& way, Choice& best,
            std::vector<Way>& ways) {
   const Node& n = tree.nodes[way.node];
@@ -88,12 +88,12 @@ void weigh(const Tree& tree, const Bounds& object, const Way& way, Choice& best,
   std::reverse(ways.begin() + static_cast<std::ptrdiff_t>(before), ways.end());
 }
 
-// The node that `object` should join: an inner node as another child, or a leaf to form a pair. The
-// cost of a node is its area times its number of children; a choice also pays for the growth of all
-// nodes above. The search descends to the child, box or leaf, that grows least. It ends at a leaf,
-// or when no node below can be better, as every place costs at least the object's own area. If
-// children grow equally (several boxes contain the object), it tries all and takes the least cost.
-// Goldsmith and Salmon take the child with the nearest centre, or any.
+// Finds the node that `object` should join: an inner node as another child, or a leaf to form a
+// pair. The cost of a node is its area times its number of children. A choice also pays for the
+// growth of all nodes above. The search descends to the child that grows least. It ends at a leaf,
+// or when no node below can be better, since every place costs at least the object's own area. If
+// several children grow equally, because they contain the object, it tries all and takes the least
+// cost. (Goldsmith and Salmon take the child with the nearest centre, or any.)
 std::uint32_t find_place(Tree& tree, const Bounds& object) {
   Choice best{tree.root};
   if (tree.nodes[tree.root].item != NONE) return best.node;
@@ -123,7 +123,7 @@ void insert(Tree& tree, const Bounds& object, std::uint32_t item) {
 }
 
 // Adds a tree of these items and returns its root. Splits recursively at the median of the centres,
-// along the axis of their largest spread.
+// along the axis of their largest extent.
 std::uint32_t add_halves(Tree& tree, std::span<const Bounds> objects,
                          std::span<std::uint32_t> items) {
   if (items.size() == 1) return add_node(tree, objects[items[0]], items[0]);
@@ -144,7 +144,7 @@ std::uint32_t add_halves(Tree& tree, std::span<const Bounds> objects,
   return inner;
 }
 
-// Adds the objects from `first` on without searching the best place of each.
+// Adds the objects from `first` on by median splits, without searching the best place of each.
 void add_rest(Tree& tree, std::span<const Bounds> objects, std::size_t first) {
   std::vector<std::uint32_t> items(objects.size() - first);
   std::iota(items.begin(), items.end(), static_cast<std::uint32_t>(first));
@@ -205,18 +205,18 @@ double eval_cost(const Hierarchy& hierarchy) {
 Hierarchy make_hierarchy(std::span<const Bounds> objects) {
   Tree tree;
   tree.nodes.reserve(2 * objects.size());
-  // Insertion takes quadratic time if many objects lie in one place: all become children of the
-  // same box.
+  // Limits insertion, since it takes quadratic time if many objects are in the same place: all
+  // become children of one box.
   const std::size_t most = MOST_LOOKS + MOST_LOOKS_PER_OBJECT * objects.size();
   std::size_t inserted = 0;
   for (; inserted < objects.size() && tree.looks <= most; ++inserted)
     insert(tree, objects[inserted], static_cast<std::uint32_t>(inserted));
   if (inserted < objects.size()) add_rest(tree, objects, inserted);
 
-  // Depth first; a box's skip is known after all of its content has been stored.
+  // Stores boxes depth first. The skip of a box is set after its content has been stored.
   struct Step {
     std::uint32_t index;
-    bool ends_box;  // the index is a box's, not a node's
+    bool ends_box;  // true if the index is that of a box to complete, not of a node
   };
   Hierarchy flat;
   flat.boxes.reserve(tree.nodes.size());
@@ -239,7 +239,8 @@ Hierarchy make_hierarchy(std::span<const Bounds> objects) {
   return flat;
 }
 
-// Insertion is greedy: the best of the three times to build at is not known in advance.
+// Builds at three times and compares, since insertion is greedy and the best time cannot be
+// predicted.
 Hierarchy make_hierarchy(std::span<const Bounds> at_open, std::span<const Bounds> at_close) {
   Hierarchy best;
   double least = Bounds::INF;

@@ -9,17 +9,17 @@ namespace renderer {
 
 namespace {
 
-// Seeds of the random numbers for each purpose. The ridges' octaves use the seeds from 0 on.
+// Seeds of the random numbers, one for each purpose. Octaves of ridges use the seeds from 0 on.
 enum Seed { ROLLING = 100, ROUGHNESS, MASSIFS, BORDERS, FORESTS, ORDER };
 
-// A number between -1 and 1 for every lattice point and every `which`.
+// A random number from -1 to 1, keyed by `which` and a lattice point.
 double random_at_point(std::uint64_t which, double x, double y) {
   const auto key = (static_cast<std::uint64_t>(static_cast<std::int64_t>(x)) << 32) ^
                    static_cast<std::uint32_t>(static_cast<std::int64_t>(y));
   return static_cast<double>(base::random_at(which, key) >> 11) * 0x1p-52 - 1;
 }
 
-// K. Perlin's gradient noise (1985, 2002), about -0.7..0.7 and 0 on the integer lattice.
+// K. Perlin's gradient noise (1985, 2002), about -0.7..0.7, and 0 on the integer lattice.
 double eval_noise(std::uint64_t seed, double x, double y) {
   const double left = std::floor(x), front = std::floor(y), u = x - left, v = y - front;
   const auto slope = [&](double i, double j) {
@@ -32,7 +32,7 @@ double eval_noise(std::uint64_t seed, double x, double y) {
   return blend(v, blend(u, slope(0, 0), slope(1, 0)), blend(u, slope(0, 1), slope(1, 1)));
 }
 
-// F. Musgrave's ridged multifractal, 0 to about 1: heights are rugged, valleys are smooth.
+// F. Musgrave's ridged multifractal, 0 to about 1, with rugged heights and smooth valleys.
 double eval_ridges(double x, double y) {
   constexpr int OCTAVES = 8;
   double sum = 0, share = 0.5, weight = 1;
@@ -40,7 +40,8 @@ double eval_ridges(double x, double y) {
     const double ridge = 1 - std::min(1.0, 1.5 * std::abs(eval_noise(octave, x, y)));
     weight = std::min(1.0, ridge * ridge * weight * 1.6);
     sum += share * weight;
-    const double turned = 2 * (0.8 * x - 0.6 * y) + 0.37;  // so that octaves share no lattice
+    // rotated and shifted, so that octaves share no lattice
+    const double turned = 2 * (0.8 * x - 0.6 * y) + 0.37;
     y = 2 * (0.6 * x + 0.8 * y) + 0.59;
     x = turned;
   }
@@ -53,8 +54,8 @@ double eval_step(double from, double to, double value) {
   return t * t * (3 - 2 * t);
 }
 
-// Height of the ground above the lake's surface at 0; negative below it. Distant ground rises to
-// mountains of different heights.
+// Height of the ground above the lake's surface, which is at 0. Distant ground rises to mountains
+// of different heights.
 double eval_ground(double x, double y) {
   const double hills = 1.8 * (eval_ridges(x / 8 + 1.6, y / 8) - 0.4);
   const double rolling =
@@ -71,14 +72,14 @@ double eval_ground(double x, double y) {
 // Indices of points, counter-clockwise from above.
 using Corners = std::array<std::uint32_t, 3>;
 
-// Strips of triangles between rows of points, from the front row to the back.
+// Strips of triangles between rows of points, from the front row to the back row.
 struct Ground {
   std::vector<Vec> points;
   std::vector<Corners> triangles;
 };
 
-// Adds a row; `way` runs from 0, in front, to 1. Distances and widths of rows grow with `way`: the
-// fourth power of the fraction is nearly an exponential.
+// Adds a row. `way` runs from 0 in front to 1 at the back. Distance and width of rows grow with
+// `way`, by a fourth power that approximates an exponential.
 void add_row(Ground& ground, double way, int segments) {
   constexpr double REACH = 0.42;
   const double q = (1 + REACH * way) / (1 - REACH * way), distance = 1.2 * q * q * q * q;
@@ -89,7 +90,8 @@ void add_row(Ground& ground, double way, int segments) {
   }
 }
 
-// Adds triangles between the rows that begin at `front` and at `back`; the back row ends at `end`.
+// Adds the triangles between the rows that begin at `front` and at `back`. The back row ends at
+// `end`.
 void add_strip(Ground& ground, std::uint32_t front, std::uint32_t back, std::uint32_t end) {
   const auto& p = ground.points;
   for (std::uint32_t a = front, b = back; a + 1 < back || b + 1 < end;) {
@@ -100,8 +102,9 @@ void add_strip(Ground& ground, std::uint32_t front, std::uint32_t back, std::uin
   }
 }
 
-// A strip has a triangle for each segment of its two rows. All rows get the same number. For the
-// remaining triangles, an extra segment makes two in an inner row and one in the last row.
+// Makes `n` triangles. A strip has a triangle for each segment of its two rows, and all rows get
+// the same number of segments. For the remaining triangles, rows get an extra segment, which makes
+// two triangles in an inner row and one in the last row.
 Ground make_ground(int n) {
   const int strips = static_cast<int>(std::sqrt(0.8 * n)), segments = n / (2 * strips);
   const int wanting = n % (2 * strips);
@@ -117,7 +120,8 @@ Ground make_ground(int n) {
   return ground;
 }
 
-// Row order would make the hierarchy's boxes as long as rows, and double the tests.
+// Shuffles the triangles. In row order, the boxes of the hierarchy would be as long as rows, and
+// tests would double.
 void shuffle(std::vector<Corners>& triangles) {
   for (std::size_t i = triangles.size(); i > 1; --i)
     std::swap(triangles[i - 1], triangles[base::random_at(ORDER, i) % i]);
@@ -141,7 +145,7 @@ constexpr Surface COVERS[] = {{.colour = {0.10, 0.22, 0.30}, .kd = 0.45, .ks = 0
                               {.colour = {0.56, 0.50, 0.45}, .kd = 0.8},
                               {.colour = {0.95, 0.96, 1.00}, .kd = 0.9}};
 
-// Ground cover of a triangle, by height and slope, with borders frayed by noise.
+// Ground cover of a triangle, by height and slope. Noise frays the borders between covers.
 Cover choose_cover(const Ground& ground, const std::vector<Vec>& normals, const Corners& corners) {
   Vec centre, normal;
   for (const auto i : corners) {
@@ -178,7 +182,7 @@ Scene make_hills(int n) {
     for (const auto& [a, b, c] : covered[cover]) {
       const std::array at = {ground.points[a], ground.points[b], ground.points[c]};
       const std::array bent = {normals[a], normals[b], normals[c]};
-      // A splinter between steep neighbours may face away from their normals.
+      // A splinter between steep neighbours may face away from the normals at its corners.
       const Vec flat = cross(at[1] - at[0], at[2] - at[0]);
       const bool is_front =
           std::ranges::all_of(bent, [&](const Vec& normal) { return dot(normal, flat) > 0; });

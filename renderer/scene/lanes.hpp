@@ -1,6 +1,6 @@
 #pragma once
-// SIMD arithmetic on four numbers, points or colours. Each lane gets the same bits as a scalar,
-// only faster on processors with wide registers.
+// SIMD arithmetic on four numbers, points or colours. Each lane gets the same bits as a scalar
+// computation. It is faster on processors with wide registers.
 
 #include <algorithm>
 #include <cmath>
@@ -9,8 +9,8 @@
 
 #include "renderer/scene/vec.hpp"
 
-// GCC compiles such a function twice, for wide registers and for all other processors. The program
-// selects one when it starts, which is too early for sanitizers. (Without fused multiply-add,
+// Makes GCC compile a function twice: for wide registers, and for other processors. The program
+// selects a version when it starts, which is too early for sanitizers. (Without fused multiply-add,
 // results are the same.)
 #if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
@@ -19,7 +19,7 @@
 #define TLAB_WIDE_REGISTERS
 #endif
 
-// Lanes are passed to inlined functions only, so that calling conventions do not matter.
+// Lanes are passed only to inlined functions, so that calling conventions do not matter.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace renderer {
@@ -27,7 +27,7 @@ namespace renderer {
 inline constexpr std::size_t LANES = 4;
 
 using Lanes = double __attribute__((vector_size(LANES * sizeof(double))));
-/// Integers; a comparison yields -1 in lanes where it holds and 0 elsewhere.
+/// Integers as masks: a comparison yields -1 in lanes where it holds, and 0 elsewhere.
 using Mask = std::int64_t __attribute__((vector_size(LANES * sizeof(std::int64_t))));
 
 [[gnu::always_inline]] inline bool holds_any(const Mask& mask) {

@@ -6,10 +6,10 @@ namespace renderer {
 
 namespace {
 
-// Relative to a polygon's size and to its square.
+// relative to a polygon's size, and to its square
 constexpr double MAX_BEND = 0.05, MIN_AREA = 1e-12;
 
-// Newell's method: correct for any simple polygon, also if it is concave or only nearly flat.
+// Newell's method, which is correct for any simple polygon, also concave or only nearly flat ones.
 Vec eval_newell_normal(std::span<const Vec> corners, const Vec& centre) {
   Vec sum;
   for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++)
@@ -120,7 +120,8 @@ Bounds make_bounds(const Polygon& polygon, std::span<const Corner> pool) {
 }
 
 Bounds make_bounds(const Cone& cone) {
-  // A disc of radius r across unit axis a extends r * sqrt(1 - a_i^2) along coordinate i.
+  // A disc of radius r perpendicular to the unit axis a extends r * sqrt(1 - a_i^2) along
+  // coordinate i.
   const Vec& a = cone.axis;
   const auto reach = [](double c) { return std::sqrt(std::max(0.0, 1 - c * c)); };
   const Vec across{reach(a.x), reach(a.y), reach(a.z)};
@@ -153,9 +154,10 @@ Blend interpolate(const Polygon& polygon, std::span<const Corner> pool, std::spa
     if (a_size == 0) return {value_a, Blend::On::corner};
     if (b_size == 0) return {value_b, Blend::On::corner};
     const double below = a_size * b_size + a.u * b.u + a.v * b.v;
-    // On the edge itself: linear between its ends.
+    // On an edge, the value is linear between its ends.
     if (!(below > 0)) return {b_size * value_a + a_size * value_b, Blend::On::edge};
-    const double half_tan = (a.u * b.v - a.v * b.u) / below;  // of the angle subtended by the edge
+    // tangent of half the angle subtended by the edge
+    const double half_tan = (a.u * b.v - a.v * b.u) / below;
     sum += (half_tan / a_size) * value_a + (half_tan / b_size) * value_b;
   }
   return {sum};

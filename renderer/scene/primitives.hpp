@@ -1,6 +1,6 @@
 #pragma once
-// The four primitives of NFF, prepared for intersection. The make_ functions reject degenerate
-// shapes with BadInput "found ..., expected ..."; readers of files add the place.
+// The four primitives of NFF, prepared for intersection. The make_ functions throw BadInput "found
+// ..., expected ..." for degenerate shapes; readers of files add the position.
 
 #include <cstdint>
 #include <vector>
@@ -9,7 +9,7 @@
 
 namespace renderer {
 
-/// Object and surface of a primitive.
+/// Object and surface that a primitive belongs to.
 struct Tag {
   std::uint32_t object = 0;   ///< index in file order
   std::uint32_t surface = 0;  ///< index into Scene::surfaces
@@ -26,46 +26,46 @@ struct Corner {
   double u = 0, v = 0;
 };
 
-/// A flat polygon, convex or not; inside by the even-odd rule. On its front side its corners run
-/// counter-clockwise.
+/// A flat polygon, convex or not. The even-odd rule defines its inside. Its corners run
+/// counter-clockwise as seen from its front.
 struct Polygon {
-  Vec normal;                          ///< unit, of the front
-  double offset = 0;                   ///< plane: dot(normal, p) = offset
-  std::uint32_t first = 0, count = 0;  ///< its corners in the scene's pool
-  std::uint8_t u = 0, v = 1, w = 2;    ///< kept axes and dropped one
+  Vec normal;                          ///< unit normal of the front
+  double offset = 0;                   ///< the plane is dot(normal, p) = offset
+  std::uint32_t first = 0, count = 0;  ///< range of its corners in the scene's pool
+  std::uint8_t u = 0, v = 1, w = 2;    ///< kept axes u and v, and projection axis w
   Tag tag;
 };
 
-/// A polygon with normals interpolated between its corners. They point to its front side.
+/// A polygon with normals interpolated between its corners. They point to its front.
 struct Patch : Polygon {
   std::uint32_t normals = 0;  ///< index of its first normal in the scene's pool of normals
 };
 
-/// A cone's or cylinder's side, open at both ends.
+/// The side of a cone or cylinder, open at both ends.
 struct Cone {
   Vec base;
-  Vec axis;  ///< unit, from base to apex
+  Vec axis;  ///< unit vector from base to apex
   double height = 0, base_radius = 0;
   double slope = 0;  ///< growth of the radius per unit of height
   Tag tag;
 };
 
 Sphere make_sphere(const Vec& centre, double radius, Tag tag);
-/// Appends its corners to `pool`. Corners off the plane by more than 5 % of the polygon's size are
-/// an error; others are moved into the plane along the dropped axis.
+/// Makes a polygon and appends its corners to `pool`. Corners off the plane by more than 5 % of the
+/// polygon's size are an error. Others are moved into the plane along the projection axis.
 Polygon make_polygon(std::span<const Vec> corners, Tag tag, std::vector<Corner>& pool);
-/// `corner_normals`: one for every corner, of any length but 0.
+/// Makes a patch. `corner_normals` has one for every corner, of any length but 0.
 Patch make_patch(std::span<const Vec> corners, std::span<const Vec> corner_normals, Tag tag,
                  std::vector<Corner>& pool, std::vector<Vec>& normal_pool);
-/// BadInput for corners that form no valid polygon, for instance without an area, or, with normals,
-/// no valid patch.
+/// Throws BadInput if the corners form no valid polygon or, with normals, no valid patch. Polygons
+/// without an area are invalid.
 void check_polygon(std::span<const Vec> corners, std::span<const Vec> corner_normals);
 Cone make_cone(const Vec& base, double base_radius, const Vec& apex, double apex_radius, Tag tag);
 
-/// Position of a polygon's corner: the dropped coordinate follows from the plane.
+/// Position of a polygon's corner. Its coordinate along the projection axis follows from the plane.
 Vec eval_corner(const Polygon& polygon, const Corner& corner);
 
-// Each moves a primitive; a polygon's corners are in `pool`.
+// Translation of a primitive. The corners of a polygon are in `pool`.
 void translate(Sphere& sphere, const Vec& by);
 void translate(Polygon& polygon, const Vec& by, std::vector<Corner>& pool);
 void translate(Cone& cone, const Vec& by);
@@ -79,10 +79,10 @@ inline Vec eval_normal(const Sphere& s, const Vec& point) { return normalize(poi
 inline Vec eval_normal(const Polygon& p, const Vec&) { return p.normal; }
 Vec eval_normal(const Cone& c, const Vec& point);
 
-/// Values at a polygon's corners, interpolated at a point by mean value coordinates (M. Floater,
-/// 2003), which are barycentric in a triangle and defined for any polygon. `sum` is the
-/// interpolated value times a factor: 1 at a corner, > 0 on an edge. Elsewhere it has any sign, < 0
-/// from the back of the projection.
+/// Interpolation at a point between values at a polygon's corners, by mean value coordinates (M.
+/// Floater, 2003). These are defined for any polygon, and barycentric in a triangle. `sum` is the
+/// interpolated value times a factor: 1 at a corner, > 0 on an edge. Elsewhere its sign depends on
+/// the side of projection.
 struct Blend {
   Vec sum;
   enum class On : std::uint8_t { inside, edge, corner } on = On::inside;
@@ -94,25 +94,27 @@ Blend interpolate(const Polygon& polygon, std::span<const Corner> pool, std::spa
 Vec eval_smooth_normal(const Patch& patch, std::span<const Corner> pool,
                        std::span<const Vec> normal_pool, const Vec& point);
 
-// Tests of a ray against a primitive. Each intersect() returns the least distance > epsilon at
-// which they meet, or infinity. A polygon may return infinity beyond `reach`.
+// Ray-primitive tests. Each intersect() returns the least distance > epsilon at which the ray meets
+// the primitive, or infinity. For polygons it may also return infinity for a distance beyond
+// `reach`.
 //
-// Self-intersection: a ray may start on this very primitive. The root at the origin is then exactly
-// 0 and left out, regardless of rounding: a flat primitive has no other root, a quadric has one.
-// The scene's epsilon is for other primitives through the origin.
+// Self-intersection: a ray may start on the tested primitive itself. The root at the origin is then
+// known and omitted, regardless of rounding. A flat primitive has no other root, a quadric has one.
+// The scene's epsilon applies to other primitives through the origin.
 //
-// All are inlined into every traversal: calls would slow a rendering by a tenth.
+// All tests are inlined into every traversal, since calls would slow a rendering by a tenth.
 
 inline constexpr double NO_HIT = std::numeric_limits<double>::infinity();
 
 /// A ray with the counts of its tests.
 struct Probe {
   const Vec &origin, &direction;
-  std::uint32_t from;                  ///< object at the ray's origin
-  double epsilon;                      ///< the scene's
-  double reach;                        ///< hits beyond it do not matter
-  const Corner* corners;               ///< the scene's pool
-  std::uint32_t roots = 0, edges = 0;  ///< spheres with a root, polygons ahead
+  std::uint32_t from;     ///< object at the ray's origin
+  double epsilon;         ///< epsilon of the scene
+  double reach;           ///< distance beyond which hits do not matter
+  const Corner* corners;  ///< corner pool of the scene
+  /// number of sphere tests with a root, and of polygon tests with the plane ahead
+  std::uint32_t roots = 0, edges = 0;
 
   bool starts_on(const Tag& tag) const { return tag.object == from; }
 };
@@ -133,7 +135,7 @@ struct Probe {
   return along + half > epsilon ? along + half : NO_HIT;
 }
 
-/// Even-odd rule. An edge is always taken from its lower to its upper end, so that neighbours agree
+/// Even-odd rule. Edges are evaluated from their lower to their upper end, so that neighbours agree
 /// on a shared edge to the last bit.
 [[gnu::always_inline]] inline bool is_inside(std::span<const Corner> corners, double u, double v) {
   bool inside = false;
@@ -148,8 +150,8 @@ struct Probe {
   return inside;
 }
 
-// A single predictable branch rejects polygons: half the feelers go towards a room's wall, but
-// nearly all end before it.
+// Rejects polygons by a single predictable branch. Half of the feelers go towards a wall of the
+// room, but nearly all end before it.
 [[gnu::always_inline]] inline double intersect(const Polygon& p, Probe& ray) {
   if (ray.starts_on(p.tag)) return NO_HIT;
   const Vec &origin = ray.origin, &direction = ray.direction;
@@ -166,12 +168,13 @@ struct Probe {
 [[gnu::always_inline]] inline double intersect(const Cone& c, Probe& ray) {
   const Vec &origin = ray.origin, &direction = ray.direction;
   const bool own = ray.starts_on(c.tag);
-  // Starts near the cone, so that the squared lengths below have the size of the cone.
+  // Starts near the cone, so that the squared lengths below are of the order of the cone's size.
   const double start = own ? 0 : dot(c.base + 0.5 * c.height * c.axis - origin, direction);
   const Vec p = origin + start * direction - c.base;
   const double p_along = dot(p, c.axis), d_along = dot(direction, c.axis);
   const Vec p_across = p - p_along * c.axis, d_across = direction - d_along * c.axis;
-  // p + t d|^2 across the axis = radius^2 at that height: a t^2 + 2 b t + k = 0.
+  // The squared distance from the axis equals the squared radius, |p + t d|^2 = r^2, at that
+  // height: a t^2 + 2 b t + k = 0.
   const double radius = c.base_radius + c.slope * p_along, growth = c.slope * d_along;
   const double a = dot(d_across, d_across) - growth * growth;
   const double b = dot(p_across, d_across) - radius * growth;

@@ -1,11 +1,11 @@
 #pragma once
-// Checks of input. Errors are BadInput "found ..., expected ...".
+// Input checks. Errors are BadInput "found ..., expected ...".
 
 #include "base/fields.hpp"
 
 namespace renderer {
 
-/// Throws unless `holds`; the caller adds the place.
+/// Throws unless `holds`. The caller adds the position.
 template <class Found>
 void require(bool holds, const Found& found, std::string_view expected) {
   if (!holds) throw base::BadInput(fmt::format("found {}, expected {}", found, expected));
@@ -17,7 +17,7 @@ void require(bool holds, std::string_view field, const Found& found, std::string
   base::require(holds, field, "found {}, expected {}", found, expected);
 }
 
-/// Throws, with the field's name, unless the declarations allow all values.
+/// Throws, with the field's name, if the declaration of a field forbids its value.
 template <class P>
 void require_allowed(const base::Fields<P>& fields, const P& params) {
   for (const auto& field : fields) {
@@ -26,7 +26,7 @@ void require_allowed(const base::Fields<P>& fields, const P& params) {
   }
 }
 
-/// Runs `action`; prefixes a BadInput from it with `place`.
+/// Runs `action`. A BadInput that it throws gets the prefix `place`.
 template <class Action>
 void at_place(std::string_view place, const Action& action) {
   try {

@@ -16,7 +16,8 @@ bool has_mesh_texture(const Scene& scene) {
   return texture != NO_TEXTURE && scene.textures[texture].mapping.kind == Mapping::Kind::mesh;
 }
 
-// `shape` is the new object; `corners` is its number of corners with texture coordinates.
+// Makes the tag of a new object. `shape` is its kind; `corners` is its number of corners with
+// texture coordinates.
 Tag make_tag(const Scene& scene, std::string_view shape, std::size_t corners = 0) {
   require(!scene.surfaces.empty(), "a primitive", "a surface ('f') before the first primitive");
   require(scene.objects.size() < MAX_OBJECTS, "more objects",
@@ -39,14 +40,15 @@ void check_coordinates(std::span<const Vec> corners, std::span<const Corner> coo
           "one pair each");
 }
 
-// Stores coordinates for the last polygon's corners.
+// Stores the texture coordinates of the last polygon's corners.
 void add_coordinates(Scene& scene, std::span<const Corner> coordinates) {
   if (coordinates.empty() || !has_mesh_texture(scene)) return;
   scene.coordinates.resize(scene.corners.size() - coordinates.size());
   for (const auto& [u, v] : coordinates) scene.coordinates.push_back({u, v, 1});
 }
 
-// Sets the gradients of a polygon's coordinates, by a least-squares plane; exact in a triangle.
+// Sets the gradients of a polygon's texture coordinates, by a least-squares plane, which is exact
+// in a triangle.
 void set_gradients(TexturePoint& found, const Polygon& polygon, std::span<const Corner> corners,
                    std::span<const Vec> coordinates) {
   const double share = 1.0 / static_cast<double>(corners.size());
@@ -113,7 +115,8 @@ double eval_least_length(const Vec& open, const Vec& move) {
   return length(open + time * move);
 }
 
-// Throws unless the view, valid when the shutter opens, remains valid until it closes.
+// Throws unless the view stays valid until the shutter closes. It must be valid when the shutter
+// opens.
 void check_motion(const View& view) {
   const Vec open = view.at - view.from, move = view.at_move - view.from_move;
   const double longest = std::max(length(open), length(open + move));
@@ -125,7 +128,7 @@ void check_motion(const View& view) {
           "'up' across the line from 'from' to 'at'");
 }
 
-// Moves one kind's primitives into the order of the leaves.
+// Sorts the primitives of one kind into the order of the leaves.
 template <class Primitive>
 void reorder(std::vector<Primitive>& primitives, Kind kind, Scene& scene) {
   std::vector<Primitive> sorted;
@@ -197,7 +200,7 @@ TexturePoint find_texture_point(const Scene& scene, const Texture& texture, std:
     if constexpr (requires { primitive.count; })
       return find_mesh_point(scene, primitive, point);
     else
-      return TexturePoint{};  // others have no texture by coordinates
+      return TexturePoint{};  // only polygons have texture coordinates
   });
 }
 

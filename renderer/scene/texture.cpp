@@ -15,8 +15,8 @@ std::size_t area_of(int width, int height) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
 
-// Calls add() for the texels under one texel of the next level along one side, with their overlap
-// in units of a texel times `next`. (Odd sides have three under one, in part.)
+// Calls add() for the texels below one texel of the next level, along one side, with their overlap
+// in units of a texel times `next`. (If the side is odd, three texels overlap it, two in part.)
 template <class Add>
 void for_each_covered(int index, int length, int next, const Add& add) {
   const std::int64_t from = std::int64_t{index} * length, to = from + length;
@@ -50,7 +50,7 @@ Level make_next(const Level& level) {
   return next;
 }
 
-// Two neighbours among `length` texels that repeat, and the share of the second.
+// Two neighbours among `length` texels that repeat, and the weight of the second.
 struct Neighbours {
   int first = 0, second = 0;
   double share = 0;
@@ -58,7 +58,7 @@ struct Neighbours {
 Neighbours find_neighbours(double coordinate, int length, Beyond beyond) {
   double part = beyond == Beyond::stays ? std::clamp(coordinate, 0.0, 1.0)
                                         : coordinate - std::floor(coordinate);
-  if (!(part >= 0)) part = 0;  // not a finite number
+  if (!(part >= 0)) part = 0;  // for coordinates that are not finite
   const double at = part * length - 0.5, floor = std::floor(at);
   const int first = static_cast<int>(floor);
   if (beyond == Beyond::stays)
@@ -82,7 +82,7 @@ TexturePoint eval_spherical(const Mapping& m, const Vec& point) {
   TexturePoint found;
   found.beyond = Beyond::stays;
   found.u = eval_turn(y, x);
-  // Half a turn, from a quarter turn below the equator to one above it, becomes 0..1.
+  // Maps latitudes from a quarter turn below the equator to one above it to 0..1.
   const double latitude = eval_turn(z, across);
   found.v = 0.5 + 2 * (latitude > 0.5 ? latitude - 1 : latitude);
   if (!(square > 0)) return found;
@@ -131,7 +131,7 @@ Rgb eval_bilinear(const Level& level, double u, double v, Beyond beyond) {
 }
 
 Filtered eval_filtered(const Pyramid& pyramid, double u, double v, double size, Beyond beyond) {
-  constexpr int READ = 4;  // texels of a level
+  constexpr int READ = 4;  // number of texels read in a level
   const auto get = [&](std::size_t level) {
     return eval_bilinear(pyramid.levels[level], u, v, beyond);
   };
@@ -139,17 +139,18 @@ Filtered eval_filtered(const Pyramid& pyramid, double u, double v, double size, 
   const std::size_t last = pyramid.levels.size() - 1;
   const auto level = static_cast<std::size_t>(std::ilogb(std::min(0x1p30, size)));
   if (level >= last) return {get(last), READ};
-  // Linear from 2^level to 2^(level + 1).
+  // The weight grows linearly from 2^level to 2^(level + 1).
   const double share = std::ldexp(size, -static_cast<int>(level)) - 1;
   return {(1 - share) * get(level) + share * get(level + 1), 2 * READ};
 }
 
 Mapping make_planar(const Vec& origin, const Vec& along_u, const Vec& along_v) {
-  // Dual vectors: u grows by 1 along `along_u` and is constant along `along_v` and across both.
+  // Dual basis: u grows by 1 along `along_u`, and is constant along `along_v` and along the normal.
   const Vec normal = cross(along_u, along_v);
   const double square = dot(normal, normal);
   const double u_square = dot(along_u, along_u), v_square = dot(along_v, along_v);
-  constexpr double LEAST = 1e-40, LEAST_SINE = 1e-18;  // squares
+  // squares of the least length, and of the least sine
+  constexpr double LEAST = 1e-40, LEAST_SINE = 1e-18;
   require(u_square >= LEAST && v_square >= LEAST && square > LEAST_SINE * u_square * v_square,
           "a planar texture whose edges span no plane", "two edges of different directions");
   return {Mapping::Kind::planar,
@@ -178,7 +179,7 @@ double eval_turn(double y, double x) {
   const double wide = std::abs(x), high = std::abs(y);
   if (wide == 0 && high == 0) return 0;
   constexpr double TURN = 2 * std::numbers::pi;
-  // Computed within the first quarter, then mirrored.
+  // Computes the angle in the first quarter, then reflects it.
   double turn = high <= wide ? eval_arc_tangent(high / wide) / TURN
                              : 0.25 - eval_arc_tangent(wide / high) / TURN;
   if (x < 0) turn = 0.5 - turn;

@@ -1,10 +1,10 @@
 #pragma once
-// Textures: pictures in levels of falling resolution (L. Williams, "Pyramidal Parametrics", 1983),
-// and their mapping onto points of the scene.
+// Textures as mipmaps (L. Williams, "Pyramidal Parametrics", 1983), and their mapping onto points
+// of the scene.
 //
-// Coordinates (u, v) of a texture: (0, 0) is the picture's lower left corner, u grows to the right
+// Coordinates (u, v) of a texture: (0, 0) is the picture's lower left corner. u grows to the right
 // and v upwards, both by 1 for a whole picture, which repeats. No function depends on parts of the
-// mathematics library that differ between machines, so that all get the same bits.
+// maths library that differ between hosts, so that all get the same bits.
 
 #include <cstdint>
 #include <limits>
@@ -14,7 +14,7 @@
 
 namespace renderer {
 
-/// A pixel of a picture: 0..65535 is 0 to full intensity.
+/// A texel, with 0..65535 for 0 to full intensity.
 struct Texel {
   std::uint16_t r = 0, g = 0, b = 0;
   bool operator==(const Texel&) const = default;
@@ -26,29 +26,30 @@ struct Level {
   std::vector<Texel> texels;  ///< rows from the top
 };
 
-/// A picture at its own resolution, then halved along each side (rounded down, at least 1) and so
-/// on to a single texel. Each texel is the mean of those that it covers.
+/// A mipmap: a picture at its own resolution, then halved along each side (rounded down, at least
+/// 1) and so on to a single texel. Each texel is the mean of those that it covers.
 struct Pyramid {
   std::vector<Level> levels;
 };
 
-/// From `width` x `height` pixels, each 1 or more; rows from the top, 3 bytes a pixel.
+/// Makes the mipmap of a picture with `width` x `height` pixels, each 1 or more, rows from the top,
+/// 3 bytes per pixel.
 Pyramid make_pyramid(int width, int height, std::span<const std::uint8_t> rgb8);
 
-/// Texels of all levels together.
+/// Number of texels of all levels together.
 std::uint64_t texel_count(const Pyramid& pyramid);
 
-/// Continuation above and below the picture: the picture again, or its edge.
+/// Values above and below the picture: those of the repeated picture, or of its edge.
 enum class Beyond : std::uint8_t { repeats, stays };
 
-/// The colour of one level, bilinear between the middles of texels.
+/// The colour of one level by bilinear interpolation between the middles of texels.
 Rgb eval_bilinear(const Level& level, double u, double v, Beyond beyond = Beyond::repeats);
 
-/// The colour of a point `size` texels (of the first level) wide. Up to 1 it comes from the first
-/// level, else from the two levels with the nearest texel sizes.
+/// The colour of an area `size` texels of the first level wide. Up to size 1 it comes from the
+/// first level, else from the two levels with the nearest texel sizes.
 struct Filtered {
   Rgb colour;
-  int texels = 0;  ///< number read
+  int texels = 0;  ///< number of texels read
 };
 Filtered eval_filtered(const Pyramid& pyramid, double u, double v, double size,
                        Beyond beyond = Beyond::repeats);
@@ -65,34 +66,34 @@ struct Mapping {
   enum class Kind : std::uint8_t {
     planar,     ///< along two directions, the same on all parallel planes
     spherical,  ///< by longitude and latitude around a middle
-    mesh        ///< by coordinates at the corners of polygons, see Scene::coordinates
+    mesh        ///< by coordinates at the corners of polygons (see Scene::coordinates)
   };
   Kind kind = Kind::mesh;
   Vec origin{};  ///< planar: position of (0, 0); spherical: the middle
   /// Planar: the gradients of u and v. Spherical: unit vectors to longitudes 0 and 90 degrees.
   Vec u{}, v{};
-  Vec axis{};  ///< spherical: unit, to the north pole
+  Vec axis{};  ///< spherical: unit vector to the north pole
 };
 
-/// `along_u` and `along_v` are the lower and the left edge of one picture. BadInput unless they
-/// have lengths (1e-20 or more) and different directions.
+/// Makes a planar mapping. `along_u` and `along_v` are the lower and the left edge of the picture.
+/// Throws BadInput unless they have lengths of at least 1e-20 and different directions.
 Mapping make_planar(const Vec& origin, const Vec& along_u, const Vec& along_v);
-/// The lower edge of the picture is the south pole, the upper one the north pole; from outside, u
-/// grows to the right. Longitude 0 is towards x, or towards y if the axis is near x. BadInput for
-/// an axis of length 0.
+/// Makes a spherical mapping. The lower edge of the picture is at the south pole, the upper edge at
+/// the north pole. Seen from outside, u grows to the right. Longitude 0 is towards x, or towards y
+/// if the axis is near x. Throws BadInput for an axis of length 0.
 Mapping make_spherical(const Vec& middle, const Vec& axis);
 inline Mapping make_mesh_mapping() { return {}; }
 
-/// The texture's point at a scene point, for planar and spherical mappings.
+/// The texture point at a scene point, for planar and spherical mappings.
 TexturePoint eval_mapping(const Mapping& mapping, const Vec& point);
 
-/// A picture on surfaces.
+/// A texture: a picture and its placement.
 struct Texture {
-  std::uint32_t pyramid = 0;  ///< index in Scene::pyramids
+  std::uint32_t pyramid = 0;  ///< index into Scene::pyramids
   Mapping mapping;
 };
 
-/// The texture of a surface without one.
+/// Value of Surface::texture for a surface without texture.
 inline constexpr std::uint32_t NO_TEXTURE = std::numeric_limits<std::uint32_t>::max();
 
 /// The angle from x to y, in turns, 0 <= a < 1; 0 if both are 0.

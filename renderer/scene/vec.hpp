@@ -1,5 +1,5 @@
 #pragma once
-// Points, directions and boxes (right-handed, in scene units) and linear colour (1 = full
+// Points, directions and boxes (right-handed, in scene units), and linear colours (1 = full
 // intensity).
 
 #include <algorithm>
@@ -38,7 +38,7 @@ inline double max_abs(const Vec& a) {
 /// An axis-aligned box.
 struct Bounds {
   static constexpr double INF = std::numeric_limits<double>::infinity();
-  Vec lo{INF, INF, INF};  ///< a new box is empty: it contains nothing
+  Vec lo{INF, INF, INF};  ///< initially empty: contains nothing
   Vec hi{-INF, -INF, -INF};
   bool operator==(const Bounds&) const = default;
 };
@@ -56,7 +56,7 @@ inline Bounds make_bounds(std::span<const Vec> points) {
   for (const Vec& point : points) bounds = join(bounds, point);
   return bounds;
 }
-/// `b` grown by `margin` on every side.
+/// The box enlarged by `margin` on every side.
 inline Bounds grow(const Bounds& b, double margin) {
   const Vec by{margin, margin, margin};
   return {b.lo - by, b.hi + by};
@@ -65,7 +65,7 @@ inline Bounds grow(const Bounds& b, double margin) {
 inline bool contains(const Bounds& outer, const Bounds& inner) {
   return join(outer, inner) == outer;
 }
-/// Half the surface area, proportional to the probability that a random ray meets the box.
+/// Half the surface area, which is proportional to the probability that a random ray meets the box.
 inline double half_area(const Bounds& b) {
   const Vec e = b.hi - b.lo;
   return e.x * e.y + e.y * e.z + e.z * e.x;

@@ -12,9 +12,9 @@ struct Square {
   Rgb sum, squares;
 };
 
-// The squared standard error of the pixel's mean, maximum over the components, estimated from all
-// groups but `own`. The pixel is divided into squares of two or four samples each. The variance
-// within the squares is the only unknown part.
+// Estimates the squared standard error of the pixel's mean from all groups but `own`, as the
+// maximum over the components. The pixel is divided into squares of two or four samples. Only the
+// variance within squares contributes, since samples are stratified.
 double eval_error_square(std::span<const TracedSample> samples, int own) {
   int levels = 0;
   while (std::size_t{4} << (2 * levels) < samples.size()) ++levels;
@@ -46,7 +46,7 @@ bool has_border(std::span<const TracedSample> samples, int own, const Corners& c
   return !std::ranges::all_of(corners, [&](auto object) { return object == corners[0]; });
 }
 
-// True if these samples of the pixel suffice, as judged by all groups but `own`.
+// True if the pixel's samples suffice according to all groups but `own`.
 bool is_enough(const Sampling& s, std::span<const TracedSample> samples, int own,
                const Corners& corners) {
   if (samples.size() == FIRST_ROUND && has_border(samples, own, corners)) return false;

@@ -13,7 +13,8 @@ struct Nearest {
 
 // State and counts of a traversal.
 struct Walk {
-  // (A constructor: in initialiser lists, GCC fills missing fields with a slow instruction.)
+  // (A constructor, because GCC fills fields missing in an initialiser list with a slow
+  // instruction.)
   Walk(const Scene& scene, const Ray& ray)
       : scene(scene), ray(ray), probe{ray.origin,    ray.direction, ray.from,
                                       scene.epsilon, ray.reach,     scene.corners.data()} {}
@@ -21,9 +22,9 @@ struct Walk {
   const Scene& scene;
   const Ray& ray;
   Nearest best;
-  Probe probe;  // its reach is the nearest hit so far
+  Probe probe;  // its reach is the distance of the nearest hit so far
   std::uint32_t boxes = 0;
-  std::uint32_t tests[4] = {};  // by Kind
+  std::uint32_t tests[4] = {};  // number of tests by Kind
 };
 
 [[gnu::always_inline]] inline void count(Walk& walk, Work& work) {
@@ -34,12 +35,12 @@ struct Walk {
   work[Op::polygon_edges] += std::exchange(walk.probe.edges, 0);
 }
 
-// The listener of a traversal that reports nothing.
+// Access callback that does nothing.
 struct NoListener {
   static constexpr bool LISTENS = false;
 };
 
-// Reports each access of a traversal, with up-to-date counts.
+// Access callback that reports each read, with up-to-date counts.
 struct AccessListener {
   static constexpr bool LISTENS = true;
   Access& access;
@@ -55,7 +56,7 @@ struct AccessListener {
   }
 };
 
-// Tests a primitive at the ray's time: moves the ray instead of the primitive.
+// Tests a primitive at the time of the ray, by moving the ray instead of the primitive.
 template <class Primitive>
 [[gnu::always_inline]] inline double intersect_moved(const Primitive& primitive, Walk& walk) {
   const Vec origin = walk.ray.origin - eval_shift(walk.scene, primitive.tag.object, walk.ray.time);
@@ -67,7 +68,7 @@ template <class Primitive>
   return distance;
 }
 
-// MOVES: the scene's objects move.
+// MOVES: the objects of the scene move.
 template <bool MOVES, class Listener>
 [[gnu::always_inline]] inline void consider(Walk& walk, Place place, const Listener& listener) {
   if constexpr (Listener::LISTENS) listener.object(walk, place);
@@ -95,7 +96,8 @@ void walk_linear(Walk& walk, const Listener& listener) {
   for (const Place place : walk.scene.objects) consider<MOVES>(walk, place, listener);
 }
 
-// Depth first in stored order. CLIP: clip boxes by the nearest hit so far; ANY: stop at any hit.
+// Traverses depth first in stored order. CLIP: boxes beyond the nearest hit so far are skipped.
+// ANY: the search stops at any hit.
 template <bool CLIP, bool ANY, bool MOVES, class Listener>
 void walk_boxes(Walk& walk, const Listener& listener) {
   const Box* boxes = walk.scene.hierarchy.boxes.data();
@@ -104,7 +106,8 @@ void walk_boxes(Walk& walk, const Listener& listener) {
   const auto count = static_cast<std::uint32_t>(walk.scene.hierarchy.boxes.size());
   const Vec o = walk.ray.origin;
   const Vec inverse{1 / walk.ray.direction.x, 1 / walk.ray.direction.y, 1 / walk.ray.direction.z};
-  // The ray enters every box through the planes of one corner and leaves through the opposite ones.
+  // The ray enters every box through the planes at one corner, and leaves through the opposite
+  // ones.
   using Face = const Vec Bounds::*;
   const Face in_x = inverse.x < 0 ? &Bounds::hi : &Bounds::lo;
   const Face in_y = inverse.y < 0 ? &Bounds::hi : &Bounds::lo;
@@ -113,7 +116,7 @@ void walk_boxes(Walk& walk, const Listener& listener) {
   const Face out_y = inverse.y < 0 ? &Bounds::lo : &Bounds::hi;
   const Face out_z = inverse.z < 0 ? &Bounds::lo : &Bounds::hi;
   double begin = 0;
-  asm("" : "+m"(begin));  // if it were a constant, GCC would branch for the first maximum
+  asm("" : "+m"(begin));  // hidden from GCC, which would branch for the first maximum of a constant
   std::uint32_t tested = 0;
   for (std::uint32_t i = 0; i < count;) {
     const Box& box = boxes[i];
@@ -126,8 +129,8 @@ void walk_boxes(Walk& walk, const Listener& listener) {
     }
     if constexpr (Listener::LISTENS) listener.box(walk, i);
     ++tested;
-    // Slabs: from the last entry to the first exit. A NaN (0 * infinity: the ray runs in a face)
-    // compares false and leaves the interval unchanged.
+    // Slab test: the interval from the last entry to the first exit. A NaN (0 * infinity, when the
+    // ray runs in a face) compares false and leaves the interval unchanged.
     double enter = begin, leave = CLIP ? walk.probe.reach : NO_HIT;
     const auto clip = [&](Face in_face, Face out_face, double Vec::*axis) {
       double in_plane = (box.bounds.*in_face).*axis, out_plane = (box.bounds.*out_face).*axis;
@@ -148,8 +151,8 @@ void walk_boxes(Walk& walk, const Listener& listener) {
   walk.boxes = tested;
 }
 
-// The hit on the nearest object; a feeler's has neither point nor normal. Inlined, because a call
-// with the walk as argument would keep its counts in memory.
+// Makes the hit on the nearest object, for a feeler without point and normal. Inlined, because a
+// call with the walk as argument would keep its counts in memory.
 template <bool MOVES>
 [[gnu::always_inline]] inline void fill_hit(const Walk& walk, Hit& hit) {
   const Scene& scene = walk.scene;
@@ -159,7 +162,7 @@ template <bool MOVES>
   hit.object = walk.best.object;
   if (ray.kind == RayKind::shadow) return;
   hit.point = ray.origin + hit.distance * ray.direction;
-  Vec still = hit.point;  // the point before the object moved
+  Vec still = hit.point;  // the hit point before the object moved
   if constexpr (MOVES) still = hit.point - eval_shift(scene, hit.object, ray.time);
   const Vec geometric = visit(scene, place, [&](const auto& primitive) {
     hit.surface = primitive.tag.surface;
@@ -169,8 +172,8 @@ template <bool MOVES>
   if (place.kind() == Kind::patch) {
     const Vec smooth =
         eval_smooth_normal(scene.patches[place.index()], scene.corners, scene.normals, still);
-    // At a silhouette the interpolated normal may face away from the ray unlike the plane's. It is
-    // turned until it just faces the same way.
+    // At a silhouette, the interpolated normal may face away from the ray although the plane's does
+    // not. It is turned until it just faces the ray.
     const double along = dot(smooth, ray.direction);
     if (along * dot(geometric, ray.direction) > 0)
       hit.normal = smooth;

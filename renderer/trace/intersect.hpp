@@ -9,7 +9,7 @@
 
 namespace renderer {
 
-/// A probe is a primary ray without a sample, see make_probe().
+/// Kind of a ray. A probe is a primary ray that belongs to no sample (see make_probe()).
 enum class RayKind : std::uint8_t { primary, reflected, transmitted, shadow, probe };
 
 /// The value of `from` for a ray that starts on no object.
@@ -17,67 +17,71 @@ inline constexpr std::uint32_t NO_OBJECT = std::numeric_limits<std::uint32_t>::m
 
 struct Ray {
   Vec origin;
-  Vec direction;  ///< unit length
+  Vec direction;  ///< unit vector
   Rgb influence;  ///< share of this ray's intensity in its sample: f of Eq 4.15, fS of Eq 4.17
-  /// Hits at this distance or beyond are ignored: for a feeler, the distance to its light.
+  /// Distance at and beyond which hits are ignored. For a feeler, the distance to its light.
   double reach = std::numeric_limits<double>::infinity();
-  std::uint32_t sample = 0;        ///< y * width + x
+  std::uint32_t sample = 0;        ///< pixel, as y * width + x
   std::uint32_t from = NO_OBJECT;  ///< object that the origin lies on
-  std::uint16_t level = 1;         ///< depth in the shading tree, 1 = primary; a feeler is one
-                                   ///< deeper than its parent ray
-  std::uint16_t light = 0;         ///< index of the feeler's light
+  /// depth in the shading tree, 1 = primary; a feeler is one deeper than its parent ray
+  std::uint16_t level = 1;
+  std::uint16_t light = 0;  ///< index of the feeler's light
   RayKind kind = RayKind::primary;
-  bool through = false;    ///< true if it, or an ancestor, was transmitted
-  bool is_urgent = false;  ///< its cell shows more detail than its neighbours: see farm::CellOrder
-  std::uint8_t order = 0;  ///< the user's order that admitted it or an ancestor; 0: none
+  bool through = false;  ///< true if this ray or an ancestor was transmitted
+  /// true if its cell shows more detail than neighbours (see farm::CellOrder)
+  bool is_urgent = false;
+  std::uint8_t order = 0;  ///< the user's order that admitted this ray or an ancestor; 0: none
   std::uint16_t pass = 0;  ///< index of its sample in the pixel, from 0
-  std::uint32_t path = 1;  ///< position in the sample's shading tree, which seeds its random
-                           ///< numbers
-  float time = 0;          ///< fraction of the shutter's time, 0..1
-  float travelled = 0;     ///< from the eye to its origin, along its ancestors, scene units
+  /// position in the shading tree of the sample, which seeds its random numbers
+  std::uint32_t path = 1;
+  float time = 0;       ///< fraction of the shutter's time, 0..1
+  float travelled = 0;  ///< distance from the eye to its origin, along its ancestors, scene units
 };
 
-/// The influence factor that is compared with limits.
+/// The influence factor that is compared with limits: the largest component.
 inline double max_influence(const Ray& ray) { return max_component(ray.influence); }
 
 struct Hit {
   double distance = 0;  ///< along the ray, in scene units
   Vec point;
-  Vec normal;                 ///< unit, on the side the ray came from
+  Vec normal;                 ///< unit vector on the side that the ray came from
   std::uint32_t surface = 0;  ///< index into Scene::surfaces
   std::uint32_t object = 0;   ///< index in file order
-  bool inside = false;        ///< the ray met the back of the surface: it leaves the object
+  /// true if the ray met the back of the surface, so that it leaves the object
+  bool inside = false;
 };
 
-/// Traversal of the hierarchy: it affects the work, but not the hit.
+/// Traversal of the hierarchy. It affects the work, but not the hit.
 enum class Traversal : std::uint8_t {
-  exhaustive,  ///< as in the thesis: boxes in stored order, not clipped by the nearest hit so far;
-               ///< every ray searches for the first intersection, feelers included
-  nearest,  ///< boxes clipped by the nearest hit so far and by the ray's reach; a feeler stops at
-            ///< any hit
-  linear    ///< every primitive, no boxes
+  /// As in the thesis: boxes in stored order, not clipped by the nearest hit so far. Every ray,
+  /// feelers included, searches for its first intersection.
+  exhaustive,
+  /// boxes clipped by the nearest hit so far and the ray's reach; a feeler stops at any hit
+  nearest,
+  linear  ///< every primitive, without boxes
 };
 
-/// Observer of the parts of a scene that a search reads, for scenes that are only partly in memory.
-/// It is called before each test and returns when the part may be read. `done` has the kernel's
-/// counts before this test. The nearest object so far is a copy: its normal is not read again.
+/// Callback for the parts of a scene that a search reads, for scenes that are only partly in
+/// memory. It is called before each test, and returns when the part may be read. `done` has the
+/// counts of the kernel before the test. The nearest object so far is a copy, so its normal is not
+/// read again.
 struct Access {
   virtual ~Access() = default;
-  /// `index` in Hierarchy::boxes; never a leaf.
+  /// `index` refers to Hierarchy::boxes, and never to a leaf.
   virtual void box(std::uint32_t index, const Work& done) = 0;
   virtual void object(Place place, const Work& done) = 0;
 };
 
-/// The nearest hit closer than the ray's reach, on the lowest object if distances are equal. A
-/// shadow feeler under Traversal::nearest returns any blocking hit. The ray must start within the
-/// scene's bounds or at its view point (rounding, see finish()), with a unit direction. It ignores
-/// hits where it starts (on object `ray.from`, and within the scene's epsilon): see primitives.hpp.
-/// Adds to `work`. Calls `access`, unless null, for each read, without effect on hit and work.
-/// Thread-safe.
+/// Finds the nearest hit closer than the ray's reach. If distances are equal, the object with the
+/// lowest number counts. A shadow feeler under Traversal::nearest returns any blocking hit. The ray
+/// must have a unit direction, and start in the scene's bounds or at its view point (for the sake
+/// of rounding, see finish()). Hits at the ray's start are ignored: those on object `ray.from`, and
+/// those within the scene's epsilon (see primitives.hpp). Adds to `work`. Calls `access`, unless
+/// null, for each read, without effect on hit and work. Thread-safe.
 std::optional<Hit> intersect(const Scene& scene, const Ray& ray, Traversal traversal, Work& work,
                              Access* access = nullptr);
 
-/// The same for a single object, as if it were alone; does not count a call of intersect().
+/// Finds the hit on a single object, as if it were alone. Does not count as a call of intersect().
 std::optional<Hit> intersect_object(const Scene& scene, const Ray& ray, Place place, Work& work);
 
 }  // namespace renderer

@@ -8,39 +8,41 @@
 
 namespace renderer {
 
-/// The lights that get a feeler from an intersection.
+/// The lights to which an intersection sends feelers.
 enum class Feelers : std::uint8_t {
   all,   ///< every light, as in the thesis
   front  ///< lights on the side of the surface that the ray came from, as in the SPD
 };
 
-/// Position of a sample within its pixel.
+/// Position of a sample in its pixel.
 enum class SamplePosition : std::uint8_t {
-  corner,  ///< the upper left corner
+  corner,  ///< upper left corner
   center,
   lattice  ///< width x height samples span the view from edge to edge
 };
 
 /// Limits of a shading tree.
 struct Limits {
-  int depth = 15;  ///< levels, 1..1000: the primary ray's is 1; limits reflected and transmitted
-                   ///< rays, while every intersection has feelers
-  double min_influence = 0.0;  ///< least influence factor, 0..1, of reflected and transmitted rays
+  /// Levels, 1..1000; the primary ray is on level 1. Limits reflected and transmitted rays. Every
+  /// intersection has feelers.
+  int depth = 15;
+  double min_influence = 0.0;  ///< least influence factor of reflected and transmitted rays, 0..1
 };
 
 /// Number of samples in a pixel, and their distribution (R. Cook et al., 1984).
 struct Sampling {
-  int pixel_samples = 1;  ///< 1..MAX_PIXEL_SAMPLES; the maximum with `adaptive`
-  /// Allowed standard error of a pixel's colour, 0..1, after 64 samples; times sqrt(n / 64) after
-  /// n. More samples are taken above it and at objects' borders; 0: all get `pixel_samples`.
+  int pixel_samples = 1;  ///< 1..MAX_PIXEL_SAMPLES; with `adaptive`, the maximum
+  /// Allowed standard error of a pixel's colour, 0..1, after 64 samples; times sqrt(n / 64) after n
+  /// samples. More samples are taken where the error is larger, and at the borders of objects. 0:
+  /// all pixels get `pixel_samples`.
   double adaptive = 0;
-  double lens = 1;         ///< factor of the scene's aperture, 0..MAX_LENS; 0: a pinhole
-  double shutter = 1;      ///< open fraction of the scene's shutter time, 0..1
-  std::uint64_t seed = 1;  ///< of all random numbers
+  double lens = 1;         ///< factor on the scene's aperture, 0..MAX_LENS; 0: a pinhole
+  double shutter = 1;      ///< fraction of the scene's shutter time that is used, 0..1
+  std::uint64_t seed = 1;  ///< seed of all random numbers
 };
 inline constexpr int MAX_PIXEL_SAMPLES = 4096;
 
-/// A rectangle of pixels from its upper left one.
+/// A rectangle of pixels, from its upper left one.
 struct Area {
   int x = 0, y = 0;
   int width = 0, height = 0;  ///< 0 x 0: the whole image
@@ -53,20 +55,21 @@ struct Params {
   Sampling sampling;
   Feelers feelers = Feelers::all;
   SamplePosition sample = SamplePosition::corner;
-  Area area;  ///< part of the image for render()
+  Area area;  ///< part of the image that render() computes
   Traversal traversal = Traversal::exhaustive;
-  double ambient = 0.1;  ///< intensity of ambient light Ia, 0..1000 (assumed: NFF has none)
+  /// intensity Ia of ambient light, 0..1000 (assumed, since NFF states none)
+  double ambient = 0.1;
 };
 
-/// The fields width, height, depth, min_influence, feelers, sample, traversal, ambient and area,
-/// and those of sampling_fields().
+/// Makes the fields width, height, depth, min_influence, feelers, sample, traversal, ambient and
+/// area, and those of sampling_fields().
 base::Fields<Params> param_fields();
-/// The fields pixel_samples, adaptive, lens, shutter and sample_seed.
+/// Makes the fields pixel_samples, adaptive, lens, shutter and sample_seed.
 base::Fields<Params> sampling_fields();
-/// The field "area", [x, y, width, height] in pixels.
+/// Makes the field "area", [x, y, width, height] in pixels.
 base::Field<Area> area_field();
 
-/// BadInput with the field, the value found and the values expected.
+/// Throws BadInput with the field, the value found and the values expected.
 void check(const Params& params);
 /// `params.area`, or the whole image.
 Area get_area(const Params& params);

@@ -1,20 +1,20 @@
 #pragma once
-// Traces all samples of a pixel in sequence, for pixels in any order.
+// Tracer of all samples of a pixel in sequence, for pixels in any order.
 
 #include "renderer/trace/render.hpp"
 
 namespace renderer {
 
-/// The objects at the corners of an area's pixels, for adaptive sampling.
+/// Objects at the corners of an area's pixels, for adaptive sampling.
 class CornerObjects {
  public:
   CornerObjects() = default;
   CornerObjects(const Params& params, const Area& area);
 
-  /// Rows of corners: one more than rows of pixels, or none without adaptive sampling.
+  /// Number of rows of corners: one more than rows of pixels, or 0 without adaptive sampling.
   int rows() const { return objects.empty() ? 0 : area_.height + 1; }
   void find_row(int row, SampleTracer& tracer);
-  /// Requires all rows to have been found.
+  /// The corners of a pixel. All rows must have been found.
   Corners of_pixel(int column, int row) const {
     return {objects[at(column, row)], objects[at(column + 1, row)], objects[at(column, row + 1)],
             objects[at(column + 1, row + 1)]};
@@ -32,22 +32,22 @@ class CornerObjects {
 
 /// Result of a pixel.
 struct TracedPixel {
-  Samples::Sums sums;  ///< as in the image
-  int count = 0;       ///< number of its samples
+  Samples::Sums sums;  ///< sums as in the image
+  int count = 0;       ///< number of samples
 };
 
-/// Traces pixels of an area; column and row begin at its upper left.
+/// Tracer of the pixels of an area. Columns and rows count from its upper left.
 class PixelTracer {
  public:
   PixelTracer(const Params& params, const Area& area, const CornerObjects& corners,
               SampleTracer& tracer)
       : params_(params), area_(area), corners_(corners), tracer_(tracer) {}
 
-  /// The first sample.
+  /// Traces the first sample.
   TracedSample start(int column, int row) {
     return tracer_.trace(area_.x + column, area_.y + row, 0);
   }
-  /// Traces the other samples; returns the result of all.
+  /// Traces the other samples, and returns the result of all.
   TracedPixel finish(int column, int row, const TracedSample& first);
   /// Traces all samples.
   TracedPixel trace(int column, int row) { return finish(column, row, start(column, row)); }

@@ -1,19 +1,20 @@
 #pragma once
-// Positions of an image's samples in its view.
+// Positions of the samples of an image in its view.
 
 #include "renderer/trace/params.hpp"
 
 namespace renderer {
 
-/// The sample of pixel (x, y), y downwards, lies in the direction ahead + (x - left) * step * right
-/// + (top - y) * step * above of the view.
+/// The grid of samples. In the view, the sample of pixel (x, y), with y downwards, lies in the
+/// direction ahead + (x - left) * step * right + (top - y) * step * above.
 struct Raster {
   double left = 0, top = 0;  ///< pixels from the first sample to the middle of the view
-  double step = 0;           ///< between samples, in the image plane at distance 1
+  double step = 0;           ///< distance between samples, in the image plane at distance 1
 };
 
 inline Raster make_raster(const View& view, const Params& p) {
-  // Numbers of pixels, or of steps between samples from edge to edge of the view.
+  // Number of steps across the view: one per pixel, or for a lattice, those between samples from
+  // edge to edge.
   const bool lattice = p.sample == SamplePosition::lattice;
   const double columns = lattice ? p.width - 1 : p.width, rows = lattice ? p.height - 1 : p.height;
   const double shift = p.sample == SamplePosition::center ? 0.5 : 0;

@@ -1,5 +1,5 @@
 #pragma once
-// The sequential renderer: parallel ones must match it bit for bit.
+// The sequential renderer. Parallel renderers must match it bit for bit.
 
 #include <functional>
 
@@ -7,11 +7,11 @@
 
 namespace renderer {
 
-/// Rays intersected, by kind.
+/// Number of rays intersected, by kind.
 struct RayCounts {
-  std::uint64_t probes = 0;  ///< of pixels' corners, see make_probe()
+  std::uint64_t probes = 0;  ///< rays through corners of pixels (see make_probe())
   std::uint64_t primary = 0;
-  std::uint64_t primary_hit = 0;  ///< primary rays that hit something
+  std::uint64_t primary_hit = 0;  ///< primary rays that hit an object
   std::uint64_t reflected = 0, transmitted = 0, shadow = 0;
 
   std::uint64_t total() const { return probes + primary + reflected + transmitted + shadow; }
@@ -21,20 +21,20 @@ struct RayCounts {
 };
 
 struct Rendering {
-  Samples samples;  ///< of the whole image; 0 outside the area of interest
-  /// The number of samples of each pixel, with adaptive sampling; else empty.
+  Samples samples;  ///< whole image; 0 outside the area of interest
+  /// The number of samples at each pixel with adaptive sampling; else empty.
   std::vector<std::uint16_t> counts;
   RayCounts rays;
   Work work;
 };
 
-/// Traces samples one by one, in any order.
+/// Tracer of samples, one by one in any order.
 class SampleTracer {
  public:
   SampleTracer(const Scene& scene, const Params& params, Access* access = nullptr)
       : scene_(scene), params_(params), access_(access) {}
 
-  /// Traces a sample's whole shading tree, depth first.
+  /// Traces the shading tree of a sample, depth first.
   TracedSample trace(int x, int y, int pass);
   /// The object at the upper left corner of a pixel.
   std::uint32_t probe(int x, int y);
@@ -52,14 +52,14 @@ class SampleTracer {
 /// A rectangle of the image, rendered alone.
 struct Block {
   Area area;
-  Samples samples;                    ///< of the area's pixels only
-  std::vector<std::uint16_t> counts;  ///< as in Rendering, of the area's pixels only
+  Samples samples;                    ///< only pixels of the area
+  std::vector<std::uint16_t> counts;  ///< as in Rendering, only pixels of the area
   RayCounts rays;
   Work work;
 };
 
-/// Traces every ray of `area`, which lies within the image of `params`. Sums are those of render().
-/// Calls `access`, unless null, for every part of the scene that is read.
+/// Traces every ray of `area`, which lies inside the image of `params`. The sums equal those of
+/// render(). Calls `access`, unless null, for every part of the scene that is read.
 Block render_block(const Scene& scene, const Params& params, const Area& area,
                    Access* access = nullptr);
 
@@ -68,22 +68,22 @@ struct BlockBuffer {
   Block block;
   Children pending;  ///< buffer for rays
 };
-/// The same into a buffer, which overwrites its previous block.
+/// Renders a block into a buffer, and overwrites its previous block.
 void render_block(const Scene& scene, const Params& params, const Area& area, BlockBuffer& buffer,
                   Access* access = nullptr);
 
-/// Adds the sums of `block` to those of the image; counts one Op::sample_updated for each sum.
+/// Adds the sums of `block` to those of the image. Counts one Op::sample_updated for each sum.
 void add_block(Samples& image, const Block& block, Work& work);
 
-/// Called after every row, by one thread at a time; false ends the rendering.
+/// Callback after every row, called by one thread at a time. Returning false ends the rendering.
 using Progress = std::function<bool(int done, int rows)>;
 
-/// BadInput unless there are 1 to 1024 host threads.
+/// Throws BadInput unless there are 1 to 1024 host threads.
 void check_threads(int threads);
 
 /// Traces every ray of `params.area`. If `progress` ends it, the remaining rows have no samples.
-/// Result, counts and work of a whole image do not depend on `threads`. BadInput as check() and
-/// check_threads(); exceptions from `progress` end the rendering.
+/// Result, counts and work of a complete image do not depend on `threads`. Throws BadInput as
+/// check() and check_threads() do. Exceptions of `progress` end the rendering.
 Rendering render(const Scene& scene, const Params& params, int threads = 1,
                  const Progress& progress = {});
 

@@ -13,12 +13,12 @@ std::uint64_t mix(std::uint64_t a, std::uint64_t b) { return base::random_at(a, 
 
 double to_unit(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
 
-// The stream of one pixel's numbers for one purpose.
+// The random stream of one pixel for one purpose.
 std::uint64_t make_stream(const Sampling& s, const SampleKey& key, Dimension dimension) {
   return mix(mix(s.seed, key.pixel), std::uint64_t{key.path} << 8 | std::uint64_t(dimension));
 }
 
-// The sample's region in its round.
+// The region of a sample in its round.
 int find_region(std::uint64_t stream, const Round& round, int pass) {
   const auto key =
       static_cast<std::uint32_t>(mix(stream, ~static_cast<std::uint64_t>(round.first)));
@@ -33,8 +33,8 @@ std::uint32_t reverse(std::uint32_t x) {
   return x << 16 | x >> 16;
 }
 
-// Flips each bit at random, depending only on the bits above it (A. Owen, 1995): points in a common
-// half, quarter ... of the line stay together.
+// Scrambles by flipping each bit at random, depending only on the bits above it (A. Owen, 1995).
+// Points in a common half, quarter ... of the line stay together.
 std::uint32_t scramble(std::uint32_t x, std::uint32_t seed) {
   x = reverse(x) + seed;
   for (const std::uint32_t factor : {0x6c50b47cu, 0xb82f1e52u, 0xc7afe638u, 0x8d22f6e6u})
@@ -42,8 +42,8 @@ std::uint32_t scramble(std::uint32_t x, std::uint32_t seed) {
   return reverse(x);
 }
 
-// Index of an adaptive pixel's sample in its group's sequence. In the pixel it follows the pass; in
-// other dimensions it is paired with it at random within each round.
+// The index of an adaptive pixel's sample in its group's sequence. In the pixel, the index follows
+// the pass. In other dimensions, both are paired at random in each round.
 int find_index(const Sampling& s, const SampleKey& key, Dimension dimension, std::uint64_t stream) {
   const int place = key.pass / GROUPS;
   if (dimension == Dimension::pixel) return place;
@@ -173,7 +173,7 @@ SquarePoint map_to_disc(const SquarePoint& at) {
   return {b * eval_sine(angle(a / b)), b * eval_cosine(angle(a / b))};
 }
 
-// T. Duff et al., "Building an Orthonormal Basis, Revisited", 2017.
+// Method of T. Duff et al., "Building an Orthonormal Basis, Revisited", 2017.
 Across make_across(const Vec& n) {
   const double sign = std::copysign(1.0, n.z);
   const double a = -1 / (sign + n.z), b = n.x * n.y * a;

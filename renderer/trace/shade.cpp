@@ -6,23 +6,25 @@ namespace renderer {
 
 namespace {
 
-// The power is rounded to float, so that the result does not depend on the maths library.
+// Highlight of Phong's model. The power is rounded to float, so that the result does not depend on
+// the maths library.
 double eval_highlight(double cosine, double shine) {
   return cosine > 0 ? static_cast<double>(static_cast<float>(std::pow(cosine, shine))) : 0.0;
 }
 
-// A point on the visible side of a spherical light, uniform in solid angle; its middle if `from` is
-// inside.
+// A point on the visible side of a spherical light, uniform in solid angle; the light's middle if
+// `from` is inside.
 Vec find_on_sphere(const Light& light, const SquarePoint& at, const Vec& from) {
   const Vec to_middle = light.at - from;
   const double square = dot(to_middle, to_middle), radius_square = light.radius * light.radius;
   if (square <= radius_square) return light.at;
-  // Equal areas of the disc are equal solid angles: 1 - cos grows with the square of the radius.
+  // Maps equal areas of the disc to equal solid angles: 1 - cos grows with the square of the
+  // radius.
   const double most = radius_square / square;  // squared sine of the largest angle
   const double rise = most / (1 + std::sqrt(1 - most));
   const auto [u, v] = map_to_disc(at);
   const double share = std::min(1.0, u * u + v * v), cosine = 1 - rise * share;
-  // sine / disc's radius, without cancellation: sine^2 = (1 - cosine) (1 + cosine).
+  // sine / radius on the disc, without cancellation: sine^2 = (1 - cosine) (1 + cosine).
   const double scale = std::sqrt(rise * (1 + cosine));
   const Vec axis = normalize(to_middle);
   const Across across = make_across(axis);
@@ -52,8 +54,8 @@ Ray make_child(const Ray& ray, const Hit& hit, RayKind kind) {
 
 SampleKey key_of(const Ray& ray, std::uint32_t path) { return {ray.sample, ray.pass, path}; }
 
-// The sample's point of a light, seen from `from`. (A feeler's path combines its ray's path with
-// its light.)
+// The sample's point on a light, as seen from `from`. (The path of a feeler combines that of its
+// ray with its light.)
 Vec find_light(const Light& light, const Sampling& sampling, const Ray& ray, std::size_t number,
                const Vec& from) {
   if (light.shape == LightShape::point) return light.at;
@@ -73,8 +75,9 @@ Vec spread(const Vec& axis, double radius, const Vec& normal, const SquarePoint&
   return side * dot(axis, normal) < 0 ? way - 2 * side * normal : way;
 }
 
-// Half a pixel if it has several samples, as 2 x 2 of them cover the whole pixel. The width must
-// not depend on their number, because adaptive sampling does not know it in advance.
+// Width that a texture is filtered over: one pixel, or half a pixel if it has several samples,
+// since 2 x 2 of them cover it. It must not depend on their number, which adaptive sampling does
+// not know in advance.
 double eval_pixel_width(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit) {
   const double share = params.sampling.pixel_samples > 1 ? 0.5 : 1;
   return share * make_raster(scene.view, params).step * (ray.travelled + hit.distance);
@@ -87,7 +90,7 @@ Rgb eval_texture(const Scene& scene, const Params& params, const Ray& ray, const
   const Vec point =
       scene.moves.empty() ? hit.point : hit.point - eval_shift(scene, hit.object, ray.time);
   const TexturePoint at = find_texture_point(scene, texture, hit.object, point);
-  // Along the surface, as gradients of spheres and planes need not lie in it.
+  // Projects onto the surface, since gradients of spheres and planes need not lie in it.
   const auto along = [&](const Vec& way) {
     return length(way - dot(way, hit.normal) * hit.normal);
   };
@@ -187,7 +190,7 @@ SampleKey make_key(const Params& p, int x, int y, int pass) {
           pass};
 }
 
-// A ray from the middle of the lens to the plane at distance 1, not normalised.
+// A ray, not normalised, from the middle of the lens to the image plane at distance 1.
 Ray make_eye_ray(const View& view, const Params& p, int x, int y, const SquarePoint& in_pixel) {
   const Raster raster = make_raster(view, p);
   const double right = (x + in_pixel.u - raster.left) * raster.step;
@@ -203,7 +206,7 @@ Ray make_eye_ray(const View& view, const Params& p, int x, int y, const SquarePo
 // Offset from a pixel's upper left corner to the position `p.sample`.
 double shift_of(const Params& p) { return p.sample == SamplePosition::corner ? 0 : 0.5; }
 
-// `view` is the view when the ray starts.
+// Makes a primary ray from a point of the lens. `view` is the view at the ray's time.
 Ray make_lens_ray(const View& view, const Params& p, int x, int y, int pass) {
   const SampleKey key = make_key(p, x, y, pass);
   SquarePoint in_pixel;
@@ -216,7 +219,7 @@ Ray make_lens_ray(const View& view, const Params& p, int x, int y, int pass) {
   ray.pass = static_cast<std::uint16_t>(pass);
   const double radius = p.sampling.lens * view.lens.aperture / 2;
   if (radius > 0) {
-    // Rays of one image point meet in the plane in focus.
+    // Rays of the same image point meet in the plane in focus.
     const auto [u, v] = map_to_disc(sample_square(p.sampling, key, Dimension::lens));
     const Vec in_focus = ray.origin + view.lens.focus * ray.direction;
     ray.origin += radius * (u * view.right + v * view.above);

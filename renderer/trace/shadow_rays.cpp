@@ -44,7 +44,7 @@ struct Counts {
   return near & find_inside({scene.corners.data() + p.first, p.count}, u, v);
 }
 
-// The slabs of a box; each lane enters by the plane that its direction meets first.
+// Slab test of a box. Each lane enters by the plane that its direction meets first.
 struct Slabs {
   explicit Slabs(const ShadowRays& rays) : rays(rays) {
     const Vecs& d = rays.direction;
@@ -71,8 +71,8 @@ struct Slabs {
 
 }  // namespace
 
-// Each lane knows its next box and waits at boxes that only other lanes need. A blocked feeler
-// needs no further boxes.
+// Traverses the boxes. Each lane has its own next box, and waits at boxes that only other lanes
+// need. A blocked feeler needs no further boxes.
 TLAB_WIDE_REGISTERS
 void find_blocked(const Scene& scene, ShadowRays& rays, Work& work) {
   constexpr std::int64_t NEVER = std::numeric_limits<std::int64_t>::max();

@@ -1,5 +1,5 @@
 #pragma once
-// Shadow rays that are traced together, one in each lane.
+// Shadow rays that are traced together, one in each SIMD lane.
 
 #include "renderer/scene/lanes.hpp"
 #include "renderer/scene/scene.hpp"
@@ -7,11 +7,12 @@
 
 namespace renderer {
 
-/// The feeler of each lane, with the fields of a Ray. Lanes without one may hold anything.
+/// The feeler of each lane, with the fields of a Ray. In lanes without one, the fields are
+/// arbitrary.
 struct ShadowRays {
-  Vecs origin, direction;  ///< unit length
+  Vecs origin, direction;  ///< directions are unit vectors
   Lanes reach;
-  Mask from;     ///< Ray::from
+  Mask from;     ///< as Ray::from
   Mask cast;     ///< -1: the lane has a feeler; 0: it has none
   Mask blocked;  ///< result of find_blocked(): -1 or 0
 };

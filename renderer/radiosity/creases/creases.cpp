@@ -10,7 +10,8 @@ namespace radiosity {
 
 namespace {
 
-// Relative to the room's size: rounding, and the distance of lines that count as one.
+// Relative to the room's size: tolerance for rounding, and distance up to which two lines are the
+// same.
 constexpr double TOLERANCE = 1e-6, SAME = 1e-5;
 // Creases shorter than this fraction of their face are dropped.
 constexpr double SHORTEST = 1e-3;
@@ -20,10 +21,10 @@ struct Piece {
   FaceSide side;
   std::size_t face;
   renderer::Bounds bounds;
-  double emission;  // the largest of the three
+  double emission;  // largest component of the emission
 };
 
-// The sides of the faces whose materials are `wanted`.
+// The sides of the faces whose materials satisfy `wanted`.
 template <typename Wanted>
 std::vector<Piece> find_sides(const Room& room, const Wanted& wanted) {
   std::vector<Piece> pieces;
@@ -47,7 +48,8 @@ bool overlap(const renderer::Bounds& a, const renderer::Bounds& b) {
          a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
 }
 
-// The light gets no corners unless it lies above the receiver and the receiver above it.
+// Clips the light to its part above the receiver, and other faces to their parts above both. The
+// light is empty if the two do not face each other.
 Stage make_stage(const Piece& light, const Piece& receiver, std::span<const Piece> faces,
                  double tolerance) {
   Stage stage{light.side, receiver.side, {}, tolerance};
@@ -65,8 +67,8 @@ Stage make_stage(const Piece& light, const Piece& receiver, std::span<const Piec
   return stage;
 }
 
-// Approximate illumination of the receiver's middle without blockers. Cosines have a minimum,
-// because either may be seen edge-on there but not elsewhere.
+// Approximate unoccluded illumination at the receiver's middle. Cosines have a lower limit, since a
+// face seen edge-on from there may be visible from other points.
 double eval_strength(const Piece& light, const Piece& receiver) {
   constexpr double LEAST_COSINE = 0.1;
   const Vec way = eval_mean(receiver.side.corners) - eval_mean(light.side.corners);
@@ -80,7 +82,7 @@ double eval_strength(const Piece& light, const Piece& receiver) {
          (square * (std::numbers::pi * square + area));
 }
 
-// The lights in the order of their strength on the receiver.
+// The lights, sorted by their strength on the receiver.
 std::vector<const Piece*> sort_by_strength(std::span<const Piece> lights, const Piece& receiver) {
   std::vector<std::pair<double, const Piece*>> sorted;
   for (const Piece& light : lights)
@@ -91,14 +93,14 @@ std::vector<const Piece*> sort_by_strength(std::span<const Piece> lights, const 
   return order;
 }
 
-// A crease and its rank: whether it lies within a penumbra, and the number of lights stronger than
+// A crease with its rank: whether it lies within a penumbra, and how many lights are stronger than
 // its own.
 struct Ranked {
   Crease crease;
   std::pair<bool, std::size_t> rank;
 };
 
-// Joins the crease with overlapping or touching ones on the same line. The result comes last, with
+// Merges a crease with overlapping or touching ones on the same line. The result is appended, with
 // the strongest rank.
 void merge(Ranked added, double same, std::vector<Ranked>& creases) {
   for (std::size_t i = 0; i < creases.size();) {
@@ -151,7 +153,7 @@ std::vector<Crease> find_creases(const Room& room) {
         merge({crease, {false, rank}}, SAME * size, merged);
       for (const Crease& crease : found.within) merge({crease, {true, rank}}, SAME * size, merged);
     }
-    // The creases of both sides of a face cut it.
+    // Waits for the other side of a two-sided face, since the creases of both sides cut it.
     if (r + 1 < receivers.size() && receivers[r + 1].face == receiver.face) continue;
     std::ranges::stable_sort(merged, {}, &Ranked::rank);
     for (const auto& [crease, rank] : merged)

@@ -1,35 +1,39 @@
 #pragma once
-// Discontinuity lines of penumbrae: D. Lischinski, F. Tampieri and D. Greenberg, "Discontinuity
-// Meshing for Accurate Radiosity", IEEE CG&A 12(6), 1992; left open by the thesis (3.1.4.2, 6.2).
+// Discontinuity lines of penumbrae (D. Lischinski, F. Tampieri and D. Greenberg, "Discontinuity
+// Meshing for Accurate Radiosity", IEEE CG&A 12(6), 1992). The thesis leaves them open (3.1.4.2,
+// 6.2).
 
 #include "base/fields.hpp"
 #include "renderer/radiosity/room/room.hpp"
 
 namespace radiosity {
 
-/// Finds the creases of every emitting face on every reflecting diffuse face. Borders of penumbrae
-/// and umbrae are its intersections with the light's own plane and with critical planes (edge and
-/// corner) of the light and another face between, as far as these touch both (G. Drettakis and E.
-/// Fiume, "A Fast Shadow Algorithm for Area Light Sources Using Backprojection", SIGGRAPH 1994).
-/// Creases within a penumbra are lines behind an edge at which another corner of the light becomes
-/// visible; other changes of form are not all found. Light by way of mirrors is ignored. Creases on
-/// one line are joined; those shorter than 0.001 of their face are dropped. The order is by face;
-/// on a face first all borders, those of its strongest light first, then the lines within in the
-/// same order. The room must pass check(). With n faces, e of them emitting, it examines some e n^2
-/// pairs, and all n faces for each crease.
+/// Finds the creases of every emitting face on every diffuse face. The room must pass check().
+///
+/// Borders of penumbrae and umbrae are intersections with two kinds of planes, as far as these
+/// touch the light and an occluder: the light's own plane, and critical planes through an edge and
+/// a corner (G. Drettakis and E. Fiume, "A Fast Shadow Algorithm for Area Light Sources Using
+/// Backprojection", SIGGRAPH 1994). Creases within a penumbra are lines at which, behind an edge,
+/// another corner of the light becomes visible. Not all other discontinuities are found. Light
+/// reflected by mirrors is ignored.
+///
+/// Creases on one line are joined; those shorter than 0.001 of their face are dropped. They are
+/// sorted by face. On a face, borders come first, those of its strongest light before others, then
+/// lines within penumbrae in the same order. With n faces, e of them emitting, some e n^2 pairs are
+/// examined, and all n faces for each crease.
 std::vector<Crease> find_creases(const Room& room);
 
-/// The creases that a room's mesh keeps.
+/// The creases that the mesh of a room contains.
 enum class Creases : std::uint8_t {
-  file,   ///< those in the room's file
-  found,  ///< also those of find_creases(); patches near lights are finer, too
+  file,   ///< creases listed in the room's file
+  found,  ///< also those of find_creases(); patches near lights are finer too
   none
 };
 
-/// The field "creases".
+/// Makes the field "creases".
 base::Field<Creases> creases_field();
 
-/// Sets the room's creases, and Room::fine_near_lights and Room::fine_shadows accordingly.
+/// Sets the creases of a room, and Room::fine_near_lights and Room::fine_shadows accordingly.
 void choose_creases(Room& room, Creases creases);
 
 }  // namespace radiosity

@@ -6,9 +6,10 @@ namespace radiosity {
 
 namespace {
 
-// Distance of sight lines from light and blocker, relative to their sizes; avoids touching them.
+// Distance of sight lines from the borders of light and occluder, relative to their sizes. It keeps
+// sight lines from touching them.
 constexpr double ASIDE = 1e-4;
-// Minimum drop from light to blocker, in tolerances; limits the length of shadows.
+// Least descent from light to occluder, in tolerances. It limits the length of shadows.
 constexpr double LEAST_FALL = 0.1;
 
 // Sight lines through the apex to the segment from a to b.
@@ -16,8 +17,9 @@ struct Pencil {
   Vec apex, a, b;
 };
 
-// Adds the parts of the segment from a to b, both beyond the apex, that a face hides from the apex.
-// The face lies between apex and segment or, if sight lines come from `behind`, before the apex.
+// Adds the parts of the segment from a to b that a face hides from the apex. The segment lies
+// beyond the apex. The face lies between the two, or before the apex if sight lines come from
+// `behind`.
 void add_hidden(std::span<const Vec> face, const Vec& apex, const Vec& a, const Vec& b, bool behind,
                 std::vector<Interval>& hidden) {
   const Vec u = a - apex, w = b - apex, across = cross(u, w);
@@ -25,7 +27,7 @@ void add_hidden(std::span<const Vec> face, const Vec& apex, const Vec& a, const 
   if (!(square > 0)) return;
   const auto ends = cut(face, make_plane(normalize(across), apex));
   if (!ends) return;
-  // x - apex = p u + q w
+  // Coordinates of the points x in the plane: x - apex = p u + q w.
   double p[2], q[2];
   for (int i = 0; i < 2; ++i) {
     const Vec x = (*ends)[i] - apex;
@@ -47,8 +49,8 @@ void add_hidden(std::span<const Vec> face, const Vec& apex, const Vec& a, const 
   }
 }
 
-// The parts of the segment that all pencils reach past all faces except one. The pencils' segments
-// nearly coincide. Sight lines begin at the apex or, if from `behind`, before it.
+// The parts of the segment that every pencil reaches past all faces except one. The pencils'
+// segments nearly coincide. Sight lines begin at the apex, or before it if they come from `behind`.
 std::vector<Interval> find_seen(std::span<const std::vector<Vec>> faces, std::size_t except,
                                 std::span<const Pencil> pencils, bool behind) {
   std::vector<Interval> hidden, seen;
@@ -65,7 +67,7 @@ std::vector<Interval> find_seen(std::span<const std::vector<Vec>> faces, std::si
   return seen;
 }
 
-// Sight lines in a critical plane, from the light through a point of the blocker's border to the
+// Sight lines in a critical plane, from the light through a point of the occluder's border to the
 // receiver. They share either their start or the point that they pass.
 struct Wedge {
   std::array<Vec, 2> from, through;
@@ -75,7 +77,7 @@ struct Shadow {
   const Stage& stage;
   std::size_t blocker;
   Vec light_mean, blocker_mean, blocker_normal;
-  std::vector<Plane> edges;  // of the receiver
+  std::vector<Plane> edges;  // side planes of the receiver
 };
 
 Vec project(const Plane& ground, const Vec& from, const Vec& through) {
@@ -83,14 +85,16 @@ Vec project(const Plane& ground, const Vec& from, const Vec& through) {
   return from + (high / (high - low)) * (through - from);
 }
 
-// Pencils slightly beside the wedge: from inside the light's border, past the blocker. If all sight
-// lines pass a corner of the blocker, there is a pencil on either side of it along the wedge's
-// plane, because it is no corner if another face continues the blocker.
+// Makes pencils slightly beside the wedge, from inside the light's border past the occluder. If all
+// sight lines pass a corner of the occluder, there is a pencil on either side of the corner along
+// the wedge's plane. A corner that continues in another face is not a corner of the shadow, and one
+// pencil is then blocked.
 std::vector<Pencil> step_aside(const Wedge& wedge, const Shadow& shadow) {
   const Plane& ground = shadow.stage.receiver.plane;
   const bool passes_one = wedge.through[0] == wedge.through[1];
   Vec beside;
-  Vec off;  // off the blocker's plane: in it, sight lines would pass a face at one point only
+  // offset from the occluder's plane, in which sight lines would meet a face at only one point
+  Vec off;
   if (passes_one) {
     off = 0.1 * ASIDE * (lerp(wedge.from[0], wedge.from[1], 0.5) - wedge.through[0]);
     const Vec plane = cross(wedge.from[1] - wedge.from[0], wedge.through[0] - wedge.from[0]);
@@ -136,7 +140,7 @@ void add_wedge(Wedge wedge, const Shadow& shadow, std::vector<Crease>& creases) 
       wedge.through[i] = lerp(whole.through[0], whole.through[1], ends[i]);
     }
   };
-  // Only light that falls reaches the receiver.
+  // Drops sight lines that do not descend towards the receiver.
   const double least = LEAST_FALL * stage.tolerance;
   Interval falling;
   const double above[] = {fall(0) - least, fall(1) - least};
@@ -148,7 +152,7 @@ void add_wedge(Wedge wedge, const Shadow& shadow, std::vector<Crease>& creases) 
                      project(ground, wedge.from[1], wedge.through[1])};
   const auto inside = clip_segment(far[0], far[1], shadow.edges, stage.tolerance);
   if (!inside) return;
-  // Converts a fraction of the segment on the receiver to that of the edge.
+  // Converts a fraction of the segment on the receiver to a fraction of the edge.
   const double falls[] = {fall(0), fall(1)};
   const auto back = [&](double t) { return t * falls[0] / ((1 - t) * falls[1] + t * falls[0]); };
   shorten({back(inside->from), back(inside->to)});
@@ -177,8 +181,8 @@ bool contains(const Plane& plane, std::span<const Vec> polygon, double tolerance
   });
 }
 
-// The plane through a corner and an edge, one of the light and one of the blocker. None if they
-// span no plane, if it cuts the blocker, or if the light lies in it.
+// The plane through a corner and an edge, one of the light and one of the occluder. None if they
+// span no plane, if the plane cuts the occluder, or if the light lies in it.
 std::optional<Plane> find_plane(const Stage& stage, std::span<const Vec> blocker, const Vec& corner,
                                 const Vec& a, const Vec& b) {
   const double tolerance = stage.tolerance;
@@ -192,7 +196,7 @@ std::optional<Plane> find_plane(const Stage& stage, std::span<const Vec> blocker
   return plane;
 }
 
-// Adds the creases of the blocker's own plane on the receiver, if the plane cuts the light.
+// Adds the creases of the occluder's own plane on the receiver, if the plane cuts the light.
 void add_own_plane_creases(const Shadow& shadow, std::vector<Crease>& creases) {
   const auto& light = shadow.stage.light.corners;
   const auto& face = shadow.stage.between[shadow.blocker];
@@ -207,12 +211,12 @@ void add_own_plane_creases(const Shadow& shadow, std::vector<Crease>& creases) {
   }
 }
 
-// Adds the creases of between[blocker] on the receiver that no other face hides from the light.
-// Borders lie on planes through an edge of light or blocker and a corner of the other that cut
-// neither. On one side of such a plane the blocker hides nothing of the light, or all it can.
-// Further borders lie on the blocker's own plane, if it cuts the light, and where the blocker
-// touches the receiver. A plane through an edge of the blocker and a corner that cuts the light
-// yields a crease within the penumbra.
+// Adds the creases of the face between[blocker] on the receiver that no other face hides from the
+// light. Borders lie on planes through an edge of the light and a corner of the occluder, or the
+// reverse, that cut neither. On one side of such a plane, the occluder hides nothing of the light,
+// or as much as it can. Further borders lie on the occluder's own plane if it cuts the light, and
+// where the occluder touches the receiver. A plane through an edge of the occluder and a corner of
+// the light yields a crease within the penumbra if it cuts the light.
 void add_shadow_creases(const Stage& stage, std::size_t blocker, StageCreases& found) {
   const auto& light = stage.light.corners;
   const auto& face = stage.between[blocker];
@@ -240,13 +244,14 @@ void add_shadow_creases(const Stage& stage, std::size_t blocker, StageCreases& f
   for (const Vec& corner : face)
     for (std::size_t i = 0; i < light.size(); ++i) {
       const Vec a = light[i], b = next(light, i);
-      if (find_plane(stage, face, corner, a, b))  // it does not cut the light, which is convex
+      if (find_plane(stage, face, corner, a, b))  // the plane cannot cut the light, which is convex
         add_wedge({{a, b}, {corner, corner}}, shadow, found.borders);
     }
   add_own_plane_creases(shadow, found.borders);
 }
 
-// Adds the crease where the light's own plane cuts the receiver: it shines on one side only.
+// Adds the crease where the light's own plane cuts the receiver. The light shines on one side of it
+// only.
 void add_horizon_crease(const Stage& stage, std::vector<Crease>& creases) {
   const FaceSide& light = stage.light;
   if (!cuts(light.plane, stage.receiver.corners, stage.tolerance)) return;

@@ -1,5 +1,5 @@
 #pragma once
-// Creases of one light on one receiver.
+// Creases that one light causes on one receiver.
 
 #include "renderer/radiosity/room/room.hpp"
 
@@ -7,26 +7,28 @@ namespace radiosity {
 
 /// A side of a face that emits or receives light.
 struct FaceSide {
-  std::vector<Vec> corners;  ///< counter-clockwise
-  Plane plane;               ///< the side is above
+  std::vector<Vec> corners;  ///< corners, counter-clockwise
+  Plane plane;               ///< plane of the face, with the side above it
 };
 
 /// A light, a receiver and the faces between them.
 struct Stage {
-  FaceSide light;  ///< the part above the receiver
+  FaceSide light;  ///< part of the light above the receiver
   FaceSide receiver;
-  std::vector<std::vector<Vec>> between;  ///< the parts of other faces above both
-  double tolerance = 0;                   ///< shorter lengths are rounding errors
+  std::vector<std::vector<Vec>> between;  ///< parts of other faces above light and receiver
+  double tolerance = 0;                   ///< length below which differences are rounding errors
 };
 
 /// Creases on a receiver.
 struct StageCreases {
-  std::vector<Crease> borders;  ///< of penumbrae and umbrae
-  std::vector<Crease> within;   ///< a penumbra: another corner of the light becomes visible
+  std::vector<Crease> borders;  ///< borders of penumbrae and umbrae
+  /// lines within a penumbra at which another corner of the light becomes visible
+  std::vector<Crease> within;
 };
 
-/// Intersections of the receiver with the light's own plane and with the critical planes of the
-/// light and the faces between, unless other faces hide them; see find_creases() of a room.
+/// Intersections of the receiver with the light's own plane, and with the critical planes of the
+/// light and each face between. Parts hidden by other faces are excluded. See find_creases() of a
+/// room.
 StageCreases find_creases(const Stage& stage);
 
 }  // namespace radiosity

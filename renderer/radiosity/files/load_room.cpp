@@ -17,7 +17,7 @@ using renderer::at_place;
 using renderer::LeftOut;
 using renderer::Tokens;
 
-// Adds a material from this line; its name must be new.
+// Adds a material stated on this line. Throws if its name exists.
 void add_material(const Tokens& tokens, int line, const Material& material,
                   std::vector<Material>& materials) {
   tokens.at_line(line, [&] { check_material(material); });
@@ -27,7 +27,8 @@ void add_material(const Tokens& tokens, int line, const Material& material,
   materials.push_back(material);
 }
 
-// Takes a material's name and returns its index. `where` describes the names: "lines above".
+// Takes the name of a material and returns its index. For error messages, `where` tells where
+// materials are: "lines above".
 std::uint32_t take_material(Tokens& tokens, const Room& room, std::string_view where) {
   std::string known;
   for (std::uint32_t i = 0; i < room.materials.size(); ++i) {
@@ -38,14 +39,14 @@ std::uint32_t take_material(Tokens& tokens, const Room& room, std::string_view w
       fmt::format("a material of the {}: {}", where, known.empty() ? "none yet" : known));
 }
 
-// Adds a face from this line.
+// Adds a face stated on this line.
 void add_face(const Tokens& tokens, int line, Face face, Room& room) {
   face.where = fmt::format("{}:{}", tokens.name(), line);
   tokens.at_line(line, [&] { check_face(face, room.materials.size()); });
   room.faces.push_back(std::move(face));
 }
 
-// Reads tlab's own format.
+// Reader of tlab's own format.
 class RoomReader {
  public:
   RoomReader(std::string_view text, const std::string& name) : tokens_(text, name) {}
@@ -93,7 +94,7 @@ class RoomReader {
 
   int take_divisions(std::string_view what) { return tokens_.take_count(what, 1, MAX_DIVISIONS); }
 
-  // Reads a face with this number of corners, or if none is given with all on the line.
+  // Reads a face with the given number of corners; without a number, takes all corners on the line.
   void read_face(std::optional<int> corners) {
     Face face;
     face.material = take_material(tokens_, room_, "lines above");
@@ -133,7 +134,7 @@ class RoomReader {
       for (const int end : {0, 1}) {
         face.corners.clear();
         for (const auto& [next, last] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
-          // Counter-clockwise as seen from the greatest end of the axis, or clockwise.
+          // Orders corners counter-clockwise as seen from the far end of the axis, or clockwise.
           const bool seen = (end == 1) != inside;
           double at[3];
           at[axis] = ends[end][axis];
@@ -179,18 +180,18 @@ class RoomReader {
   Tokens tokens_;
   Room room_;
   int view_line_ = 0;
-  std::vector<int> crease_lines_;  // by crease
+  std::vector<int> crease_lines_;  // line of each crease
 };
 
-// Builds a room from an NFF file.
+// NFF target that builds a room.
 struct RoomTarget : renderer::NffTarget {
   RoomTarget(std::string file, LeftOut& left) : name(std::move(file)), left_out(left) {}
 
-  std::string name;  // of the file
+  std::string name;  // name of the file
   LeftOut& left_out;
   Room room;
-  Material material;  // of the next faces
-  bool used = false;  // added to the room's materials, as the last one
+  Material material;  // material of the next faces
+  bool used = false;  // true if the material is the last one of the room
 
   Knows knows() const override { return Knows::rooms; }
   void set_view(const renderer::View& view) override { room.view = check_view(view); }
@@ -235,14 +236,14 @@ struct RoomTarget : renderer::NffTarget {
   }
 };
 
-// Builds a room from an OBJ file.
+// OBJ target that builds a room.
 struct ObjRoom : renderer::ObjTarget {
   ObjRoom(std::string file, LeftOut& left) : name(std::move(file)), left_out(left) {}
 
-  std::string name;  // of the file
+  std::string name;  // name of the file
   LeftOut& left_out;
   Room room;
-  std::optional<std::uint32_t> material;  // of the next faces
+  std::optional<std::uint32_t> material;  // material of the next faces
   std::optional<renderer::View> view;
 
   void add_material(const renderer::MtlMaterial& m) override {
@@ -308,8 +309,8 @@ Read find_reader(const std::string& name) {
       "{}: found a room's name with another ending, expected .room, .nff or .obj", name));
 }
 
-// Moves a room to the origin if it is farther away than FAR times its size. Computations are then
-// as exact as its coordinates.
+// Moves a room to the origin if its distance is more than FAR times its size. Computations are then
+// as exact as the coordinates.
 Room bring_near(Room room) {
   constexpr double FAR = 1000;
   const renderer::Bounds bounds = eval_bounds(room);
@@ -331,7 +332,7 @@ Room read_room(std::string_view text, const std::string& name, LeftOut* left_out
 }
 
 Room load_room(const std::string& path) {
-  const Read read = find_reader(path);  // before it reads a file of another kind
+  const Read read = find_reader(path);  // throws for other extensions before reading the file
   LeftOut left_out;
   return bring_near(read(base::read_text(path), path, left_out));
 }

@@ -31,13 +31,13 @@
 
 namespace radiosity {
 
-/// Reads a file. BadInput "file:line: found ..., expected ...". The room has passed check(), and
-/// its view has its image plane. A room a thousand times as far from the origin as it is wide is
-/// moved there, so that computations are as exact as its coordinates.
+/// Loads a room from a file. It has passed check(), and its view has its image plane. A room a
+/// thousand times as far from the origin as it is wide is moved there, so that computations are as
+/// exact as its coordinates. Throws BadInput "file:line: found ..., expected ...".
 Room load_room(const std::string& path);
 
-/// Reads a room from a text, without moving it. `name` replaces the path in errors. Counts in
-/// `left_out`, if given, the parts of a scene that rooms do not have, such as lights.
+/// Reads a room from a text, without moving it. `name` replaces the path in errors. `left_out`, if
+/// given, counts the parts of a scene that rooms do not have, such as lights.
 Room read_room(std::string_view text, const std::string& name,
                renderer::LeftOut* left_out = nullptr);
 

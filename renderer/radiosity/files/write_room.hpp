@@ -1,5 +1,5 @@
 #pragma once
-// Writes rooms in the formats of load_room.hpp, and counts what a format cannot express.
+// Writers of rooms in the formats of load_room.hpp. They count what a format cannot express.
 
 #include "renderer/files/left_out.hpp"
 #include "renderer/files/nff.hpp"
@@ -8,11 +8,12 @@
 
 namespace radiosity {
 
-/// The text of a .room. Left out: normals.
+/// Formats a room as .room, without normals.
 std::string to_text(const Room& room, renderer::LeftOut& left_out);
 
-// Send a room to a target; two-sided faces become two faces. Left out: creases, divisions, names of
-// materials; in an NFF also the absorption of mirrors, which reflect all.
+// Sends a room to a target. Two-sided faces become two faces. Creases, divisions and names of
+// materials are left out. In NFF, mirrors reflect all light, since it cannot express their
+// absorption.
 void tell(const Room& room, renderer::ObjTarget& target, renderer::LeftOut& left_out);
 void tell(const Room& room, renderer::NffTarget& target, renderer::LeftOut& left_out);
 

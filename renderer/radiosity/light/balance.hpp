@@ -1,26 +1,27 @@
 #pragma once
-// Light balance of a room.
+// Energy balance of a room's light.
 
 #include "renderer/radiosity/mesh/mesh.hpp"
 
 namespace radiosity {
 
-/// Shares of the emitted power, all colours together; absorbed + unsent + escaped = 1.
+/// Shares of the emitted power over all colours: absorbed + unsent + escaped = 1.
 struct Balance {
-  double reflected = 0;  ///< counted at every reflection: may be more than 1
+  double reflected = 0;  ///< counted at every reflection, so it may exceed 1
   double absorbed = 0;
   double unsent = 0;
-  double escaped = 0;  ///< the rest: out of the room, to backs, into mirrors, and numerical error
-  double backs = 0;    ///< part of `escaped` that falls on backs, a ray estimate; 0 with mirrors
+  /// the rest: light that left the room, fell on backs or into mirrors, and numerical error
+  double escaped = 0;
+  /// estimate by rays of the part of `escaped` that falls on backs; 0 with mirrors
+  double backs = 0;
 };
 
-/// The balance of what a mesh has emitted. By patch, in the mean over it: the light that has
-/// arrived, and the radiosity that has not been sent.
+/// Evaluates the balance of a solution. `arrived` and `unsent` have, for each patch, the mean light
+/// that has arrived and the mean radiosity not sent yet.
 Balance eval_balance(const Mesh& mesh, std::span<const Rgb> arrived, std::span<const Rgb> unsent);
 
-/// Returns true if no light leaves the room: it has no mirror, and 16 rays from each patch all meet
-/// a face. In such a room `escaped` minus `backs` is the numerical error. (A lamp that hangs has a
-/// back.)
+/// True if no light leaves the room: it has no mirror, and 16 rays from each patch all meet a face.
+/// In such a room `escaped` minus `backs` is the numerical error. (A hanging lamp has a back.)
 bool is_closed(const Mesh& mesh);
 
 }  // namespace radiosity

@@ -1,7 +1,7 @@
 #pragma once
-// Subdivision of a patch into delta areas seen from a point: the sum of Eq 3.8.
+// Subdivision of a patch into delta areas as seen from a point: the sum of Eq 3.8.
 //
-// Formulas are templates for a number or for several in lanes (renderer/scene/lanes.hpp).
+// Formulas are templates over a number or several numbers in SIMD lanes (renderer/scene/lanes.hpp).
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 
 namespace radiosity {
 
-/// A patch as a function of its parameters: p + s a + t b + s t c.
+/// A bilinear patch as a function of its parameters: p + s a + t b + s t c.
 struct Quad {
   explicit Quad(const Patch& patch) : normal(patch.normal) {
     p = patch.at[0];
@@ -29,60 +29,59 @@ struct Quad {
     by_t = dot(normal, cross(c, b));
   }
   [[gnu::always_inline]] Vec eval(double s, double t) const { return p + s * a + t * (b + s * c); }
-  /// Area per unit of s and t.
+  /// Area per unit of s and t, with its derivatives.
   template <class Number>
   [[gnu::always_inline]] Number eval_density(const Number& s, const Number& t) const {
     return density + s * by_s + t * by_t;
   }
   Vec p, a, b, c, normal;
-  double along, across;        // squared length of the longer of opposite sides
-  double density, by_s, by_t;  // eval_density() at (0, 0), and its growth
-  double aa, ac, bb, bc, cc;   // products of a, b and c
+  double along, across;        // squared length of the longer of two opposite sides
+  double density, by_s, by_t;  // eval_density() at (0, 0), and its derivatives
+  double aa, ac, bb, bc, cc;   // scalar products of a, b and c
 };
 
-/// An observing point, and the normal of the surface there.
+/// A point that receives light, and the surface normal there.
 struct Viewpoint {
   Vec at, normal;
 };
 
-/// A term of Eq 3.8, with A_2/N = `area`. `square` is the squared distance; `here` and `there` are
+/// A term of Eq 3.8 with A_2/N = `area`. `square` is the squared distance; `here` and `there` are
 /// the cosines times the distance.
 inline double eval_delta(double area, double square, double here, double there) {
   return here * there / square * area / (std::numbers::pi * square + area);
 }
 
-/// A side of a delta area, measured at its middle, as seen by a distant point.
+/// A side of a delta area, measured at its middle, as seen by a distant viewpoint.
 template <class Number, class Share>
 struct DeltaSide {
-  Number turn;    ///< component along the way to the delta area's centre, over the way's length
-  Number rise;    ///< component along the viewpoint's normal, over that of the way
-  Number square;  ///< squared length, over that of the way
-  Share growth;   ///< relative growth of the other side from this side's start to its end
+  Number turn;    ///< component along the direction to the delta area's centre, per distance
+  Number rise;    ///< component along the viewpoint's normal, relative to that of the way
+  Number square;  ///< squared length, relative to that of the way
+  Share growth;   ///< relative growth of the other side along this side
 
-  /// Its part of eval_extent().
+  /// This side's term in eval_extent() of a delta area.
   [[gnu::always_inline]] Number eval_extent() const {
     return turn * (turn - 1.0 / 3 * rise) - 1.0 / 6 * square +
            1.0 / 12 * growth * (rise - 4.0 * turn);
   }
-  /// Offset of the factor's centroid from the delta area's centre along the side, relative to its
-  /// length, to first order.
+  /// Offset of the form factor's centroid from the delta area's centre along this side, relative to
+  /// its length, to first order.
   [[gnu::always_inline]] Number eval_drift() const {
     using renderer::clamp, std::clamp;
     return clamp(1.0 / 12 * (growth + rise - 4.0 * turn), -0.5, 0.5);
   }
 };
 
-/// Correction for the size of a delta area: its factor is 1 + eval_extent() times that of a point
-/// with its area, up to the fourth power of side over distance. The correction combines the
-/// kernel's second derivatives along the sides, over 24, and the shift of area towards the end of a
-/// growing side.
+/// Correction for the extent of a delta area: its factor is 1 + eval_extent() times that of a point
+/// with its area, up to the fourth power of side over distance. It combines the kernel's second
+/// derivatives along the sides, over 24, and the shift of area towards the end of a growing side.
 template <class Number, class Share>
 [[gnu::always_inline]] inline Number eval_extent(const DeltaSide<Number, Share>& a,
                                                  const DeltaSide<Number, Share>& b) {
   return a.eval_extent() + b.eval_extent();
 }
 
-/// An evenly bright patch, with value 1.
+/// A uniformly bright patch, with value 1.
 struct Even {
   static constexpr bool IS_EVEN = true;
   template <class Number>
@@ -91,16 +90,16 @@ struct Even {
   }
 };
 
-/// A part of a patch around (s, t); its sides are fractions of the patch's.
+/// A part of a patch around (s, t). Its sides are fractions of the patch's.
 template <class Share>
 struct DeltaOf {
   Share s, t, along, across;
 };
 using Delta = DeltaOf<double>;
 
-/// The point of a delta area that visibility rays aim at, slightly off its centre. In symmetric
-/// rooms lines between centres pass exactly through edges, above all of two mirrors. Rounding would
-/// then decide on the side.
+/// The target of visibility rays on a delta area, slightly off its centre. In symmetric rooms,
+/// lines between centres pass exactly through edges, above all between two mirrors. Rounding would
+/// then decide the side.
 [[gnu::always_inline]] inline Vec find_aim(const Quad& quad, const Delta& delta) {
   constexpr double ASIDE = 0.7e-6, ABOVE = 1.1e-6;
   return quad.eval(delta.s + ASIDE * delta.along, delta.t + ABOVE * delta.across);
@@ -117,19 +116,20 @@ struct DeltaSize {
         square_b(delta.across * delta.across *
                  (quad.bb + delta.s * (2.0 * quad.bc + delta.s * quad.cc))) {}
   Share density, area;
-  Share square_a, square_b;  ///< squared lengths of its sides
+  Share square_a, square_b;  ///< squared lengths of the delta area's sides
 };
 
-/// Components of the patch's sides along a viewpoint's normal: its products with Quad's a, b and c.
+/// Components of the patch's sides along a viewpoint's normal: scalar products with Quad's a, b and
+/// c.
 template <class Number>
 struct Rise {
   Number a, b, c;
 };
 
 /// The term of a delta area with sides shorter than its distance, times `source.eval(s, t)`. It is
-/// exact to second order in side over distance. `way` leads there; `square` is its squared length;
-/// `here` and `there` are as in eval_delta(). Share is for one delta area or several, Vector and
-/// Number are for one viewpoint or several.
+/// exact to second order in side over distance. `way` leads from the viewpoint to the delta area;
+/// `square` is its squared length; `here` and `there` are as in eval_delta(). Share is a number for
+/// one delta area or several; Vector and Number are for one viewpoint or several.
 template <class Share, class Vector, class Number, class Source>
 [[gnu::always_inline]] inline auto eval_far(const Quad& quad, const DeltaOf<Share>& delta,
                                             const DeltaSize<Share>& size, const Rise<Number>& rise,
@@ -137,7 +137,7 @@ template <class Share, class Vector, class Number, class Source>
                                             const Number& here, const Number& there,
                                             const Source& source) {
   const auto [s, t, along, across] = delta;
-  // Divisions dominate the cost here.
+  // Reciprocals are computed once, since divisions dominate the cost.
   const Number per_square = 1.0 / square, per_here = 1.0 / here;
   const Share per_density = 1.0 / size.density;
   const Number way_c = dot(way, quad.c);
@@ -155,17 +155,17 @@ template <class Share, class Vector, class Number, class Source>
 }
 
 /// Subdivision of a patch into samples x samples delta areas. Each is halved up to `halvings` times
-/// while it is wider than its distance times the root of `enough`.
+/// while it is wider than sqrt(enough) times its distance.
 struct Cut {
   int samples, halvings;
   double enough;
 };
 
-/// View of a delta area from a viewpoint if they face each other.
+/// A delta area as seen from a viewpoint, if they face each other.
 struct Look {
-  Vec point, way;      ///< find_aim(), and the way there
+  Vec point, way;      ///< point given by find_aim(), and the vector to it
   double square;       ///< squared distance
-  double here, there;  ///< see eval_delta()
+  double here, there;  ///< cosines times the distance (see eval_delta())
 };
 
 /// Calls `take(delta, look)` for each delta area that faces the viewpoint. `misses(point, radius)`
@@ -233,9 +233,9 @@ inline bool is_wide(const DeltaSize<double>& size, double square) {
 template <class Source>
 using SumOf = decltype(1.0 * std::declval<Source>().eval(0, 0));
 
-/// The term of a visible delta area, times `source.eval(s, t)`: Eq 3.8 if it is wide, else exact to
-/// second order in side over distance. (Eq 3.8 holds for a disc that faces the viewpoint, and loses
-/// 0.3 % of the light of a room.)
+/// The term of a visible delta area, times `source.eval(s, t)`. It follows Eq 3.8 if the area is
+/// wide, and is else exact to second order in side over distance. (Eq 3.8 is derived for a disc
+/// that faces the viewpoint, and alone would lose 0.3 % of the light of a room.)
 template <class Source>
 SumOf<Source> eval_seen(const Quad& quad, const Delta& delta, const Vec& normal, const Look& look,
                         const Source& source, renderer::Work& work) {
@@ -248,8 +248,8 @@ SumOf<Source> eval_seen(const Quad& quad, const Delta& delta, const Vec& normal,
   return eval_far(quad, delta, size, rise, look.way, look.square, look.here, look.there, source);
 }
 
-/// The sum over the visible part of a patch. `sight.sees(point)` returns whether the viewpoint sees
-/// a point of the patch; see Cutter for `sight.misses(point, radius)`.
+/// The sum over the visible part of a patch. `sight.sees(point)` tells whether the viewpoint sees a
+/// point of the patch. Cutter explains `sight.misses(point, radius)`.
 template <class Sight, class Source>
 SumOf<Source> sum_deltas(const Cut& cut, const Viewpoint& eye, const Quad& quad, const Sight& sight,
                          const Source& source, renderer::Work& work) {

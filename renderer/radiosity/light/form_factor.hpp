@@ -1,6 +1,6 @@
 #pragma once
-// Form factors of a patch to a vertex, by casting rays: J. Wallace, K. Elmquist and E. Haines, "A
-// Ray Tracing Algorithm for Progressive Radiosity", SIGGRAPH 1989; thesis, Eq 3.8 and 3.9.
+// Form factors from a patch to a vertex by ray casting (J. Wallace, K. Elmquist and E. Haines, "A
+// Ray Tracing Algorithm for Progressive Radiosity", SIGGRAPH 1989; thesis, Eq 3.8 and 3.9).
 
 #include <array>
 
@@ -12,33 +12,33 @@ namespace radiosity {
 
 inline constexpr int MOST_REFLECTIONS = 8;
 
-/// A patch is cut into delta areas. One that is too wide, `spread` and `mirror_share` say, is
-/// halved, along its longer side or both.
+/// Subdivision of a patch into delta areas. A delta area that is wider than `spread` or
+/// `mirror_share` allows is halved along its longer side or both sides.
 struct FactorParams {
   int samples = 1;       ///< delta areas along and across a patch, 1 to 1024
-  double spread = 0.18;  ///< widest delta area that is not halved, a share of its distance, > 0
-  int halvings = 12;     ///< most halvings of a delta area, 0 to 30; 0: all have equal size
-  int reflections = 2;   ///< most mirrors that light may meet on its way, 0 to MOST_REFLECTIONS
-  /// Widest delta area that is not halved where it is seen in mirrors, a share of the narrowest of
-  /// them as both are seen, > 0; not halved more than if spread were a quarter.
+  double spread = 0.18;  ///< largest width of a delta area, as a share of its distance, > 0
+  int halvings = 12;     ///< limit on the halvings of a delta area, 0 to 30; 0: all have equal size
+  int reflections = 2;   ///< limit on the mirrors on a path of light, 0 to MOST_REFLECTIONS
+  /// Largest width of a delta area seen over mirrors, as a share of the width of the narrowest
+  /// mirror as seen from the vertex, > 0. It has no effect below a quarter of `spread`.
   double mirror_share = 0.5;
-  /// Pieces of a mirror along and across, 0 to 1000; 0: a piece for each delta area, through which
-  /// that is seen (mirrors.hpp).
+  /// Pieces along and across a mirror, 0 to 1000. 0: the piece through which each delta area is
+  /// seen (mirrors.hpp).
   int mirror_pieces = 0;
   renderer::Traversal traversal = renderer::Traversal::nearest;
 };
 
-/// The fields samples, spread, halvings, reflections, mirror_pieces and mirror_share.
+/// Makes the fields samples, spread, halvings, reflections, mirror_pieces and mirror_share.
 base::Fields<FactorParams> factor_fields();
-/// BadInput naming the field, what was found and what was expected.
+/// Throws BadInput with the field, the value found and the values expected.
 void check(const FactorParams& params);
 
-/// How delta areas are cut where light comes directly.
+/// The subdivision into delta areas for direct light.
 inline Cut direct_cut(const FactorParams& params) {
   return {params.samples, params.halvings, params.spread * params.spread};
 }
 
-/// Visibility queries: rays are cast against the blockers of `mesh`. `access`, unless null,
+/// A visibility tester that casts rays against the blockers of `mesh`. `access`, unless null,
 /// receives every read.
 struct Eye {
   const Mesh& mesh;
@@ -46,11 +46,11 @@ struct Eye {
   renderer::Access* access = nullptr;
 };
 
-/// The share of the distance at which a ray ends, so that it does not meet the object it goes to.
+/// Share of the distance at which a ray ends, so that it does not meet the object at its target.
 inline constexpr double NEARLY = 1 - 1e-9;
 
-/// Returns true if nothing blocks the segment between points on two objects. Inlined, so that the
-/// caller shares the direction and its length.
+/// True if nothing blocks the segment between points on two objects. Inlined, so that the caller
+/// shares the direction and its length.
 [[gnu::always_inline]] inline bool sees(const Eye& eye, const Vec& from, std::uint32_t object,
                                         const Vec& to, std::uint32_t other, renderer::Work& work) {
   if (object == other) return true;
@@ -65,23 +65,23 @@ inline constexpr double NEARLY = 1 - 1e-9;
   return !intersect(eye.mesh.blockers, ray, eye.params.traversal, work, eye.access);
 }
 
-/// The radiosity of a patch's points, bilinear in its parameters.
+/// Radiosity of a patch, bilinear in the patch's parameters.
 struct Glow {
   static constexpr bool IS_EVEN = false;
   Glow() = default;
   explicit Glow(const Rgb& even) : at(even) {}
-  /// From those of the corners, in their order.
+  /// Makes it from the radiosities of the corners, in their order.
   explicit Glow(const std::array<Rgb, 4>& corners);
   template <class Number>
   [[gnu::always_inline]] auto eval(const Number& s, const Number& t) const {
     return at + s * along + t * (across + s * twist);
   }
-  /// Returns true if it is constant over the patch.
+  /// True if the radiosity is constant over the patch.
   bool is_even() const { return along == Rgb{} && across == Rgb{} && twist == Rgb{}; }
   Rgb at, along, across, twist;
 };
 
-/// An even glow, for templates that take a Glow.
+/// A constant radiosity, for templates that take a Glow.
 struct EvenGlow {
   static constexpr bool IS_EVEN = true;
   template <class Number>
@@ -101,8 +101,9 @@ struct Sender {
   bool is_even;
 };
 
-/// How delta areas of a sender are cut where light comes directly: none of a lamp would give more
-/// of what it emits than Mesh::most_at_once, by its form factor at most.
+/// The subdivision of a sender for direct light. Delta areas of lamps are small enough that none
+/// contributes more than Mesh::most_at_once of emitted light. Their form factors are estimated by
+/// an upper bound.
 inline Cut direct_cut(const Eye& eye, const Sender& sender) {
   Cut cut = direct_cut(eye.params);
   const double emitted = sum(eye.mesh.materials[sender.patch.material].emission) / 3;
@@ -112,21 +113,21 @@ inline Cut direct_cut(const Eye& eye, const Sender& sender) {
 }
 
 /// The sum of Eq 3.9 times A_2, without mirrors: the cosine-weighted share of the vertex's
-/// hemisphere that the visible patch covers, 0..1. B_1 is rho_1 B_2 times it. Adds to `work`.
+/// hemisphere that the visible patch covers, 0..1. B_1 is rho_1 B_2 times this share. Adds to
+/// `work`.
 double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, renderer::Work& work);
 
-/// Returns true if light may arrive by mirrors.
+/// True if light may arrive by mirrors.
 inline bool has_mirrors(const Eye& eye) {
   return !eye.mesh.mirrors.empty() && eye.params.reflections > 0;
 }
 
 /// The light from a patch that arrives at a vertex, directly and by mirrors, with each colour
-/// scaled by their reflectance. For an even glow it is the form factors times the glow. Adds to
-/// `work`.
+/// scaled by their reflectance. For a constant radiosity it is the form factor times the radiosity.
+/// Adds to `work`.
 Rgb eval_light(const Eye& eye, const Vertex& vertex, const Sender& sender, renderer::Work& work);
 
-/// Returns true if part of the patch is in front of the viewpoint and the viewpoint in front of the
-/// patch.
+/// True if part of the patch is in front of the viewpoint, and the viewpoint in front of the patch.
 inline bool face_each_other(const Viewpoint& eye, const Patch& patch) {
   if (dot(patch.normal, eye.at - patch.centre) <= 0) return false;
   for (const Vec& corner : patch.at)

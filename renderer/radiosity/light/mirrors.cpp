@@ -11,30 +11,31 @@ using renderer::Work;
 
 namespace {
 
-// The unfolded path of light over a chain of mirrors, with images of the viewpoint instead of the
-// visible surface (figures 3.11 and 3.12). The first of `images` is the vertex's viewpoint, and
-// images[j] is its reflection by the chain's first j mirrors.
+// The unfolded path of light over a chain of mirrors. Instead of the visible surface, the viewpoint
+// is reflected (figures 3.11 and 3.12). The first of `images` is the vertex's viewpoint; images[j]
+// is its image in the chain's first j mirrors.
 struct Chain {
   template <class T, std::size_t most>
   using List = boost::container::static_vector<T, most>;
 
-  List<const Mirror*, MOST_REFLECTIONS> mirrors;  // the first is the one nearest to the vertex
+  List<const Mirror*, MOST_REFLECTIONS> mirrors;  // from the vertex outwards
   List<Viewpoint, MOST_REFLECTIONS + 1> images;
-  Rgb reflectance{1, 1, 1};  // product of the mirrors'
+  Rgb reflectance{1, 1, 1};  // product of the mirrors' reflectances
   // Approximate visual angle of the narrowest mirror, rad.
   double width = std::numeric_limits<double>::infinity();
 
   explicit Chain(const Viewpoint& eye) : images{eye} {}
   const Viewpoint& last() const { return images.back(); }
-  // True if the mirror is visible from the chain's end.
+  // True if the mirror is visible from the end of the chain.
   bool can_meet(const Mirror& mirror) const;
-  // True if the last mirror may show part of a convex polygon: none of its edges separates them.
+  // True if the last mirror may show part of a convex polygon: no plane through its edges separates
+  // the polygon from it.
   bool may_show(std::span<const Vec> corners) const;
-  // The chain with another mirror of this reflectance.
+  // The chain extended by a mirror with the given reflectance.
   Chain extend(const Mirror& mirror, const Rgb& by) const;
 };
 
-// A path's points on a chain's mirrors, in the chain's order.
+// Points of a path on the mirrors of a chain, in their order.
 using Path = std::array<Vec, MOST_REFLECTIONS>;
 
 Vec mirror_direction(const Mirror& mirror, const Vec& direction) {
@@ -45,7 +46,7 @@ Vec mirror_point(const Mirror& mirror, const Vec& point) {
   return mirror.corners[0] + mirror_direction(mirror, point - mirror.corners[0]);
 }
 
-// True if a point in a convex polygon's plane is inside, or outside by at most the margin.
+// True if a point in the plane of a convex polygon is inside it, or outside by at most the margin.
 bool is_within(std::span<const Vec> c, const Vec& normal, const Vec& point, double margin = 0) {
   for (std::size_t i = 0; i < c.size(); ++i) {
     const Vec edge = c[(i + 1) % c.size()] - c[i];
@@ -67,7 +68,7 @@ bool Chain::may_show(std::span<const Vec> corners) const {
                                [&](const Vec& c) { return dot(normal, c - through) <= 0; });
   };
   if (is_out(window.normal, window.centre)) return false;
-  const Vec& eye = last().at;  // behind the window
+  const Vec& eye = last().at;  // image of the viewpoint, behind the last mirror
   const auto& edge = window.corners;
   for (std::size_t i = 0; i < edge.size(); ++i)
     if (is_out(cross(edge[i] - eye, edge[(i + 1) % edge.size()] - eye), eye)) return false;
@@ -95,7 +96,8 @@ std::optional<Path> find_path(const Chain& chain, const Vec& to) {
     const Vec way = chain.images[j + 1].at - from;
     const double before = dot(mirror.normal, from - mirror.corners[0]);
     const double along = dot(mirror.normal, way);
-    if (!(before > 0 && along < 0)) return std::nullopt;  // behind the mirror, or away from it
+    // the point is behind the mirror, or the ray leads away from it
+    if (!(before > 0 && along < 0)) return std::nullopt;
     points[j] = from + before / -along * way;
     if (!is_within(mirror.corners, mirror.normal, points[j])) return std::nullopt;
     from = points[j];
@@ -103,8 +105,8 @@ std::optional<Path> find_path(const Chain& chain, const Vec& to) {
   return points;
 }
 
-// True if every path to the points within a radius of `to` certainly misses a mirror. The paths
-// form a cone with its tip at the vertex's image; a mirror cuts it in an ellipse.
+// True if every path to points within a radius of `to` certainly misses a mirror. The paths form a
+// cone with its apex at the image of the vertex; a mirror cuts the cone in an ellipse.
 bool surely_misses(const Chain& chain, const Vec& to, double radius) {
   Vec from = to;
   const double whole = length(to - chain.last().at);
@@ -114,10 +116,11 @@ bool surely_misses(const Chain& chain, const Vec& to, double radius) {
     const Vec way = chain.images[j + 1].at - from;
     const double before = dot(mirror.normal, from - mirror.corners[0]);
     const double along = -dot(mirror.normal, way), left = length(way);
-    if (!(before > radius && along > radius)) return false;  // undecided
+    if (!(before > radius && along > radius)) return false;  // the test cannot decide
     const Vec point = from + before / along * way;
     gone += before / along * left;
-    const double slope = (along - radius) / left;  // approximate least cosine of the cone's lines
+    // approximate lower bound on the cosines of the cone's lines
+    const double slope = (along - radius) / left;
     const double margin = 2 * radius * (whole - gone) / whole / slope;
     if (!is_within(mirror.corners, mirror.normal, point, margin)) return true;
     from = point;
@@ -130,11 +133,11 @@ struct MirroredSight {
   const Eye& eye;
   const Vertex& vertex;
   const Patch& patch;
-  const Quad& quad;  // the patch's
+  const Quad& quad;  // the patch that sends light
   const Chain& chain;
   Work& work;
 
-  // True if nothing blocks the path over the mirrors at `path`.
+  // True if nothing blocks the path over the points `path` on the mirrors.
   bool is_free(const Path& path, const Vec& to) const {
     Vec from = vertex.lit;
     std::uint32_t on = vertex.object;
@@ -157,7 +160,7 @@ struct MirroredSight {
   }
 };
 
-// The bounding rectangle of a mirror, aligned with its first edge, cut into n x n pieces.
+// The bounding rectangle of a mirror, aligned with its first edge and cut into n x n pieces.
 struct Pieces {
   Pieces(const Mirror& mirror, int n) : n(n) {
     const Vec along = normalize(mirror.corners[1] - mirror.corners[0]);
@@ -180,13 +183,13 @@ struct Pieces {
   Vec origin, u, v;  // u and v: the sides of a piece
 };
 
-// The least solid angle of the pieces on a path, and the index of its mirror in the chain.
+// The least solid angle among the pieces on a path, and the index of its mirror in the chain.
 struct Least {
   double angle = std::numeric_limits<double>::infinity();
   std::size_t mirror = 0;
 };
 
-// A path from the vertex over a chain to the patch's plane.
+// A path from the vertex over a chain to the plane of the patch.
 struct Way {
   Path path;
   Vec end;
@@ -234,7 +237,8 @@ class PieceSum {
       for (int j = 0; j < pieces_[k].n; ++j)
         for (int i = 0; i < pieces_[k].n; ++i) {
           seen_.work[Op::light_mirrored] += 1;
-          // Pieces of each mirror on the path find it; only the mirror with the least ones counts.
+          // A path is found once for each of its mirrors. It counts only at the mirror with the
+          // least solid angle.
           const auto way = follow(k, pieces_[k].centre(i, j));
           if (!way || way->least.mirror != k) continue;
           const double whole = solid_angle(area, way->end);
@@ -252,13 +256,13 @@ class PieceSum {
     return eval_delta(h * area, dot(line, line), here, there);
   }
 
-  // The path from the vertex over the chain, through a piece's centre at the k-th mirror, if it
-  // ends in the delta area.
+  // The path from the vertex over the chain, through the centre of a piece of the k-th mirror; none
+  // if it ends outside the delta area.
   std::optional<Way> follow(std::size_t k, const Vec& centre) const {
     const auto& chain = seen_.chain;
     if (!is_within(chain.mirrors[k]->corners, chain.mirrors[k]->normal, centre))
       return std::nullopt;
-    // Straight on from the vertex's last image.
+    // The unfolded path is a straight line from the last image of the vertex.
     Vec through = centre;
     for (std::size_t j = k + 1; j < chain.mirrors.size(); ++j)
       through = mirror_point(*chain.mirrors[j], through);
@@ -299,16 +303,17 @@ class PieceSum {
 
   const MirroredSight& seen_;
   const Source& source_;
-  std::vector<Pieces> pieces_;  // by mirror of the chain
-  std::array<Vec, 4> corners_;  // of the delta area
+  std::vector<Pieces> pieces_;  // pieces of each mirror of the chain
+  std::array<Vec, 4> corners_;  // corners of the delta area
 };
 
-// The light that arrives over one chain, before the mirrors' reflectance is applied.
+// The light that arrives over one chain, without the reflectance of the mirrors.
 template <class Source>
 auto eval_chain(const MirroredSight& sight, const Source& source) {
   const FactorParams& params = sight.eye.params;
   if (params.mirror_pieces > 0) return PieceSum(sight, source).sum();
-  // A mirror that appears very narrow transmits little light: limit its extra effort.
+  // Lower limit on `spread`, since a mirror that appears very narrow reflects too little light for
+  // more effort.
   constexpr double LEAST = 0.25;
   const double spread =
       std::clamp(params.mirror_share * sight.chain.width, LEAST * params.spread, params.spread);
@@ -319,7 +324,7 @@ auto eval_chain(const MirroredSight& sight, const Source& source) {
 template <class Source>
 constexpr bool KEEPS = std::is_same_v<Source, TermCollector>;
 
-// The sum over all chains that extend the one of `sight`, without that one.
+// The sum over all chains that extend the chain of `sight`, without that chain itself.
 template <class Source>
 auto sum_chains(const MirroredSight& sight, const Source& source) {
   const auto& [eye, vertex, patch, quad, chain, work] = sight;

@@ -16,7 +16,8 @@ using renderer::Work;
 
 namespace {
 
-// The receivers in lanes. A missing one copies the first's position, and is not `present`.
+// The receivers, one per SIMD lane. A missing one has the position of the first, and is not
+// `present`.
 struct Points {
   [[gnu::always_inline]] explicit Points(const Receivers& receivers) {
     const Vertex& first = *receivers[0];
@@ -45,7 +46,7 @@ struct Points {
   return points.present & before & (dot(points.at - patch.centre, patch.normal) > 0.0);
 }
 
-// The unblocked ways to a point of the patch: sees() for each lane.
+// Mask of the lanes with an unblocked way to a point of the patch: sees() for each lane.
 [[gnu::always_inline]] inline Mask find_seeing(const Eye& eye, const Points& points,
                                                const Patch& patch, const Mask& looking,
                                                const Vecs& way, const Lanes& square, Work& work) {
@@ -60,16 +61,16 @@ struct Points {
   return looking & ~rays.blocked;
 }
 
-// Visible delta areas: one for each lane, or one for all lanes.
+// Visible delta areas: one per lane, or one shared by all lanes.
 template <class Share>
 struct Looks {
   DeltaOf<Share> delta;
-  Vecs way;  // this and the following: see Look
+  Vecs way;  // `way` and the next members are those of Look
   Lanes square, here, there;
   Mask looking;
 };
 
-// TermCollector in lanes.
+// A TermCollector in SIMD lanes.
 struct TermLanes {
   Lanes share, s, t;
 };
@@ -83,14 +84,14 @@ struct LaneRecorder {
   [[gnu::always_inline]] Place eval(const Lanes& s, const Lanes& t) const { return {s, t}; }
 };
 
-// The receivers' lights, or their terms if these are kept.
+// Sums of the light at the receivers, and their terms if these are kept.
 struct Sum {
   Lights lights{};
   TermsLanes* kept = nullptr;
 };
 
-// Adds the visible terms to the lights, as eval_seen() for each delta area that is not wide.
-// `receiver(k)`: that of lane k.
+// Adds the visible terms to the sums, as eval_seen() does for delta areas that are not wide.
+// `receiver(k)` is the receiver of lane k.
 template <class Share, class Receiver>
 [[gnu::always_inline]] inline void add_terms(const Eye& eye, const Sender& sender,
                                              const Points& points, const Looks<Share>& looks,
@@ -122,8 +123,8 @@ template <class Share, class Receiver>
     if (seeing[k]) sum.lights[receiver(k)] += Rgb{terms.r[k], terms.g[k], terms.b[k]};
 }
 
-// Adds the direct light at receivers that see the patch as a single, not wide delta area. Sets
-// `near` for the others.
+// Adds the direct light at receivers that see the patch as a single delta area that is not wide.
+// Sets `near` for all other receivers.
 TLAB_WIDE_REGISTERS
 void add_far_lights(const Eye& eye, const Receivers& receivers, const Sender& sender, Sum& sum,
                     Mask& near, Work& work) {
@@ -187,13 +188,14 @@ void add_near_lights(const Eye& eye, const SeenLanes& seen, const Sender& sender
       eye, sender, points, looks, [&](std::size_t k) { return seen[k].receiver; }, sum, work);
 }
 
-// Collects delta areas seen by receivers until all lanes are full.
+// Batch of delta areas seen by receivers. It is evaluated when all lanes are full.
 class Near {
  public:
   Near(const Eye& eye, const Sender& sender, Sum& sum, Work& work)
       : eye_(eye), sender_(sender), sum_(sum), work_(work) {}
 
-  // Adds the direct light at the vertex, which the patch faces; the rest of it in flush().
+  // Adds the direct light at the vertex, which the patch faces. Some of it is pending until
+  // flush().
   void add(const Vertex& vertex, std::size_t receiver) {
     const Viewpoint view{vertex.lit, vertex.normal};
     const auto misses = [](const Vec&, double) { return false; };

@@ -10,7 +10,7 @@ using renderer::Work;
 
 namespace {
 
-// The sum of terms, each times the glow at its place, as in eval_lights().
+// The sum of terms, each times the radiosity at its position, as in eval_lights().
 template <class Source>
 auto sum_terms(std::span<const Term> terms, const Source& source) {
   SumOf<Source> total{};
@@ -18,12 +18,12 @@ auto sum_terms(std::span<const Term> terms, const Source& source) {
   return total;
 }
 
-// The sum over chains. Adds up the longer chains that extend a chain before it adds them to the
-// chain's total, as in eval_mirrored_light(). `end`: of the last chain's terms.
+// The sum over chains, in the order of eval_mirrored_light(): the chains that extend a chain are
+// summed before they are added to its total. `end` is the end of the last chain's terms.
 template <class Source>
 Rgb sum_chains(std::span<const ChainTerms> chains, std::span<const Term> terms, std::uint32_t end,
                const Source& source) {
-  std::array<Rgb, MOST_REFLECTIONS + 1> totals{};  // by the length of the extended chain
+  std::array<Rgb, MOST_REFLECTIONS + 1> totals{};  // totals by the length of the extended chain
   std::size_t length = 0;
   const auto go_back = [&](std::size_t to) {
     for (; length > to; --length) totals[length - 1] += totals[length];

@@ -1,7 +1,7 @@
 #pragma once
-// Form factors kept between the shots of a patch. A point's light is a sum of terms share * glow(s,
-// t); only the glow changes between shots, so that no ray is cast again. In a room with light walls
-// every patch shoots some 20 times.
+// Form factors that are kept between the shots of a patch. The light at a point is a sum of terms
+// share * glow(s, t). Only the radiosity `glow` changes between shots, so no ray is cast again. In
+// a room with bright walls every patch shoots some 20 times.
 
 #include <unordered_map>
 #include <vector>
@@ -11,13 +11,14 @@
 
 namespace radiosity {
 
-/// The rows of form factors from a mesh's patches to points, as far as they fit into memory.
+/// Rows of form factors from the patches of a mesh to points, as far as memory permits.
 class Rows {
  public:
-  /// `room`: bytes left, possibly shared with other Rows. `eye` and `room` must outlive the object.
+  /// `room` is the number of bytes left, which several Rows may share. `eye` and `room` must
+  /// outlive the object.
   Rows(const Eye& eye, std::vector<Vertex> points, std::size_t& room);
-  /// The lights at all points if the patch shoots, bit for bit those of eval_lights(). Adds the
-  /// same work, also for rays that are not cast again. Valid until the next call.
+  /// The light at all points if the patch shoots, equal bit for bit to eval_lights(). Adds the same
+  /// work, including rays that are not cast again. Valid until the next call.
   std::span<const Rgb> eval(std::uint32_t patch, const Sender& sender, renderer::Work& work);
 
  private:

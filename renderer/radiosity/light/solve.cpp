@@ -16,10 +16,11 @@ using renderer::Work;
 
 namespace {
 
-// Maximum units of one patch; a million such can be added.
+// Upper limit of a patch's unsent power, in units of Unshot. The sum over a million patches does
+// not overflow.
 constexpr double MOST_UNSHOT = 0x1p42;
 
-// Maximum bytes of form factors kept by a solution.
+// Limit on the memory for form factors that a solution keeps, bytes.
 constexpr std::size_t MOST_KEPT = std::size_t{1} << 30;
 
 std::vector<std::uint32_t> count_up(std::size_t n) {
@@ -28,7 +29,7 @@ std::vector<std::uint32_t> count_up(std::size_t n) {
   return all;
 }
 
-// Calls f with LANES indices at a time, finally with the rest.
+// Calls f with LANES indices at a time, and at last with the remaining ones.
 template <class F>
 void for_lanes(std::span<const std::uint32_t> all, const F& f) {
   for (std::size_t begin = 0; begin < all.size(); begin += LANES)
@@ -43,11 +44,11 @@ Rgb eval_mean(const Mesh& mesh, std::uint32_t p, Mean mean, const State& state) 
   return (1.0 / 12) * corners + (2.0 / 3) * state.in_centre[p];
 }
 
-// Fractions of a patch's area that belong to its corners, by the bilinear weights.
+// The fractions of a patch's area that belong to its corners, by the bilinear weights.
 std::array<double, 4> eval_shares(const Patch& patch) {
   const Quad quad(patch);
   const auto eval = [&](double s, double t) {
-    // Integrals of the weight of a line's end, and of its product with the parameter.
+    // Integrals over a unit line: the weight of its end, and the product of weight and parameter.
     const double of_s = (1 + s) / 6, of_t = (1 + t) / 6;
     return (quad.density / 4 + quad.by_s * of_s / 2 + quad.by_t * of_t / 2) /
            (quad.density + quad.by_s / 2 + quad.by_t / 2);
@@ -56,7 +57,7 @@ std::array<double, 4> eval_shares(const Patch& patch) {
 }
 
 // Changes the unsent light at a patch's corners so that its mean over the patch is `mean`. A
-// deficit is added equally; an excess is removed from each in proportion.
+// deficit is added equally to all corners. An excess is removed from each corner in proportion.
 Glow fit_glow(const Patch& patch, std::array<Rgb, 4> corners, const Rgb& mean) {
   const auto shares = eval_shares(patch);
   for (double Rgb::*colour : {&Rgb::r, &Rgb::g, &Rgb::b}) {
@@ -81,7 +82,7 @@ std::vector<Vertex> make_centres(const Mesh& mesh) {
   return centres;
 }
 
-// Applies the lights of all vertices, like receive().
+// Applies the light at all vertices, as receive() does.
 void take(const Mesh& mesh, std::span<const Rgb> lights, State& state, Work& work) {
   for (std::size_t v = 0; v < lights.size(); ++v) {
     state.received[v] = lights[v];
@@ -90,7 +91,7 @@ void take(const Mesh& mesh, std::span<const Rgb> lights, State& state, Work& wor
   work[Op::vertex_lit] += lights.size();
 }
 
-// See solve().
+// Shoots as described for solve().
 Solution shoot_until(const Mesh& mesh, const SolveParams& params, Solution solution,
                      const Step& step, const Mesh* fine) {
   check(params.factor);
@@ -230,7 +231,7 @@ Unshot sum_unshot(const Mesh& mesh, const State& state, std::span<const std::uin
   const double unit = Unshot::ONE / sum(mesh.emitted);
   for (const auto p : patches) {
     const Rgb power = unit * state.areas[p] * state.unshot[p];
-    // Rounds half away from zero like std::llround(), which would dominate the cost here.
+    // Rounds half away from zero like std::llround(), which would dominate the cost.
     const auto round = [](double share) {
       return static_cast<std::int64_t>(std::clamp(share, -MOST_UNSHOT, MOST_UNSHOT) +
                                        std::copysign(0.5, share));
@@ -298,7 +299,7 @@ Solution solve_room(const Room& room, const Mesh& mesh, const LightParams& param
   if (params.senders == 0) return solve(mesh, params.solve, step);
   MeshParams coarse = params.mesh;
   coarse.refine = params.senders;
-  Room even = room;  // senders are not halved near lights
+  Room even = room;  // patches that send light need not be finer near lights
   even.fine_near_lights = false;
   return solve(make_mesh(even, coarse), params.solve, step, &mesh);
 }

@@ -10,26 +10,26 @@ namespace radiosity {
 
 using renderer::Rgb;
 
-/// A part of the light that a patch sends to a point: `share` times the patch's glow at (s, t).
+/// One term: `share` times the radiosity of the patch at (s, t).
 struct Term {
   double share, s, t;
 };
 
-/// A chain of mirrors, with the terms from `begin` up to the next chain's.
+/// A chain of mirrors. Its terms extend from `begin` to those of the next chain.
 struct ChainTerms {
-  std::uint32_t begin;   ///< index of a Term
+  std::uint32_t begin;   ///< index of the first Term
   std::uint32_t length;  ///< number of mirrors, >= 1
-  Rgb reflectance;       ///< product of the mirrors'
+  Rgb reflectance;       ///< product of the mirrors' reflectances
 };
 
-/// The light that a patch sends to one point, without the patch's glow: direct terms, and then
-/// those over mirrors. Longer chains follow the chain that they extend.
+/// Terms of the light that a patch sends to one point, independent of the patch's radiosity. Direct
+/// terms come first, then those over mirrors. Longer chains follow the chain that they extend.
 struct Terms {
   std::vector<Term> terms;
   std::vector<ChainTerms> chains;
 };
 
-/// A source for sum_deltas() that keeps terms instead of adding them up.
+/// A `source` for sum_deltas() that keeps the terms instead of adding them up.
 struct TermCollector {
   static constexpr bool IS_EVEN = false;
   struct Nothing {
@@ -45,8 +45,8 @@ struct TermCollector {
     }
   };
   Place eval(double s, double t) const { return {kept.terms, s, t}; }
-  /// Returns the chain's index for end(), which drops the chain if neither it nor a longer one has
-  /// a term.
+  /// Begins a chain and returns its index for end(). end() drops the chain if neither it nor a
+  /// longer one has a term.
   std::size_t begin(std::size_t length, const Rgb& reflectance) const {
     kept.chains.push_back({static_cast<std::uint32_t>(kept.terms.size()),
                            static_cast<std::uint32_t>(length), reflectance});

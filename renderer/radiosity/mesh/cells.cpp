@@ -12,19 +12,19 @@ namespace radiosity {
 
 namespace {
 
-// Minimum sine of the angles at a cell's corners after a point has moved.
+// Least sine of the angles at a cell's corners after a point has moved.
 constexpr double WELL_SHAPED = 0.3;
-// A corner is straight if the sine of its turn is smaller.
+// A corner is straight if the sine of its exterior angle is smaller than this.
 constexpr double STRAIGHT = 0.17;
-// Relative to a crease's touch: a cell that it cuts off is at least FLAT wide, or half as wide as a
-// flat cell was before, but at least FLATTEST. Heights below ROUNDING are 0.
+// Least width of a cell that a crease cuts off, in units of the crease's `touch`: FLAT, or for a
+// flat cell half of its width before, but at least FLATTEST. Heights below ROUNDING count as 0.
 constexpr double FLAT = 0.25, FLATTEST = 0.02, ROUNDING = 1e-6;
-// Minimum sine of a cut through a cell at a straight corner.
+// Least sine of the angles of a cut through a cell at a straight corner.
 constexpr double TOO_NARROW = 1e-3;
 
 using Loop = std::vector<std::uint32_t>;
 
-// The two parts of a loop that is cut between two of its points; both parts contain both points.
+// The two parts of a loop that is cut between two of its points. Both parts contain both points.
 std::pair<Loop, Loop> cut_loop(Loop loop, std::uint32_t from, std::uint32_t to) {
   std::ranges::rotate(loop, std::ranges::find(loop, from));
   const auto at = std::ranges::find(loop, to);
@@ -34,16 +34,16 @@ std::pair<Loop, Loop> cut_loop(Loop loop, std::uint32_t from, std::uint32_t to) 
   return {std::move(loop), std::move(left)};
 }
 
-// The ends of a line across a cell: at a point, or on the edge from it to `next`.
+// A line across a cell. Each of its ends is at a point, or on the edge from that point to `next`.
 struct Chord {
   struct End {
     std::uint32_t point, next;
-    double share;  // of the edge; 0 at the point
+    double share;  // position on the edge as a fraction; 0: at the point
   };
   std::array<End, 2> ends;
 };
 
-// Points and quads so far, and the middles of edges.
+// The points and quads made so far, and the middles of edges.
 struct Quads {
   Division division;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
@@ -85,8 +85,8 @@ double eval_way(const Quads& quads, const Loop& loop, std::size_t i, std::size_t
   return least;
 }
 
-// Cuts a cell from a straight corner to the other corner with the best angles, recursively; adds
-// the parts to `parts`.
+// Cuts a cell recursively at each straight corner, to the other corner that gives the best angles.
+// Adds the parts to `parts`.
 void cut_straight_corners(const Quads& quads, const Loop& loop, const Vec& normal,
                           std::vector<Loop>& parts) {
   std::uint32_t from = 0, to = 0;
@@ -109,8 +109,8 @@ void cut_straight_corners(const Quads& quads, const Loop& loop, const Vec& norma
   cut_straight_corners(quads, left, normal, parts);
 }
 
-// The centroid of a convex polygon. From any corner it lies beyond the middles of the adjacent
-// edges, unlike, possibly, the mean of the corners.
+// The centroid of a convex polygon. Seen from any corner, it lies beyond the middles of the
+// adjacent edges. The mean of the corners may not.
 Vec find_centre(std::span<const Vec> corners, const Vec& normal) {
   Vec sum;
   double total = 0;
@@ -136,10 +136,11 @@ void add_corners(Quads& quads, std::span<const std::uint32_t> loop, const Vec& n
   }
 }
 
-// Cells have a straight corner where a neighbour was cut and they were not.
+// The cells of a face. Where only the neighbour of a cell was cut, the cell has a straight corner.
 class Cells {
  public:
-  // Cells are the quads of a division; equal points become one, the others keep their order.
+  // Starts with the quads of a division as cells. Equal points are merged; the others keep their
+  // order.
   Cells(const Division& division, const Vec& normal) : normal_(normal) {
     Welder welder(renderer::make_bounds(division.points));
     Loop index;
@@ -162,10 +163,11 @@ class Cells {
       }
   }
 
-  // Keeps the point where it is.
+  // Prevents a point from moving.
   void fix(std::uint32_t point) { line_[point] = FIXED; }
 
-  // Moves points to the lines first..last, but not nearer than `apart` to each other.
+  // Moves points to the lines first..last, unless they would come nearer than `apart` to each
+  // other.
   void move_points(std::span<const Line> lines, std::size_t first, std::size_t last, double reach,
                    double apart) {
     for (std::size_t k = first; k < last; ++k)
@@ -179,7 +181,7 @@ class Cells {
         const double height = dot(across, here - crease.a);
         if (std::abs(height) >= reach) continue;
         Vec to = here - height * across;
-        if (line_[i] != FREE) {  // along its present crease
+        if (line_[i] != FREE) {  // move along the crease that the point already lies on
           const Crease& other = lines[static_cast<std::size_t>(line_[i])].crease;
           const Vec way = normalize(other.b - other.a);
           const double slope = dot(across, way);
@@ -193,8 +195,8 @@ class Cells {
     }
   }
 
-  // Cuts all cells that the crease crosses for more than its touch. Returns false if some could not
-  // be cut.
+  // Cuts all cells that the crease crosses by more than its `touch`. Returns false if some could
+  // not be cut.
   bool cut(const Line& line) {
     const Crease& crease = line.crease;
     const double size = length(crease.b - crease.a), touch = line.touch;
@@ -209,7 +211,7 @@ class Cells {
     for (std::size_t cell = 0; cell < count; ++cell) {
       const auto chord = find_chord(cell, heights);
       if (!chord) continue;
-      // Positions on the crease, from 0 to its size, of the chord's ends.
+      // Positions of the chord's ends on the crease, from 0 to the crease's length.
       double t[2];
       for (std::size_t i = 0; i < 2; ++i) {
         const auto& [point, next, share] = chord->ends[i];
@@ -217,7 +219,7 @@ class Cells {
       }
       if (std::min(size, std::max(t[0], t[1])) - std::max(0.0, std::min(t[0], t[1])) <= touch)
         continue;
-      // Neighbours find the same point, as it depends on the edge only.
+      // The new point depends on the edge only, so both cells at the edge find the same point.
       const auto make = [&](const Chord::End& end) {
         if (end.share == 0) return end.point;
         const double here = std::abs(heights[end.point]), there = std::abs(heights[end.next]);
@@ -228,7 +230,7 @@ class Cells {
       const std::uint32_t p = make(chord->ends[0]), q = make(chord->ends[1]);
       if (!cut_cell(cell, p, q, touch)) kept = false;
     }
-    // The crease's ends become points of the edges that they lie on.
+    // Makes the crease's ends points of the edges that they lie on.
     for (const double end : {0.0, size}) split_edges_at(crease.a, along, end, touch, heights);
     return kept;
   }
@@ -253,7 +255,8 @@ class Cells {
       owner_[{loop[i], loop[(i + 1) % loop.size()]}] = cell;
   }
 
-  // Moves a point unless a cell becomes ill-shaped, or an edge < `apart` becomes shorter.
+  // Moves a point unless a cell would become ill-shaped, or an edge shorter than `apart` would
+  // become even shorter.
   bool move(std::uint32_t point, const Vec& to, double apart) {
     const Vec back = std::exchange(points_[point], to);
     for (const auto cell : around_[point]) {
@@ -287,14 +290,14 @@ class Cells {
     if (nearest && move(*nearest, end, apart)) fix(*nearest);
   }
 
-  // The least width of a cell, across one of its edges.
+  // The least width of a cell, measured perpendicular to one of its edges.
   double find_width(const Loop& loop) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < loop.size(); ++i)
       least = std::min(least, find_height(loop, loop[i], loop[(i + 1) % loop.size()]));
     return least;
   }
-  // Maximum distance of a loop's points from the line from a to b.
+  // The largest distance of a loop's points from the line from a to b.
   double find_height(const Loop& loop, std::uint32_t a, std::uint32_t b) const {
     const Vec across = cross(normal_, normalize(points_[b] - points_[a]));
     double most = 0;
@@ -303,8 +306,8 @@ class Cells {
     return most;
   }
 
-  // Cuts a cell between two of its points. False if a part would be too flat, unless the crease
-  // runs along the cell's edges, which then lie on it.
+  // Cuts a cell between two of its points. Returns false if a part would be too flat. Succeeds
+  // without a cut if the crease runs along edges of the cell.
   bool cut_cell(std::size_t cell, std::uint32_t p, std::uint32_t q, double touch) {
     if (p == q) return true;
     const auto [right, left] = cut_loop(cells_[cell], p, q);
@@ -332,7 +335,7 @@ class Cells {
       if (heights[here] == 0) continue;
       if ((heights[here] > 0) != (heights[last] > 0)) {
         if (found == 2) return std::nullopt;
-        // The last point on the line, if any lies between.
+        // Interpolates the last point of the line, if the loop has further points in between.
         const double share = before == last ? heights[last] / (heights[last] - heights[here]) : 0;
         chord.ends[found++] = {before, here, share};
       }
@@ -358,8 +361,8 @@ class Cells {
     return point;
   }
 
-  // Inserts a point at the distance `end` from `origin` into every edge on the line `along`. Both
-  // ends of such an edge are within `touch` of the line.
+  // Inserts a point, at the distance `end` from `origin`, into every edge that lies on the line
+  // `along`. Both ends of such an edge are within `touch` of the line.
   void split_edges_at(const Vec& origin, const Vec& along, double end, double touch,
                       std::vector<double>& heights) {
     const auto place = [&](std::uint32_t point) { return dot(points_[point] - origin, along); };
@@ -379,10 +382,11 @@ class Cells {
 
   Vec normal_;
   std::vector<Vec> points_;
-  std::vector<std::int32_t> line_;  // the crease that a point was moved to, FREE or FIXED
+  std::vector<std::int32_t> line_;  // for each point: the crease it was moved to, FREE or FIXED
   std::vector<Loop> cells_;
   std::vector<Loop> around_;  // cells around each point, before the first cut
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> owner_;  // the cell on the left
+  // the cell on the left of each directed edge
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> owner_;
 };
 
 }  // namespace

@@ -12,26 +12,27 @@ namespace radiosity {
 
 namespace {
 
-constexpr double OFF_PLANE = 1e-6;  // relative to a face's size
-// Height limits, relative to a patch's width, of edges beside which patches are graded. Edges below
-// LEAST_GAP touch the face; without strips, so do those up to TOUCHING_GAP.
+constexpr double OFF_PLANE = 1e-6;  // relative to the size of the face
+// Heights of edges beside which patches are graded, relative to the width of a patch. Edges below
+// LEAST_GAP touch the face. If there are no strips, so do edges up to TOUCHING_GAP.
 constexpr double LEAST_GAP = 0.01, GAP = 1, TOUCHING_GAP = 0.5;
 // Graded strips end at FIRST_STRIP, GROWTH * FIRST_STRIP, ... times the height of the edge, up to
-// WIDEST_STRIP of a patch's width. At GROWTH times FIRST_STRIP, 15 % of the light is missing.
+// WIDEST_STRIP of a patch's width. At GROWTH times FIRST_STRIP, the illumination is still 15 %
+// below its full value.
 constexpr double FIRST_STRIP = 0.5, GROWTH = 2, WIDEST_STRIP = 0.6;
-// Minimum cosine between the normals of a face and of a face that hangs over it.
+// Least cosine of the angle between the normals of a face and of another that hangs over it.
 constexpr double PARALLEL = 0.8;
-// The largest number of touching pairs of faces: a constant plus a fixed number for each face.
+// Limit on the number of pairs of faces that touch: a constant, plus a number for each face.
 constexpr std::size_t MOST_PAIRS = 1'000'000, MOST_PAIRS_PER_FACE = 100;
 
 struct Flat {
   const Face* face;
   Plane plane;
-  std::vector<Plane> edges;  // with the inside above
+  std::vector<Plane> edges;  // planes of the edges, with the inside above
   renderer::Bounds bounds;
   double size;
-  double width;        // minimum
-  double patch_width;  // for an even division
+  double width;        // least width of the face
+  double patch_width;  // width of a patch in an even division
 
   double gap() const { return GAP * patch_width; }
   double reach() const { return std::max(OFF_PLANE * size, gap()); }
@@ -54,7 +55,7 @@ Flat make_flat(const Face& face, int refine) {
       width, find_patch_width(even, refine)};
 }
 
-// Two faces that may touch, seen from the first.
+// Two faces that may touch, described relative to the first.
 struct Pair {
   const Flat& on;
   const Flat& other;
@@ -65,7 +66,7 @@ Pair make_pair(const Flat& on, const Flat& other) {
   return {on, other, OFF_PLANE * std::max(on.size, other.size)};
 }
 
-// The axis along which the bounds of the faces overlap least.
+// The axis along which the bounds of the faces overlap least, for sweep and prune.
 int choose_axis(std::span<const Flat> flats) {
   renderer::Bounds all;
   Vec extents;
@@ -80,7 +81,7 @@ int choose_axis(std::span<const Flat> flats) {
   return std::ranges::min({0, 1, 2}, {}, share);
 }
 
-// True if the bounds touch within a distance.
+// True if the bounds are within a distance of each other.
 bool touch(const Flat& a, const Flat& b, double distance) {
   for (int axis = 0; axis < 3; ++axis)
     if (b.bounds.lo[axis] > a.bounds.hi[axis] + distance ||
@@ -89,12 +90,12 @@ bool touch(const Flat& a, const Flat& b, double distance) {
   return true;
 }
 
-// True if one face is large enough to hang over the other, see hangs_over().
+// True if `other` is large enough to hang over `on` (see hangs_over()).
 bool may_hang(const Flat& other, const Flat& on) {
   return other.width >= on.patch_width && touch(other, on, on.gap());
 }
 
-// By face, the others that may touch it. BadInput if they are too many.
+// For each face, the other faces that may touch it. Throws BadInput if these are too many.
 std::vector<std::vector<std::uint32_t>> find_neighbours(std::span<const Flat> flats) {
   const int axis = choose_axis(flats);
   std::vector<std::uint32_t> order(flats.size());
@@ -122,7 +123,8 @@ std::vector<std::vector<std::uint32_t>> find_neighbours(std::span<const Flat> fl
   return neighbours;
 }
 
-// The part of a segment at least `margin` inside the face's edges, if it has a length.
+// The part of a segment that is at least `margin` inside the edges of a face; none if it has no
+// length.
 std::optional<Crease> clip_to(const Flat& flat, const Crease& segment, double margin,
                               double tolerance) {
   const auto part = clip_segment(segment.a, segment.b, flat.edges, margin);
@@ -137,7 +139,7 @@ bool are_coplanar(const Pair& pair) {
   });
 }
 
-// True if faces in one plane have an area in common.
+// True if two faces in the same plane have an area in common.
 bool overlap(const Pair& pair) {
   std::vector<Vec> part = pair.on.face->corners;
   for (const Plane& edge : pair.other.edges) {
@@ -168,8 +170,8 @@ std::optional<Crease> find_touch(const Pair& pair) {
   return Crease{points[0], points[1]};
 }
 
-// Heights of the other face's corners in front of the first face; for a two-sided one, in front of
-// the side that they are on.
+// Least and largest height of the other face's corners above the first face. For a two-sided first
+// face, heights are measured on the side of each corner.
 struct Heights {
   double low, high;
 };
@@ -182,8 +184,8 @@ Heights find_heights(const Pair& pair) {
   return pair.on.face->two_sided && found.high < 0 ? Heights{-found.high, -found.low} : found;
 }
 
-// True if the other face hangs so near to the first, and is so wide, that patches of the first
-// cannot show how light fades under its edges.
+// True if the other face hangs over the first so near and so wide that patches of the first cannot
+// resolve the fading light below its edges.
 bool hangs_over(const Pair& pair) {
   const auto [low, high] = find_heights(pair);
   return low > pair.tolerance && low <= pair.on.gap() && high <= 2 * pair.on.gap() &&
@@ -197,9 +199,9 @@ bool lies_on(const Flat& flat, const Vec& point, double tolerance) {
              flat.edges, [&](const Plane& edge) { return eval_height(edge, point) >= -tolerance; });
 }
 
-// True if no light enters under an edge of a face that hangs over another. Some face then descends
-// from the edge, or continues it and hangs as near. `outward`: away from the hanging face, in the
-// plane; `neighbours`: those of the hanging face.
+// True if no light enters under an edge of a face that hangs over another. Either a face descends
+// from the edge, or one continues the hanging face at the same height. `outward` points away from
+// the hanging face in its plane; `neighbours` are those of the hanging face.
 bool is_shut(const Pair& hanging, const Crease& edge, const Vec& outward,
              std::span<const Flat> flats, std::span<const std::uint32_t> neighbours) {
   const Vec middle = 0.5 * (edge.a + edge.b);
@@ -216,7 +218,8 @@ bool is_shut(const Pair& hanging, const Crease& edge, const Vec& outward,
 
 Vec project(const Plane& plane, const Vec& p) { return p - eval_height(plane, p) * plane.normal; }
 
-// Planes through the edges of a hanging face, upright on the face below; the inside is above them.
+// Planes through the edges of a hanging face, perpendicular to the face below, with the inside
+// above.
 std::vector<Plane> make_shape(const Pair& pair) {
   std::vector<Vec> below;
   for (const Vec& corner : pair.other.face->corners)
@@ -227,12 +230,12 @@ std::vector<Plane> make_shape(const Pair& pair) {
 // An open edge of a face that hangs over another.
 struct OpenEdge {
   const Pair pair;
-  Crease below;                  // on the face's plane
-  std::array<double, 2> height;  // of its ends
-  Vec inward;                    // unit, in the face's plane
+  Crease below;                  // the edge projected to the lower face
+  std::array<double, 2> height;  // heights of the edge's ends
+  Vec inward;                    // unit vector in the plane of the lower face
 };
 
-// Adds the open edges of a hanging face. `neighbours`: those of the hanging face.
+// Adds the open edges of a hanging face. `neighbours` are those of the hanging face.
 void find_open_edges(const Pair& pair, std::span<const Flat> flats,
                      std::span<const std::uint32_t> neighbours, std::vector<OpenEdge>& open) {
   const Plane& plane = pair.on.plane;
@@ -250,8 +253,9 @@ void find_open_edges(const Pair& pair, std::span<const Flat> flats,
   }
 }
 
-// The segment moved inwards by so many heights of the edge, or outwards if negative. Outside it is
-// longer by as much at both ends, so that neighbouring segments meet.
+// The segment below an edge, moved inwards by a multiple of the edge's height, or outwards if
+// negative. Outside, it is extended at both ends by the same length, so that neighbouring segments
+// meet.
 Crease shift(const OpenEdge& edge, double heights) {
   const Vec along = normalize(edge.below.b - edge.below.a);
   const double longer = std::max(0.0, -heights);
@@ -259,14 +263,15 @@ Crease shift(const OpenEdge& edge, double heights) {
           edge.below.b + edge.height[1] * (heights * edge.inward + longer * along)};
 }
 
-// For an edge too near for strips to show how light fades: it touches the face.
+// Adds an edge as if it touched the face, since it is too near for strips to resolve the fading
+// light.
 void add_touching(const OpenEdge& edge, const Crease& line, Contacts& contacts) {
   contacts.lines.push_back(line);
   contacts.hanging.push_back({line, edge.inward, edge.pair.other.plane});
 }
 
-// Adds the strips of fading light beside an edge. At the distance x outside a long edge of height
-// h, the fraction (1 + x / sqrt(x^2 + h^2)) / 2 of the light arrives.
+// Adds strips of fading light beside an edge. At the distance x outside a long edge of height h,
+// the fraction (1 + x / sqrt(x^2 + h^2)) / 2 of the light arrives.
 void add_strips(const OpenEdge& edge, std::size_t most, Contacts& contacts) {
   const Pair& pair = edge.pair;
   const auto shape = make_shape(pair);
@@ -286,7 +291,7 @@ void add_strips(const OpenEdge& edge, std::size_t most, Contacts& contacts) {
 }
 
 // Adds the contacts of a face with edges that hang over it. All edges together share `most_strips`
-// on each of their sides; with many edges there are few or none.
+// strips on each of their sides, so that with many edges each has few or none.
 void add_hanging(std::span<const OpenEdge> edges, std::size_t most_strips, Contacts& contacts) {
   const std::size_t most = most_strips / std::max<std::size_t>(1, edges.size());
   for (const OpenEdge& edge : edges) {
@@ -314,7 +319,7 @@ bool goes_on(const Flat& on, const Crease& border, std::span<const Flat> flats,
   });
 }
 
-// True if the first face, whose border touches the other, stands on the other's front.
+// True if the first face stands on the front of the other, which its border touches.
 bool stands_on(const Pair& pair, const Crease& border) {
   constexpr double MOST_COSINE = 0.5;
   const bool is_upright =
@@ -324,7 +329,8 @@ bool stands_on(const Pair& pair, const Crease& border) {
          clip_to(pair.other, border, pair.tolerance, pair.tolerance);
 }
 
-// `neighbours`: those of the face below the first one.
+// Makes the ledge in front of the first face, which stands on the other. `neighbours` are those of
+// the other face.
 Ledge make_ledge(const Pair& pair, const Crease& foot, std::span<const Flat> flats,
                  std::span<const std::uint32_t> neighbours) {
   const Vec &normal = pair.on.plane.normal, &up = pair.other.plane.normal;

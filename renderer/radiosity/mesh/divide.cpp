@@ -9,21 +9,21 @@ namespace radiosity {
 
 namespace {
 
-// Shares of a patch's width: a line of the grid nearer than KEEP to a crease gives way to it; a
-// crease off a side's direction by less than ALONG runs along that side.
+// Shares of a patch's width. A grid line nearer than KEEP to a crease is replaced by it. A crease
+// whose direction differs from that of a side by less than ALONG counts as parallel to the side.
 constexpr double KEEP = 1.0 / 3, ALONG = 1e-3;
-// An edge of a quad lies on a crease if it is off it by less than ASIDE and beyond its ends by less
-// than BEYOND, in touches.
+// Tolerances in units of a crease's `touch`. An edge of a quad lies on the crease if it is less
+// than ASIDE beside it, and less than BEYOND beyond its ends.
 constexpr double ASIDE = 1.1, BEYOND = 1.01;
-// A face without divisions counts as one of so many patches when its creases are limited.
+// Number of patches assumed for a face without divisions when its creases are limited.
 constexpr std::size_t LEAST_PATCHES = 16;
-// A crease off the face's plane by less than this share of the face's size lies in it.
+// A crease lies in the plane of a face if its distance is less than this share of the face's size.
 constexpr double IN_PLANE = 1e-5;
-// Points of a grid that are nearer to a crease than this share of twice a patch's width move to it.
+// Grid points move to a crease that is nearer than this share of twice a patch's width.
 constexpr double REACH = 0.3;
 
-// Adds a grid over four corners, with lines at these parameters. Its points are its own: where
-// grids touch, points are doubled.
+// Adds a grid over four corners, with lines at these parameters. Points are not shared with other
+// grids, so that they are doubled where grids touch.
 void add_grid(Division& division, std::span<const Vec> corners, const std::vector<double>& along,
               const std::vector<double>& across) {
   const auto first = static_cast<std::uint32_t>(division.points.size());
@@ -44,13 +44,14 @@ std::vector<double> make_even_lines(int count) {
   return lines;
 }
 
-// A line of a grid at a parameter, 0..1, that other wanted lines are not nearer to than `touch`.
+// A desired grid line at a parameter from 0 to 1. Later desired lines nearer than `touch` are
+// dropped.
 struct Wanted {
   double at = 0, touch = 0;
 };
 
-// The lines that a grid should have: contacts first, then creases along the lines, then the ends of
-// creases across them.
+// The desired lines of a grid in one direction, in order of priority: contacts, then creases
+// parallel to the lines, then the ends of creases across them.
 struct Row {
   std::vector<Wanted> contacts, creases, ends;
 };
@@ -60,15 +61,15 @@ bool is_near(std::span<const double> lines, const Wanted& wanted) {
       lines, [&](double line) { return std::abs(line - wanted.at) < wanted.touch; });
 }
 
-// A grid's lines from 0 to 1: those of the row, and of the given ones those that are not near one
-// of these.
+// The grid lines from 0 to 1: the desired lines, and those of the given lines that are not near a
+// desired one.
 std::vector<double> make_lines(const std::vector<double>& given, Row row) {
   std::ranges::sort(row.creases, {}, &Wanted::at);
   std::ranges::sort(row.ends, {}, &Wanted::at);
   std::vector<double> lines{0, 1};
   for (const auto* some : {&row.contacts, &row.creases, &row.ends})
     for (Wanted wanted : *some) {
-      // A position within rounding of a given line becomes that line, bit for bit.
+      // A position that equals a given line up to rounding becomes that line, bit for bit.
       for (const double line : given)
         if (std::abs(wanted.at - line) < 1e-9) wanted.at = line;
       if (wanted.at > 0 && wanted.at < 1 && !is_near(lines, wanted)) lines.push_back(wanted.at);
@@ -85,13 +86,13 @@ std::vector<double> make_lines(const std::vector<double>& given, Row row) {
 // A face to be cut, and the creases on it.
 struct Cutting {
   const Face& face;
-  int along, across;  // patches
-  std::size_t most;   // patches that creases may make of it
+  int along, across;  // number of patches along and across
+  std::size_t most;   // limit on the number of patches with creases
   Vec normal;
-  double width;                // of a patch
-  std::vector<Line> contacts;  // in the plane, within or on the border
-  std::vector<Line> creases;   // likewise: folds and creases
-  std::vector<Line> crossing;  // lines across the face: contacts, folds, strips, creases
+  double width;                // width of a patch
+  std::vector<Line> contacts;  // contacts in the plane, inside the face or on its border
+  std::vector<Line> creases;   // folds and creases in the plane, inside the face or on its border
+  std::vector<Line> crossing;  // lines inside the face: contacts, folds, strips, creases
 };
 
 // The length of the part of a crease that is inside all planes by a margin.
@@ -133,7 +134,7 @@ Cutting make_cutting(const Face& face, int refine, const Cuts& cuts) {
   return cutting;
 }
 
-// The creases of a parallelogram that run along its sides, and the others.
+// The creases of a parallelogram that are parallel to its sides, and all others.
 struct Rows {
   Row along, across;
   std::vector<Line> others;
@@ -145,7 +146,7 @@ std::size_t count_lines(const Row& row, int even) {
          static_cast<std::size_t>(even);
 }
 
-// Adds a crease to the row whose lines run along it, its ends to the other row.
+// Adds a crease to the row of lines parallel to it, and its ends to the other row.
 void add_to_rows(const Line& line, double at, double from, double to, Row& own, double own_size,
                  Row& other, double other_size) {
   (line.contact ? own.contacts : own.creases).push_back({at, line.touch / own_size});
@@ -190,7 +191,7 @@ Division make_grid(const Cutting& cutting, const Rows& rows, const Grid& even) {
   return division;
 }
 
-// Without every second of the lines between steps of one length.
+// Removes every second line within runs of equal steps.
 std::vector<double> thin_out(const std::vector<double>& lines) {
   std::vector<double> some{lines.front()};
   for (std::size_t i = 1; i < lines.size(); ++i) {
@@ -203,7 +204,7 @@ std::vector<double> thin_out(const std::vector<double>& lines) {
   return some;
 }
 
-// The quads' edges on a crease, each once. Short ones may run a little across it.
+// The edges of quads that lie on a crease, each once. Short edges may be slightly oblique to it.
 std::vector<Edge> find_edges(const Division& division, std::span<const Line> lines,
                              const Vec& normal) {
   std::vector<Edge> found;
@@ -228,7 +229,8 @@ std::vector<Edge> find_edges(const Division& division, std::span<const Line> lin
   return found;
 }
 
-// Cuts along creases in any direction: coarse cells are cut, and each becomes several quads.
+// Cuts along creases of any direction. Cuts coarse cells first, then divides each into several
+// quads.
 Division divide_freely(const Cutting& cutting, const Rows& rows) {
   Face coarse = cutting.face;
   coarse.along = (cutting.along + 1) / 2;

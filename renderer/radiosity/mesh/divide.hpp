@@ -7,36 +7,37 @@
 
 namespace radiosity {
 
-using Edge = std::array<std::uint32_t, 2>;  ///< between two points
+using Edge = std::array<std::uint32_t, 2>;  ///< indices of two points
 
 struct Division {
   std::vector<Vec> points;
-  std::vector<std::array<std::uint32_t, 4>> quads;  ///< counter-clockwise; neighbours share points
-  std::vector<Edge> creases;                        ///< edges of quads that lie on a crease
-  std::vector<Edge> contacts;                       ///< those of them on a contact
-  std::size_t left_out = 0;  ///< creases that are not completely edges of quads
+  /// point indices, counter-clockwise; neighbours share points
+  std::vector<std::array<std::uint32_t, 4>> quads;
+  std::vector<Edge> creases;   ///< edges of quads that lie on a crease
+  std::vector<Edge> contacts;  ///< edges of quads that lie on a contact, also in `creases`
+  std::size_t left_out = 0;    ///< number of creases that are not completely edges of quads
 };
 
-/// A face of 4 corners becomes a grid of along x across quads; any other a grid for each corner,
-/// between the corner, the middles of its edges and the centre.
+/// Divides a face. One of 4 corners becomes a grid of along x across quads. Any other becomes one
+/// grid for each corner, between the corner, the middles of its edges, and the centre.
 Division divide_face(const Face& face, int refine);
-/// The grid lines of a face with 4 corners: its own, or even ones.
+/// The grid lines of a face with 4 corners: its own grid, or even lines.
 Grid find_grid(const Face& face, int refine);
-/// Adds the middles of the marked steps between lines: the one after lines[i] if marks[i].
+/// Halves the marked steps between lines. Step i is the one after lines[i].
 void halve(std::vector<double>& lines, const std::vector<bool>& marks);
-/// The creases in the face's plane that lie on the face or no further off it than `touch`.
+/// The creases in the plane of a face that lie on the face, or outside it by at most `touch`.
 std::vector<Crease> select_creases(const Face& face, std::span<const Crease> creases, double touch);
-/// The width of the face's narrowest quads, along its edges.
+/// The width of the narrowest quads of a face, along its edges.
 double find_patch_width(const Face& face, int refine);
-/// The number of the face's quads.
+/// The number of quads of a face.
 std::size_t count_quads(const Face& face, int refine);
-/// The number of a room's patches without creases, on all sides of its faces but mirrors.
+/// The number of patches of a room without creases, on all sides of its faces except mirrors.
 std::size_t count_patches(const Room& room, int refine);
 
-/// Maximum number of a room's patches.
+/// Limit on the number of patches of a room.
 inline constexpr std::size_t MOST_PATCHES = 10'000'000;
 
-/// A crease or contact nearer to a vertex than this fraction of a patch's width is moved to it.
+/// A crease or contact is moved to a vertex that is nearer than this fraction of a patch's width.
 inline constexpr double CREASE_TOUCH = 0.1, CONTACT_TOUCH = 0.002;
 
 /// Lines that may cut a face.
@@ -44,17 +45,17 @@ struct Cuts {
   std::span<const Crease> creases{};   ///< in order of importance
   std::span<const Crease> contacts{};  ///< where others touch the face; cut before all creases
   std::span<const Crease> folds{};     ///< like creases, but cut before them and never left out
-  std::span<const Crease> strips{};    ///< like folds, but light is smooth there: no creases
-  /// Limit for creases: a multiple of the face's number of patches without them.
+  std::span<const Crease> strips{};    ///< like folds, but the illumination is smooth there
+  /// Limit on the number of patches with creases, as a multiple of that without.
   int growth = 1000;
 };
 
-/// The creases and contacts that lie in the face's plane and cross it become edges of quads.
-/// Creases may be moved by a tenth of a patch's width, contacts by 0.002 of it, to existing edges;
-/// shorter ones are not cut.
+/// Divides a face such that creases and contacts in its plane become edges of quads. Creases may be
+/// moved to existing edges by a tenth of a patch's width, and contacts by 0.002 of it. Shorter ones
+/// are not cut.
 Division divide_face(const Face& face, int refine, const Cuts& cuts);
 
-/// The point at (s, t), each 0..1, by bilinear interpolation of four corners.
+/// Bilinear interpolation of four corners at (s, t), each 0..1.
 Vec eval_bilinear(std::span<const Vec> corners, double s, double t);
 
 }  // namespace radiosity

@@ -16,11 +16,12 @@ namespace radiosity {
 
 namespace {
 
-// Patches that creases may make of any room, and times as many as without of one face.
+// Number of patches with creases that any room may have. A single face may have MOST_FACE_GROWTH
+// times its number without creases.
 constexpr std::size_t MOST_ANYHOW = 2000;
 constexpr int MOST_FACE_GROWTH = 64;
-// The largest step in a penumbra, as a share of the mean illumination that the room would have if
-// it were closed.
+// Largest step of the illumination in a penumbra, relative to the mean illumination that the room
+// would have if it were closed.
 constexpr double STEP = 0.005;
 
 std::pair<std::uint32_t, std::uint32_t> edge_of(const Patch& patch, std::size_t side) {
@@ -31,7 +32,7 @@ std::size_t corner_at(const Patch& patch, std::uint32_t vertex) {
   return static_cast<std::size_t>(std::ranges::find(patch.corners, vertex) - patch.corners.begin());
 }
 
-// Whether the patches share an edge at the vertex that is no crease.
+// True if the patches share an edge at the vertex, and the edge is not a crease.
 bool are_joined(const Patch& a, const Patch& b, std::uint32_t vertex, const Edges& creases) {
   const auto i = corner_at(a, vertex), j = corner_at(b, vertex);
   for (const auto side : {i, (i + 3) % 4})
@@ -40,7 +41,8 @@ bool are_joined(const Patch& a, const Patch& b, std::uint32_t vertex, const Edge
   return false;
 }
 
-// The group of each patch around a vertex: the index of the group's first patch.
+// The group of each patch around a vertex, as the index of the group's first patch. Creases
+// separate groups.
 std::vector<std::size_t> find_groups(const Mesh& mesh, std::span<const std::uint32_t> around,
                                      std::uint32_t vertex, const Edges& creases) {
   std::vector<std::size_t> group(around.size());
@@ -55,7 +57,8 @@ std::vector<std::size_t> find_groups(const Mesh& mesh, std::span<const std::uint
   return group;
 }
 
-// The edges after vertices were split; `before` are the patches' corners as they were.
+// The edges with new vertex numbers after vertices were split. `before` has the corners of the
+// patches before the split.
 Edges rename(const Mesh& mesh, std::span<const std::array<std::uint32_t, 4>> before,
              const Edges& edges) {
   Edges renamed;
@@ -66,7 +69,7 @@ Edges rename(const Mesh& mesh, std::span<const std::array<std::uint32_t, 4>> bef
   return renamed;
 }
 
-// Returns true if a point of the patch's plane lies on the patch or, within rounding, its border.
+// True if a point of the patch's plane lies on the patch, or within rounding on its border.
 bool is_on(const Patch& patch, const Vec& point) {
   const double tolerance = 1e-9 * patch.area;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -76,15 +79,15 @@ bool is_on(const Patch& patch, const Vec& point) {
   return true;
 }
 
-// The creases and contacts beyond which border vertices of a face are lit.
+// Lines near a face's border that determine how far inside the border vertices are lit.
 struct Fringe {
-  std::vector<Crease> creases;  // of the face
+  std::vector<Crease> creases;  // creases and contacts of the face
   const Contacts& contacts;
-  double width;  // of a patch
+  double width;  // width of a patch
 };
 
-// The share of `way` at which it crosses a crease too near to be kept, at most `width` times
-// CREASE_TOUCH away; 0 if it crosses none, or at a low angle.
+// The share of `way` at which it crosses a crease that is too near to be kept, at most `width`
+// times CREASE_TOUCH away. 0 if it crosses none, or only at a low angle.
 double find_crossing(const Vec& at, const Vec& way, const Vec& normal, const Crease& crease,
                      double width) {
   constexpr double STEEP = 0.3;  // sine of the angle
@@ -97,10 +100,10 @@ double find_crossing(const Vec& at, const Vec& way, const Vec& normal, const Cre
   return place >= 0 && place <= 1 ? off / across : 0;
 }
 
-// The distance z0 from its border at which to light a patch behind a gap along the border, and the
-// gap's width w, both in lengths of the patch. A long gap gives f(z) = (1 - z / sqrt(z^2 + w^2)) /
-// 2 at the distance z. z0 is chosen so that (f(z0) + f(1)) / 2, the mean of the patch's ends,
-// equals the mean of f over the patch.
+// The distance z0 from a border at which to light a patch behind a gap along the border. Distances
+// and the gap's width w are in lengths of the patch. A long gap gives the illumination f(z) = (1 -
+// z / sqrt(z^2 + w^2)) / 2 at the distance z. z0 is chosen so that (f(z0) + f(1)) / 2, the mean of
+// the patch's ends, equals the mean of f over the patch.
 double eval_lit_place(double width) {
   constexpr double NONE = 1e-9;
   if (width < NONE) return 0;
@@ -109,7 +112,7 @@ double eval_lit_place(double width) {
   return width * sine / std::sqrt(1 - sine * sine);
 }
 
-// The share of the way from a vertex to a point inside at which it is lit.
+// The share of the way from a border vertex to a point inside, at which the vertex is lit.
 double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe& fringe,
                   double inset) {
   constexpr double MOST = 0.5;
@@ -119,9 +122,10 @@ double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe
     if (const double t = find_crossing(at, way, normal, crease, fringe.width);
         t > inset && t <= MOST)
       share = std::max(share, t + inset);
-  // Through a gap between the border and an edge that is parallel to it; `inside`: unit.
+  // Light enters through a gap of this width between the border and an edge parallel to it.
+  // `inside` is a unit vector.
   const auto light_through = [&](double width, const Vec& inside) {
-    constexpr double WIDE = 4;                            // beyond, light falls evenly
+    constexpr double WIDE = 4;                            // width beyond which the light is even
     const double depth = 2 * std::abs(dot(way, inside));  // of the patch
     if (width < WIDE * depth) share = std::max(share, 2 * eval_lit_place(width / depth));
   };
@@ -137,7 +141,7 @@ double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe
   return share;
 }
 
-// By vertex, whether it is on an edge of one patch only.
+// For each vertex, whether it lies on an edge that belongs to one patch only.
 std::vector<bool> find_borders(const Mesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
   for (const Patch& patch : mesh.patches)
@@ -148,7 +152,7 @@ std::vector<bool> find_borders(const Mesh& mesh) {
   return is_border;
 }
 
-// By vertex, the sum of its patches' angles.
+// For each vertex, the sum of the angles of its patches.
 std::vector<double> find_angles(const Mesh& mesh) {
   std::vector<double> angles(mesh.vertices.size());
   for (const Patch& patch : mesh.patches)
@@ -159,11 +163,12 @@ std::vector<double> find_angles(const Mesh& mesh) {
   return angles;
 }
 
-// The feet of edges: vertices at which a contact turns, with more than a half-plane around them.
-// The shadow of an upright edge narrows to a point at its foot, so the limit of the light there
+// Finds the feet of edges: vertices at which a contact turns, with more than a half-plane around
+// them. The shadow of an upright edge narrows to a point at its foot. The limit of the light there
 // depends on the direction of approach.
 std::set<std::uint32_t> find_feet(const Mesh& mesh, const Edges& contacts) {
-  constexpr double MORE_THAN_HALF = 1.05 * std::numbers::pi;  // a contact may bend by rounding
+  // tolerance for rounding of a straight contact
+  constexpr double MORE_THAN_HALF = 1.05 * std::numbers::pi;
   const auto angles = find_angles(mesh);
   std::set<std::uint32_t> feet;
   for (const auto& [a, b] : contacts)
@@ -172,7 +177,8 @@ std::set<std::uint32_t> find_feet(const Mesh& mesh, const Edges& contacts) {
   return feet;
 }
 
-// Gives every group of patches that creases divide around one of the vertices a vertex of its own.
+// Gives each group of patches around these vertices its own copy of the vertex. Creases separate
+// groups.
 void split_at(Mesh& mesh, const std::set<std::uint32_t>& vertices, const Edges& creases) {
   const auto surroundings = find_surroundings(mesh);
   for (const auto vertex : vertices) {
@@ -189,7 +195,8 @@ void split_at(Mesh& mesh, const std::set<std::uint32_t>& vertices, const Edges& 
   }
 }
 
-// Sets Vertex::lit of the vertices on a border (MeshParams::inset). `fringes`: by face.
+// Sets Vertex::lit of the vertices on a border (MeshParams::inset). `fringes` has one entry per
+// face.
 void inset_borders(Mesh& mesh, const std::vector<bool>& is_border, double inset,
                    std::span<const Fringe> fringes) {
   const auto surroundings = find_surroundings(mesh);
@@ -207,7 +214,7 @@ void inset_borders(Mesh& mesh, const std::vector<bool>& is_border, double inset,
           at + find_inset(at, way, first.normal, fringes[first.face], inset) * way;
     };
     move_to(centre);
-    // Around the corner of a foot the mean may lie under what stands there.
+    // At the foot of an edge, the mean may lie below the standing object.
     const auto holds = [&](std::uint32_t p) {
       return is_on(mesh.patches[p], mesh.vertices[v].lit);
     };
@@ -217,12 +224,12 @@ void inset_borders(Mesh& mesh, const std::vector<bool>& is_border, double inset,
   }
 }
 
-// The face as it is seen from behind.
+// The face as seen from behind.
 Face turn(Face face) {
   std::ranges::reverse(face.corners);
   std::ranges::reverse(face.normals);
   for (Vec& normal : face.normals) normal = -normal;
-  if (face.corners.size() == 4) {  // the other edge is first
+  if (face.corners.size() == 4) {  // along and across change places
     std::swap(face.along, face.across);
     std::swap(face.grid.along, face.grid.across);
   }
@@ -231,8 +238,8 @@ Face turn(Face face) {
   return face;
 }
 
-// The polygon a little larger, so that no ray passes between faces that share an edge, however it
-// is rounded.
+// A slightly larger polygon, so that no ray passes between faces that share an edge, whatever the
+// rounding.
 std::vector<Vec> grow(std::vector<Vec> corners) {
   constexpr double SHARE = 1e-9;
   const Vec centre = eval_centre(corners);
@@ -246,7 +253,7 @@ void check_count(const Face& face, std::size_t patches) {
                     "fewer divisions (of the room's faces, or by refine)");
 }
 
-// Checks the sum over all faces before anything is made of them.
+// Throws if the room has too many patches, before any are made.
 void check_count(const Room& room, int refine) {
   std::size_t patches = 0;
   for (const Face& face : room.faces) {
@@ -290,7 +297,7 @@ class Builder {
     limit_cuts();
     for (std::uint32_t i = 0; i < room_.faces.size(); ++i) add(room_.faces[i], i);
     finish(mesh_.blockers);
-    // Contacts are borders: what is lit on their two sides is inset to either side.
+    // Contacts are borders: points on either side are lit a little inside their side.
     std::vector<std::array<std::uint32_t, 4>> before;
     for (const Patch& patch : mesh_.patches) before.push_back(patch.corners);
     split_at_creases(mesh_, touched_);
@@ -298,7 +305,7 @@ class Builder {
     const auto feet = find_feet(mesh_, rename(mesh_, before, touched_));
     split_at(mesh_, feet, rename(mesh_, before, creases_));
     for (const auto foot : feet) is_border[foot] = true;
-    is_border.resize(mesh_.vertices.size(), true);  // the feet's copies
+    is_border.resize(mesh_.vertices.size(), true);  // copies of the feet are borders too
     inset_borders(mesh_, is_border, params_.inset, make_fringes());
     split_at_creases(mesh_, rename(mesh_, before, creases_));
     sum_up();
@@ -322,7 +329,7 @@ class Builder {
     return std::max(MOST_ANYHOW, plain * static_cast<std::size_t>(params_.crease_growth));
   }
 
-  // Leaves out strips and creases until the room has at most its limit of patches.
+  // Removes strips and creases until the room is within its limit of patches.
   void limit_cuts() {
     growth_ = MOST_FACE_GROWTH;
     const std::size_t most = find_most_patches();
@@ -337,14 +344,14 @@ class Builder {
     return std::ranges::any_of(contacts_, [](const Contacts& c) { return !c.strips.empty(); });
   }
 
-  // Halves the number of strips.
+  // Halves the number of strips until the patches are at most `most`.
   void limit_strips(std::size_t most) {
     std::size_t strips = MOST_STRIPS;
     while (has_strips() && count_with_cuts() > most)
       contacts_ = find_contacts(room_, params_.refine, strips /= 2);
   }
 
-  // Finds the largest growth of a face: halves it, then raises it by bisection.
+  // Finds the largest growth per face that keeps the limit: halves it, then raises it by bisection.
   void limit_creases(std::size_t most) {
     growth_ = MOST_FACE_GROWTH;
     while (growth_ > 1 && count_with_cuts() > most) growth_ /= 2;
@@ -434,10 +441,10 @@ class Builder {
   const MeshParams& params_;
   Mesh mesh_;
   Welder welder_;
-  std::vector<Contacts> contacts_;  // by face
-  Edges creases_, touched_;         // on creases, and those of them on contacts
+  std::vector<Contacts> contacts_;  // contacts of each face
+  Edges creases_, touched_;         // edges on creases, and those of them on contacts
   std::uint32_t object_ = 0;
-  int growth_ = 1;  // Cuts::growth
+  int growth_ = 1;  // value for Cuts::growth
 };
 
 }  // namespace

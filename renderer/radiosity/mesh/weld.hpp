@@ -1,5 +1,5 @@
 #pragma once
-// Merges points at the same place with the same normal and material.
+// Merger of points at the same position with the same normal and material.
 
 #include <array>
 #include <boost/functional/hash.hpp>
@@ -11,7 +11,8 @@ namespace radiosity {
 
 class Welder {
  public:
-  /// `bounds` of all points; places nearer than 1e-9 of their largest coordinate are the same.
+  /// `bounds` are those of all points. Positions nearer than 1e-9 of the largest coordinate are the
+  /// same.
   explicit Welder(const renderer::Bounds& bounds) {
     const double size = std::max(max_abs(bounds.lo), max_abs(bounds.hi));
     if (!(size > 0)) return;
@@ -20,7 +21,7 @@ class Welder {
     unit_ = std::ldexp(1.0, exponent);
   }
 
-  /// The number of the point; a new point gets the next number, from 0.
+  /// The number of the point. New points are numbered from 0.
   std::uint32_t weld(const Vec& at, const Vec& normal, std::uint32_t material) {
     const auto cell = [&](double x) { return std::llround(x / unit_); };
     const auto turn = [](double x) { return std::llround(x * (1 << 24)); };
@@ -31,7 +32,9 @@ class Welder {
 
  private:
   using Key = std::array<std::int64_t, 7>;
-  double unit_ = 1;  // width of a cell of places: a power of two centres binary fractions in a cell
+  // Width of a cell of positions. It is a power of two, so that binary fractions lie in the middle
+  // of a cell.
+  double unit_ = 1;
   std::unordered_map<Key, std::uint32_t, boost::hash<Key>> known_;
 };
 

@@ -12,13 +12,14 @@ using renderer::require;
 
 namespace {
 
-constexpr double REPEATED = 1e-9, NO_AREA = 1e-9;  // relative to the face's size, and to its square
-constexpr double OFF_PLANE = 1e-6;                 // relative to the face's size
-constexpr double NO_TURN = 1e-6;                   // sine of the angle between two edges
+// tolerances relative to the face's size, and to its square
+constexpr double REPEATED = 1e-9, NO_AREA = 1e-9;
+constexpr double OFF_PLANE = 1e-6;  // tolerance relative to the face's size
+constexpr double NO_TURN = 1e-6;    // least sine of the angle between two edges
 
 std::string show(const Vec& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
 
-// Limits numbers so that products remain finite. A NaN compares false.
+// Limits the size of numbers so that products remain finite. A comparison with NaN is false.
 void require_finite(const Vec& v, const std::string& what) {
   const double max = renderer::MAX_NUMBER;
   require(std::abs(v.x) <= max && std::abs(v.y) <= max && std::abs(v.z) <= max,
@@ -50,7 +51,8 @@ void check_plane(std::span<const Vec> corners, double size) {
   }
 }
 
-// Every corner turns left, and all are seen from the first within half a turn: once around.
+// Requires that every corner turns left, and that the corners, seen from the first, span at most
+// half a turn. The polygon then winds once.
 void check_convex(std::span<const Vec> corners) {
   const std::size_t n = corners.size();
   const Vec normal = normalize(eval_area_normal(corners));

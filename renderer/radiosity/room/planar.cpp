@@ -22,7 +22,7 @@ Vec eval_centre(std::span<const Vec> corners) {
 }
 
 Vec eval_area_normal(std::span<const Vec> corners) {
-  // Relative to the first corner, as products of large coordinates would cancel.
+  // Sums relative to the first corner, since products of large coordinates would cancel.
   Vec sum;
   for (std::size_t i = 2; i < corners.size(); ++i)
     sum += cross(corners[i - 1] - corners[0], corners[i] - corners[0]);

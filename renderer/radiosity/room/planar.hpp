@@ -1,5 +1,5 @@
 #pragma once
-// Convex polygons and segments, cut by planes.
+// Convex polygons and segments, and their intersection with planes.
 
 #include <array>
 #include <optional>
@@ -13,29 +13,30 @@ namespace radiosity {
 using renderer::Vec;
 
 struct Plane {
-  Vec normal;  ///< unit
+  Vec normal;  ///< unit vector
   double offset = 0;
 };
 
-/// The height of a point above the plane, > 0 on its normal's side.
+/// The height of a point above the plane, > 0 on the side of its normal.
 inline double eval_height(const Plane& plane, const Vec& p) {
   return dot(plane.normal, p) - plane.offset;
 }
-/// The plane through a point, across a normal.
+/// The plane through a point, perpendicular to a normal.
 inline Plane make_plane(const Vec& normal, const Vec& point) {
   return {normal, dot(normal, point)};
 }
 inline Vec lerp(const Vec& a, const Vec& b, double t) { return a + t * (b - a); }
-/// Distance of a point from the segment from a to b, which may have zero length.
+/// The distance of a point from the segment from a to b, which may have zero length.
 double eval_distance(const Vec& point, const Vec& a, const Vec& b);
 Vec eval_mean(std::span<const Vec> corners);
-/// The mean with different rounding: each corner is divided before it is added.
+/// The mean of the corners. Unlike eval_mean(), each corner is divided before it is added, with
+/// different rounding.
 Vec eval_centre(std::span<const Vec> corners);
-/// The normal of the polygon's front, by Newell's method; its length is twice the area.
+/// The normal of the polygon's front, by Newell's method. Its length is twice the area.
 Vec eval_area_normal(std::span<const Vec> corners);
 
-/// The part of a polygon that lies above the plane; corners within `tolerance` of the plane lie in
-/// it. Empty unless a corner lies above.
+/// The part of a polygon above the plane; corners within `tolerance` of the plane lie in it. Empty
+/// unless a corner lies above.
 std::vector<Vec> clip(std::span<const Vec> polygon, const Plane& plane, double tolerance);
 
 /// The two points where the polygon's border crosses the plane; none if it does not.
@@ -45,13 +46,13 @@ std::optional<std::array<Vec, 2>> cut(std::span<const Vec> polygon, const Plane&
 struct Interval {
   double from = 0, to = 1;
 
-  /// Cuts off the part with negative values of a linear function, `here` at 0 and `there` at 1.
-  /// False if it is negative throughout.
+  /// Cuts off the part where a linear function is negative. The function is `here` at 0 and `there`
+  /// at 1. Returns false if it is negative throughout.
   bool keep_positive(double here, double there);
 };
 
-/// Planes across the polygon through its edges, with its inside above them. Edges of zero length
-/// have none.
+/// Planes through the edges of the polygon and perpendicular to it, with its inside above. Edges of
+/// zero length are omitted.
 std::vector<Plane> make_edge_planes(std::span<const Vec> polygon, const Vec& normal);
 
 /// The part of the segment that is at least `margin` above all planes.

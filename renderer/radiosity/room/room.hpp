@@ -16,33 +16,36 @@ inline double sum(const Rgb& colour) { return colour.r + colour.g + colour.b; }
 
 struct Material {
   std::string name;
-  Rgb reflectance;      ///< rho of Eq 1.8, 0 <= rho < 1; a mirror's is 0..1
-  Rgb emission;         ///< E of Eq 1.8, >= 0; a mirror emits nothing
+  Rgb reflectance;      ///< rho of Eq 1.8, 0 <= rho < 1; for a mirror 0..1
+  Rgb emission;         ///< E of Eq 1.8, >= 0; 0 for a mirror
   bool mirror = false;  ///< purely specular (3.2)
   bool operator==(const Material&) const = default;
 };
 
-/// Increasing lines between patches, in fractions (0 to 1) of a face's first edge and of the next.
+/// Increasing lines between patches, in fractions (0 to 1) of a face's first edge and of the next
+/// edge.
 struct Grid {
   std::vector<double> along, across;
 };
 
 /// A convex flat polygon of 3 corners or more, counter-clockwise as seen from its front. Only its
-/// front emits and receives light; it blocks both ways.
+/// front emits and receives light. It blocks light from both sides.
 struct Face {
   std::vector<Vec> corners;
-  std::vector<Vec> normals;    ///< one for each corner of a face on a curved surface, else none
+  std::vector<Vec> normals;  ///< one per corner if the face is part of a curved surface, else empty
   std::uint32_t material = 0;  ///< index into Room::materials
-  bool two_sided = false;      ///< its back is a second face
-  /// Patches along the first edge and across it, before MeshParams::refine. A face with other than
-  /// 4 corners has along x along of them in each of the quads between a corner and the centre.
+  bool two_sided = false;      ///< true if the back is a second face
+  /// Number of patches along the first edge and across it, before MeshParams::refine. A face
+  /// without 4 corners has along x along patches in each of the quads between a corner and the
+  /// centre.
   int along = 1, across = 1;
-  Grid grid;          ///< for 4 corners, replaces even lines; or empty
+  Grid grid;          ///< for 4 corners: lines instead of even ones; may be empty
   std::string where;  ///< "room.txt:12", for errors; may be empty
 };
 
-/// A straight line that the mesh keeps. At the border of a penumbra the illumination is continuous,
-/// but not its slope (3.1.4.2); at a line within one, its curvature is not.
+/// A straight line that becomes an edge of patches. At the border of a penumbra the illumination is
+/// continuous, but not its slope (3.1.4.2). At a line within a penumbra, its curvature is
+/// discontinuous.
 struct Crease {
   Vec a, b;
 };
@@ -51,8 +54,8 @@ struct Room {
   std::vector<Material> materials;
   std::vector<Face> faces;
   std::vector<Crease> creases;
-  bool fine_near_lights = false;  ///< make_mesh() halves patches there
-  bool fine_shadows = false;      ///< penumbrae have small steps, see Mesh::most_at_once
+  bool fine_near_lights = false;  ///< makes make_mesh() halve patches near lights
+  bool fine_shadows = false;      ///< limits steps in penumbrae (see Mesh::most_at_once)
   renderer::View view;
 };
 

@@ -14,44 +14,47 @@ namespace radiosity {
 
 namespace {
 
-// Patches are halved that make all but this share of the mean square that is allowed.
+// Share of the allowed mean square error that may remain in patches that are not halved.
 constexpr double LEFT = 0.5;
-// A patch is halved along one side only if that is so many times as long as the other.
+// A patch is halved only along its longer side if that is more than this many times as long as the
+// other.
 constexpr double LONG = 1.5;
-// Rows are halved across one direction only if the light differs there so many times as much.
+// Rows are halved in only one direction if the light changes in it more than this many times as
+// much.
 constexpr double STEEP = 2;
-// How often make_lit_mesh() halves patches, and how many times as many they may become.
+// Limits for make_lit_mesh(): how often patches are halved, and the growth of their number.
 constexpr int MOST_HALVINGS = 2;
 constexpr std::size_t MOST_GROWTH = 2;
-// Times that patches are halved while their number does not grow.
+// Limit on attempts to halve patches while their number does not grow.
 constexpr int MOST_TRIES = 4;
-// While patches are halved, a solution leaves so much light unsent: what makes edges is sent early.
-// A mesh is good enough if it is so with less as well.
+// Unsent fraction of light in the solutions between rounds. It may be large, since light that
+// causes sharp edges is sent early. A mesh that seems good enough is tested again with the fraction
+// LESS.
 constexpr double ROUGH = 0.2, LESS = 0.02;
 
-// The mean square of an error over a patch, by its square in the middle, for illumination that is
-// quadratic along both sides: from 4/9 to 8/15.
+// Mean square of an error over a patch, divided by its square in the middle. For illumination that
+// is quadratic along both sides it is between 4/9 and 8/15.
 constexpr double SMOOTH = 0.5;
 
-// Pixels along the longer side of the picture whose error is estimated.
+// Pixels along the longer side of the picture used for the error estimate.
 constexpr int SIDE = 256;
 
-// By patch, its weight in the picture that the room's view shows.
+// The weight of each patch in the picture of the room's view.
 std::vector<Rgb> find_weights(const Mesh& mesh, const renderer::View& view) {
   const double scale = std::min(1.0, static_cast<double>(SIDE) / std::max(view.width, view.height));
   const auto shorten = [&](int side) { return std::max(1, static_cast<int>(scale * side)); };
   return find_shares(mesh, view, {.width = shorten(view.width), .height = shorten(view.height)});
 }
 
-// The radiosity in a patch's middle: Simpson's mean, solved for it.
+// The radiosity at the middle of a patch, by solving Simpson's rule for it.
 Rgb find_middle(const Mesh& mesh, const Solution& solution, std::uint32_t p) {
   Rgb corners;
   for (const auto corner : mesh.patches[p].corners) corners += solution.vertices[corner];
   return 1.5 * (solution.means[p] + -1.0 / 12 * corners);
 }
 
-// How far a patch's middle is off the surface. The middle of a curved patch has another normal than
-// its surface there, and is not judged.
+// The difference between the light at a patch's middle and the surface there; 0 for a curved patch,
+// whose middle has another normal than its surface.
 Rgb find_off(const Mesh& mesh, const Solution& solution, const Illumination& illumination,
              std::uint32_t p) {
   const Patch& patch = mesh.patches[p];
@@ -62,8 +65,8 @@ Rgb find_off(const Mesh& mesh, const Solution& solution, const Illumination& ill
   return find_middle(mesh, solution, p) + -1.0 * eval_illumination(illumination, p, 0.5, 0.5);
 }
 
-// By patch, what it adds to the picture's mean square of the error, mean of the colours, from the
-// error in its middle.
+// The contribution of each patch to the picture's mean square error over the colours, from the
+// error at its middle.
 std::vector<double> find_errors(const Mesh& mesh, const Solution& solution,
                                 const Illumination& illumination, const std::vector<Rgb>& weights) {
   std::vector<double> errors;
@@ -74,8 +77,8 @@ std::vector<double> find_errors(const Mesh& mesh, const Solution& solution,
   return errors;
 }
 
-// Patches whose light in the middle, unsent light included, is off by more than MOST_OFF_HERE, in
-// descending order of their part of the mean square.
+// The patches whose light at the middle, with unsent light, differs from the surface by more than
+// MOST_OFF_HERE. They are in descending order of their part of the mean square.
 std::vector<std::uint32_t> find_patches_off(const Mesh& mesh, const Solution& solution) {
   const Illumination illumination = reconstruct(mesh, solution.vertices, {});
   std::vector<std::pair<double, std::uint32_t>> found;
@@ -94,8 +97,8 @@ std::vector<std::uint32_t> find_patches_off(const Mesh& mesh, const Solution& so
   return patches;
 }
 
-// The picture's mean square radiosity, mean of the colours, without what emits; what is unsent is
-// everywhere alike.
+// The mean square radiosity of the picture over the colours, without emission. Unsent light is
+// assumed uniform.
 double eval_mean_square(const Mesh& mesh, const Solution& solution,
                         const std::vector<Rgb>& weights) {
   double total = 0;
@@ -109,7 +112,8 @@ double eval_mean_square(const Mesh& mesh, const Solution& solution,
   return total;
 }
 
-// The patches that make most of the error: without them there is at most `allowed`.
+// The patches with the largest errors, such that the errors of all others sum up to at most
+// `allowed`.
 std::vector<std::uint32_t> choose(const std::vector<double>& errors, double allowed) {
   std::vector<std::uint32_t> order(errors.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -121,7 +125,7 @@ std::vector<std::uint32_t> choose(const std::vector<double>& errors, double allo
   return order;
 }
 
-// A patch's place in its face: the least and the largest parameters of its corners.
+// The extent of a patch in its face: the least and largest parameters of its corners.
 struct Extent {
   Corner lo, hi;
 };
@@ -142,8 +146,8 @@ Extent find_extent(const Face& face, const Patch& patch) {
   return extent;
 }
 
-// Marks the steps between lines that lie, for more than a tenth, between two parameters, and the
-// one around their middle.
+// Marks the steps between lines that overlap an interval by more than a tenth, and the step around
+// the interval's middle.
 void mark(const std::vector<double>& lines, double from, double to, std::vector<bool>& marks) {
   const double middle = (from + to) / 2;
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
@@ -163,7 +167,7 @@ struct Ways {
   bool along = false, across = false;
 };
 
-// A patch's longer side, or both.
+// The direction of a patch's longer side, or both directions.
 Ways find_long_ways(const Face& face, const Patch& patch) {
   const auto [lo, hi] = find_extent(face, patch);
   const double wide = (hi.u - lo.u) * length(face.corners[1] - face.corners[0]);
@@ -171,7 +175,7 @@ Ways find_long_ways(const Face& face, const Patch& patch) {
   return {LONG * wide > high, LONG * high > wide};
 }
 
-// The direction of the steepest light between a patch's corners, or both.
+// The direction in which the light at a patch's corners changes most, or both directions.
 Ways find_steep_ways(const Face& face, const Patch& patch, const Solution& solution) {
   const Vec u = normalize(face.corners[1] - face.corners[0]);
   const Vec v = normalize(face.corners[3] - face.corners[0]);
@@ -188,7 +192,7 @@ Ways find_steep_ways(const Face& face, const Patch& patch, const Solution& solut
   return {STEEP * along > across, STEEP * across > along};
 }
 
-// `find_ways(face, patch)`: the Ways of a patch.
+// Halves rows of the chosen patches. `find_ways(face, patch)` returns the directions for a patch.
 void refine(Room& room, const Mesh& mesh, const std::vector<std::uint32_t>& chosen,
             const auto& find_ways) {
   std::vector<Marks> marks;
@@ -238,7 +242,7 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
     face.along *= params.mesh.refine;
     face.across *= params.mesh.refine;
   }
-  room.fine_near_lights = false;  // rows are halved here where the solution needs it
+  room.fine_near_lights = false;  // rows are halved here, where the solution needs it
   MeshParams parts = params.mesh;
   parts.refine = 1;
   SolveParams rough = params.solve;
@@ -254,7 +258,7 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
     const double square = eval_mean_square(mesh, solution, weights);
     const double total = std::accumulate(errors.begin(), errors.end(), 0.0);
     const double allowed = adapt.error * adapt.error * square;
-    // Nothing but lamps may be lit.
+    // Avoids division by 0 if only lamps are visible.
     adapted.error = square > 0 ? std::sqrt(total / square) : 0;
     if (!(square > 0 && total > allowed)) {
       if (rough.tolerance <= std::max(params.solve.tolerance, LESS)) return adapted;
@@ -264,7 +268,7 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
     }
     if (adapted.rounds == MOST_ROUNDS) return adapted;
     const auto chosen = choose(errors, LEFT * allowed);
-    // Lines near a contact or a crease give way to it: those between them may need more halvings.
+    // Retries, since new lines that are too near to a contact or crease are dropped.
     Mesh finer;
     for (int tries = 0; tries < MOST_TRIES; ++tries) {
       refine(room, mesh, chosen, find_long_ways);
@@ -281,7 +285,7 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
 
 namespace {
 
-// Halves rows of the first of the chosen patches: as many as leave the room `most` patches.
+// Halves rows of as many of the chosen patches as keep the room within `most` patches.
 Room halve_some(const Room& room, const AdaptedMesh& adapted, std::vector<std::uint32_t> chosen,
                 int refined, std::size_t most) {
   for (; !chosen.empty(); chosen.resize(chosen.size() / 2)) {

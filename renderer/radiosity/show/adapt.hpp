@@ -1,6 +1,7 @@
 #pragma once
-// Meshes with small patches where the illumination varies. The error estimate of a patch is the
-// difference between the light found at its centre (for Mean::simpson) and the surface there.
+// Adaptive meshes, with small patches where the illumination varies. The error estimate of a patch
+// is the difference between the computed light at its centre (for Mean::simpson) and the
+// interpolated surface there.
 
 #include "renderer/radiosity/light/solve.hpp"
 #include "renderer/radiosity/show/reconstruct.hpp"
@@ -8,51 +9,54 @@
 namespace radiosity {
 
 struct AdaptParams {
-  double error = 0;  ///< see adapt_mesh(); LEAST_ERROR..1, or 0: patches as they are
+  double error = 0;  ///< target of adapt_mesh(), LEAST_ERROR..1; 0: no adaptation
 };
 inline constexpr double LEAST_ERROR = 1e-4;
 
-/// The field "adaptive".
+/// Makes the field "adaptive".
 base::Field<AdaptParams> adaptive_field();
 
 struct AdaptedMesh {
   Mesh mesh;
-  int rounds = 0;    ///< how often patches were halved
+  int rounds = 0;    ///< number of rounds of halving
   double error = 0;  ///< estimate of the remaining error, as AdaptParams::error
-  Solution rough;    ///< rough solution that solve_further() continues
+  Solution rough;    ///< preliminary solution that solve_further() can continue
 };
 
 /// Halves patches, starting from those of params.mesh, until the estimated error of the picture in
-/// the room's view is at most `adapt.error`. The error is a root mean square relative to that of
-/// the picture's light, without emission. Each round halves the patches with the largest part of
-/// the error (W. Doerfler, "A Convergent Adaptive Algorithm for Poisson's Equation", SIAM J.
-/// Numerical Analysis 33(3), 1996), and only visible ones count (B. Smits, J. Arvo, D. Salesin, "An
-/// Importance-Driven Radiosity Algorithm", SIGGRAPH 1992). It estimates the interpolation error
-/// only, not the error at the vertices. Whole rows of a face are halved, so that patches meet at
-/// their corners; a face without 4 corners is refined everywhere. Curved faces are not judged. Ends
-/// after MOST_ROUNDS too, or before the room would exceed MOST_ADAPTED patches. Calls `step` in all
-/// solutions, see solve(). BadInput below LEAST_ERROR, and unless params.solve.mean is
-/// Mean::simpson; throws as find_shares().
+/// the room's view is at most `adapt.error`. This error is a root mean square relative to that of
+/// the picture's light without emission. It estimates the interpolation error only, not the error
+/// at the vertices.
+///
+/// Each round halves the patches with the largest errors (W. Doerfler, "A Convergent Adaptive
+/// Algorithm for Poisson's Equation", SIAM J. Numerical Analysis 33(3), 1996). Only visible patches
+/// count (B. Smits, J. Arvo, D. Salesin, "An Importance-Driven Radiosity Algorithm", SIGGRAPH
+/// 1992). Whole rows of a face are halved, so that patches meet at their corners; a face without 4
+/// corners is refined everywhere. Curved faces are not evaluated. Also ends after MOST_ROUNDS, or
+/// before the room would exceed MOST_ADAPTED patches.
+///
+/// Calls `step` in all solutions (see solve()). Throws BadInput for an error below LEAST_ERROR, and
+/// unless params.solve.mean is Mean::simpson. Throws as find_shares() does.
 AdaptedMesh adapt_mesh(Room room, const LightParams& params,
                        const ReconstructionParams& reconstruction, const AdaptParams& adapt,
                        const Step& step = {});
-/// The light of a mesh from adapt_mesh() or make_lit_mesh(): continues `rough`, or see
-/// solve_room().
+/// The light of a mesh from adapt_mesh() or make_lit_mesh(). Continues `rough` if possible, and is
+/// else as solve_room().
 Solution solve_adapted(const Room& room, AdaptedMesh& adapted, const LightParams& params,
                        const Step& step = {});
 
-/// The mesh of a room. If Room::fine_near_lights, rows of patches are halved, at most twice, if the
-/// light in a patch's middle is more than MOST_OFF_HERE off the surface. They are halved in the
-/// direction in which the light of the corners differs, for example behind a slit or beside a
-/// bright strip, in any view. `rough` is a solution that solve_adapted() continues. The mesh has at
-/// most twice the patches of make_graded()'s. Params::senders, Mean::corners and faces without 4
-/// corners give make_mesh()'s patches.
+/// Makes the mesh of a room. With Room::fine_near_lights, rows of patches are halved up to twice if
+/// the light at a patch's middle differs from the surface by more than MOST_OFF_HERE. They are
+/// halved in the direction in which the light of the corners differs, for example behind a slit or
+/// beside a bright strip, whatever the view. The mesh has at most twice the patches of
+/// make_graded()'s. `rough` is a solution that solve_adapted() continues. With Params::senders,
+/// Mean::corners or faces without 4 corners, the patches are those of make_mesh().
 AdaptedMesh make_lit_mesh(const Room& room, const LightParams& params, const Step& step = {});
 inline constexpr double MOST_OFF_HERE = 0.15;
 
 /// Estimates the interpolation error of the picture in `view`, as a root mean square relative to
-/// that of its light without emission; 0 unless means are Simpson's. `solution` must be of the mesh
-/// that sends.
+/// that of its light without emission. It is 0 unless means are by Simpson's rule. `solution` must
+/// be that of the sending mesh.
 double estimate_error(const Mesh& mesh, const Solution& solution, const SolveParams& params,
                       const ReconstructionParams& reconstruction, const renderer::View& view);
 

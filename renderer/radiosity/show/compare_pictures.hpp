@@ -4,27 +4,28 @@
 
 namespace radiosity {
 
-/// An error is the root mean square of the difference over that of the reference. A peak's error is
-/// the difference of the maxima over the reference's maximum. Along the line only red counts.
+/// An error is the root mean square of the difference, relative to that of the reference. The error
+/// of a peak is the difference of the maxima relative to the reference's maximum. Along the line,
+/// only red counts.
 struct PictureError {
-  double image = 0;                              ///< of all pixels' radiosity
-  double line = 0, line_peak = 0;                ///< of displayed values, 0..255
-  double line_linear = 0, line_peak_linear = 0;  ///< of radiosity
-  int peak_shift = 0;                            ///< pixels, from the reference's peak
+  double image = 0;                              ///< error of radiosity over all pixels
+  double line = 0, line_peak = 0;                ///< errors of displayed values, 0..255
+  double line_linear = 0, line_peak_linear = 0;  ///< errors of radiosity
+  int peak_shift = 0;  ///< displacement of the peak from the reference's, pixels
 };
 
-/// The compared pixels.
+/// The pixels to compare.
 struct Compared {
-  std::vector<bool> left_out;         ///< by pixel: true if it shows an emitter
-  int line = 0;                       ///< from the top
-  double peak_from = 0, peak_to = 1;  ///< part of the width to search for a peak
+  std::vector<bool> left_out;         ///< for each pixel: true if it shows an emitter
+  int line = 0;                       ///< row, counted from the top
+  double peak_from = 0, peak_to = 1;  ///< part of the width in which the peak is searched
 };
 
-/// The pictures must have equal sizes.
+/// Compares two pictures of equal size.
 PictureError compare_pictures(const Picture& picture, const Picture& reference,
                               const Display& display, const Compared& where);
 
-/// The displayed values, 0..1.
+/// Converts a picture to displayed values, 0..1.
 Picture make_displayed(const Picture& picture, const Display& display);
 
 }  // namespace radiosity

@@ -9,12 +9,13 @@ namespace {
 
 constexpr double Rgb::*COLOURS[] = {&Rgb::r, &Rgb::g, &Rgb::b};
 
-// Overshoot of a surface beyond the range of the illumination around it, relative to the range.
+// Allowed overshoot of a surface beyond the range of the illumination around it, relative to that
+// range.
 constexpr double OVERSHOOT = 0.25;
-// Maximum ratio of an edge's bends at its two ends.
+// Largest ratio of an edge's bends at its two ends.
 constexpr double MOST_BEND = 2;
-// An edge may always overshoot its ends by a change of this fraction of the darker end: a bulge of
-// 4/27 of that, 2 % of the illumination.
+// Change at an end that is always allowed, as a fraction of the darker end. It makes the edge bulge
+// by 4/27 of that change, 2 % of the illumination.
 constexpr double FREE = 0.15;
 
 }  // namespace

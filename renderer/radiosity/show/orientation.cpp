@@ -16,7 +16,7 @@ std::optional<renderer::Hit> meet(const Mesh& mesh, const renderer::Ray& ray) {
   return intersect(mesh.blockers, ray, renderer::Traversal::nearest, work);
 }
 
-// Blockers have the order of the faces.
+// True if the hit is on a visible side. Object numbers of blockers equal face numbers.
 bool is_front(const Room& room, const renderer::Hit& hit) {
   return !hit.inside || room.faces[hit.object].two_sided;
 }
@@ -48,10 +48,10 @@ std::optional<std::string> check_camera(const Room& room, const Mesh& mesh) {
       100.0 * backs / (fronts + backs));
 }
 
-// True if a lamp lights something straight ahead of its centre, on the side of this normal: the
-// front of a face that is not directly before it.
+// True if a lamp would light something straight ahead of its centre, on the side of this normal.
+// This is the front of a face that is not directly before the lamp.
 bool lights_something(const Room& room, const Mesh& mesh, std::size_t face, const Vec& normal) {
-  constexpr double NEAR = 0.1;  // relative to the lamp's size
+  constexpr double NEAR = 0.1;  // relative to the size of the lamp
   const auto& corners = room.faces[face].corners;
   const auto bounds = renderer::make_bounds(corners);
   renderer::Ray ray;

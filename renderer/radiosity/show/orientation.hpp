@@ -1,5 +1,6 @@
 #pragma once
-// Faces that probably point the wrong way, mostly because of the order of their corners.
+// Detection of faces that probably point the wrong way, mostly because of the order of their
+// corners.
 
 #include <string>
 #include <vector>
@@ -8,9 +9,9 @@
 
 namespace radiosity {
 
-/// A sentence for each problem. One is a camera that sees more (black) backs of one-sided faces
-/// than fronts. Others are one-sided lamps that shine into a wall or out of the room, with
-/// something to light behind them. `mesh` is made from the room.
+/// Returns a sentence for each problem. A camera should not see more (black) backs of one-sided
+/// faces than fronts. A one-sided lamp should not shine into a wall or out of the room while
+/// something behind it could be lit. `mesh` is made from the room.
 std::vector<std::string> find_turned_faces(const Room& room, const Mesh& mesh);
 
 }  // namespace radiosity

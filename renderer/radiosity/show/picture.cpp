@@ -20,13 +20,13 @@ renderer::Params make_params(const PictureParams& params) {
   return made;
 }
 
-// The patch point that a ray sees, with the influence factor after mirrors.
+// The point of a patch that a ray sees, with the influence factor after mirrors.
 struct Seen {
   Spot spot;
   Rgb influence;
 };
 
-// Traces the rays of a picture.
+// Tracer of the rays of a picture.
 struct Tracer {
   const Mesh& mesh;
   const Sides sides;
@@ -37,8 +37,8 @@ struct Tracer {
     return intersect(mesh.blockers, ray, renderer::Traversal::nearest, work);
   }
 
-  // The hit of the ray, if its side shows something. Two faces may lie back to back: if the first
-  // shows nothing, searches for another slightly further on.
+  // The first hit of the ray on a visible side. If a face shows nothing there, searches slightly
+  // further on, since two faces may lie back to back.
   std::optional<renderer::Hit> meet_side(const renderer::Ray& ray) {
     const auto is_nothing = [&](const renderer::Hit& hit) {
       return get_side(sides, hit.object, hit.inside).kind == Side::Kind::nothing;
@@ -71,17 +71,18 @@ struct Tracer {
   }
 };
 
-// The nearest surface at a pixel so far.
+// An entry of the z-buffer: the nearest surface at a pixel so far.
 struct Fragment {
   enum class Kind : std::uint8_t { nothing, back, patch, mirror };
   Kind kind = Kind::nothing;
   std::uint32_t patch = 0;
-  double nearness = 0;  // 1 over the distance ahead
+  double nearness = 0;  // 1 / depth
   double s = 0, t = 0;
 
-  // Keeps the nearer fragment; if they coincide, a front replaces a back.
+  // Keeps the nearer fragment. If two coincide, a front replaces a back.
   void put(const Fragment& other) {
-    constexpr double COINCIDENT = 1e-9;  // preference of a front, in relative nearness
+    // relative tolerance in 1 / depth within which a front is preferred
+    constexpr double COINCIDENT = 1e-9;
     if (!(other.nearness > 0)) return;
     const bool over = kind == Kind::back && other.kind != Kind::back,
                under = other.kind == Kind::back && kind != Kind::back;
@@ -104,9 +105,9 @@ class ZBuffer {
         scanner_(renderer::make_raster(view, params), renderer::get_area(params)),
         fragments_(width_ * static_cast<std::size_t>(params.height)) {}
 
-  // Draws both sides of a convex polygon of 3 corners or more. The nearest wins; of coincident ones
-  // the first, but any other kind before a back. In each triangle from the first corner s and t are
-  // linear in space.
+  // Draws both sides of a convex polygon of 3 corners or more. The nearest polygon stays. Of
+  // coincident ones the first stays, except that a back never hides other kinds. In each triangle
+  // from the first corner, s and t are linear in space.
   void draw(Fragment::Kind kind, std::uint32_t patch, const std::vector<Point>& points) {
     const auto corner = [&](std::size_t i) -> renderer::Scanner<2>::Corner {
       return {renderer::to_eye(view_, points[i].at), {points[i].s, points[i].t}};
@@ -119,7 +120,7 @@ class ZBuffer {
       });
   }
 
-  // At y * width + x; rows run from the top.
+  // Entries at y * width + x; rows run from the top.
   const std::vector<Fragment>& fragments() const { return fragments_; }
 
  private:
@@ -129,7 +130,7 @@ class ZBuffer {
   std::vector<Fragment> fragments_;
 };
 
-// The area-weighted mean of the patches.
+// The area-weighted mean radiosity of the patches.
 Rgb make_grey(const Mesh& mesh, const Illumination& illumination) {
   double sum = 0, area = 0;
   for (std::uint32_t i = 0; i < mesh.patches.size(); ++i) {

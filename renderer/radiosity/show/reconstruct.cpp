@@ -12,8 +12,7 @@ namespace {
 // The parameters of a patch's corners, in order.
 constexpr std::size_t S[] = {0, 1, 1, 0}, T[] = {0, 0, 1, 1};
 
-// Indices of the value and the derivatives of a corner (s, t), each 0 or 1, in G_H, by rows (Eq
-// 3.4).
+// Indices in G_H, by rows (Eq 3.4), of the value and derivatives at a corner (s, t), each 0 or 1.
 struct Slots {
   std::size_t value, by_s, by_t, by_st;
 };
@@ -21,8 +20,8 @@ constexpr Slots find_slots(std::size_t s, std::size_t t) {
   return {4 * s + t, 4 * (s + 2) + t, 4 * s + t + 2, 4 * (s + 2) + t + 2};
 }
 
-// Sets a corner's value and its derivatives by s and t, from those along its edges to the next
-// corner and to the previous one: edges run along s or t, up or down.
+// Sets the value of a corner, and its derivatives by s and t, from the changes along the edges to
+// the next and previous corners. An edge runs along s or t, in either direction.
 void set_corner(std::span<Rgb> g, std::uint32_t corner, const Rgb& value, const Rgb& to_next,
                 const Rgb& to_prev) {
   const std::size_t s = S[corner], t = T[corner];
@@ -33,7 +32,7 @@ void set_corner(std::span<Rgb> g, std::uint32_t corner, const Rgb& value, const 
   g[at.by_t] = (t == 0 ? 1.0 : -1.0) * (next_is_s ? to_prev : to_next);
 }
 
-// S M_H, Eq 3.2 and 3.3.
+// The Hermite basis S M_H, Eq 3.2 and 3.3.
 std::array<double, 4> eval_hermite_basis(double s) {
   const double s2 = s * s, s3 = s2 * s;
   return {2 * s3 - 3 * s2 + 1, 3 * s2 - 2 * s3, s3 - 2 * s2 + s, s3 - s2};
@@ -45,7 +44,7 @@ std::array<double, 4> eval_hermite_slopes(double s) {
   return {6 * s2 - 6 * s, 6 * s - 6 * s2, 3 * s2 - 4 * s + 1, 3 * s2 - 2 * s};
 }
 
-// G_H of every patch.
+// Builder of G_H for every patch.
 class Bicubic {
  public:
   Bicubic(const Mesh& mesh, std::span<const Rgb> vertices, const ReconstructionParams& params)
@@ -56,7 +55,7 @@ class Bicubic {
         slopes_(find_slopes(mesh, fans_, vertices)),
         limits_(find_limits(mesh, fans_, vertices)) {}
 
-  // Vertex by vertex: every corner of every patch belongs to one.
+  // Proceeds vertex by vertex, since each corner of a patch belongs to one vertex.
   std::vector<Rgb> make() {
     for (const Seam& seam : find_seams(mesh_, fans_.twins)) close(seam);
     std::vector<Rgb> values(16 * mesh_.patches.size());
@@ -82,7 +81,7 @@ class Bicubic {
                         vertices_[to] + -1.0 * vertices_[from], -1.0 * step(to, from));
   }
 
-  // Along a seam all edges become parts of the longest one's curve.
+  // Makes the edges along a seam parts of the longest edge's curve.
   void close(const Seam& seam) {
     const Rgb ends[] = {vertices_[seam.from], vertices_[seam.to], find_change(seam.from, seam.to),
                         -1.0 * find_change(seam.to, seam.from)};
@@ -126,7 +125,7 @@ class Bicubic {
       const Slots at = find_slots(S[c], T[c]);
       const double sign = S[c] == T[c] ? 1.0 : -1.0;
       Rgb twist;
-      // "Substituting s + t for d": along s + t the slopes by s and by t add up.
+      // "Substituting s + t for d" in the thesis: along s + t, the slopes by s and by t add up.
       if (params_.twist == Twist::diagonal) twist = sign * (g[at.by_s] + g[at.by_t]);
       if (params_.twist == Twist::estimated && next != vertex && prev != vertex)
         twist = find_twist(mesh_, wedge, slopes_[vertex], bend);
@@ -141,10 +140,11 @@ class Bicubic {
   std::vector<Rgb> vertices_;
   std::vector<Slopes<Rgb>> slopes_;
   std::vector<Limits> limits_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, Rgb> fixed_;  // changes along seams' edges
+  // prescribed changes along the edges of seams
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Rgb> fixed_;
 };
 
-// The illumination at the vertices, made linear along seams.
+// Makes the illumination at the vertices linear along seams.
 std::vector<Rgb> close_seams(const Mesh& mesh, std::span<const Rgb> vertices) {
   std::vector<Rgb> closed(vertices.begin(), vertices.end());
   const auto twins = find_twins(mesh);

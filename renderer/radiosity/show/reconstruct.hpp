@@ -1,6 +1,6 @@
 #pragma once
-// Interpolation of illumination between vertices: bilinear, or by Hermite's bicubic surfaces, one
-// for each colour (thesis, 3.1).
+// Interpolation of illumination between vertices: bilinear, or by Hermite's bicubic surfaces, for
+// each colour (thesis, 3.1).
 
 #include "base/fields.hpp"
 #include "renderer/radiosity/mesh/mesh.hpp"
@@ -8,17 +8,18 @@
 namespace radiosity {
 
 enum class Reconstruction : std::uint8_t {
-  flat,      ///< the mean of a patch's corners
-  bilinear,  ///< Gouraud's interpolation
-  bicubic    ///< Hermite's interpolation, Eq 3.1 to 3.4
+  flat,      ///< mean of a patch's corners
+  bilinear,  ///< Gouraud interpolation
+  bicubic    ///< Hermite interpolation, Eq 3.1 to 3.4
 };
 
-/// The mixed derivatives of Eq 3.4.
+/// Estimator of the mixed derivatives in Eq 3.4.
 enum class Twist : std::uint8_t {
   zero,
-  diagonal,  ///< the slope along s + t, as in the thesis (below Eq 3.7): a first derivative instead
-             ///< of a second, C1 only on even grids of one orientation
-  estimated  ///< change of slopes along s in direction t, and vice versa
+  /// The slope along s + t, as in the thesis (below Eq 3.7). It is a first derivative instead of a
+  /// second, so surfaces are C1 only on even grids of one orientation.
+  diagonal,
+  estimated  ///< change of the slopes along s in direction t, and vice versa
 };
 
 struct ReconstructionParams {
@@ -28,7 +29,7 @@ struct ReconstructionParams {
   bool limited = true;
 };
 
-/// The fields reconstruction, twist and limited.
+/// Makes the fields reconstruction, twist and limited.
 base::Fields<ReconstructionParams> reconstruction_fields();
 
 /// The surface over every patch: 16 values if bicubic, else 4.
@@ -37,15 +38,15 @@ struct Illumination {
   std::vector<Rgb> values;
 };
 
-/// `vertices`: a value for each of the mesh's vertices. Bicubic surfaces are continuous if patches
-/// share vertices or a crease has split these. If not limited (limit.hpp), they are linear in the
-/// values, and C1 across inner borders on grids of parallel lines. They reproduce linear functions:
-/// with estimated twists on any quads, with zero twists on parallelograms. BadInput for a wrong
-/// number of values.
+/// Interpolates `vertices`, one value for each vertex of the mesh. Bicubic surfaces are continuous
+/// where patches share vertices, or a crease has split these. If not limited (limit.hpp), they are
+/// linear in the values, and C1 across inner borders on grids of parallel lines. They reproduce
+/// linear functions: with estimated twists on any quads, with zero twists on parallelograms. Throws
+/// BadInput for a wrong number of values.
 Illumination reconstruct(const Mesh& mesh, std::span<const Rgb> vertices,
                          const ReconstructionParams& params);
 
-/// The bicubic surface of G_H, given by rows, at (s, t): Eq 3.1.
+/// The bicubic surface of G_H, given by rows, at (s, t) (Eq 3.1).
 Rgb eval_hermite(std::span<const Rgb, 16> g, double s, double t);
 
 /// The illumination at (s, t) of a patch, each 0..1; never below 0.

@@ -11,7 +11,7 @@ namespace radiosity {
 
 namespace {
 
-// By vertex, the first of its twins.
+// For each vertex, the first of its twins.
 std::vector<std::uint32_t> find_firsts(std::span<const std::uint32_t> twins) {
   std::vector<std::uint32_t> firsts(twins.size(), ~0u);
   for (std::uint32_t v = 0; v < twins.size(); ++v)
@@ -23,7 +23,8 @@ class SeamFinder {
  public:
   SeamFinder(const Mesh& mesh, std::span<const std::uint32_t> twins)
       : mesh_(mesh), firsts_(find_firsts(twins)), beside_(mesh.vertices.size()) {
-    // Edges of a single patch, between the first of twins.
+    // Number of patches at each edge. Edges are between the first of twins, so that creases do not
+    // separate patches.
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
     for (const Patch& patch : mesh.patches)
       for (std::size_t i = 0; i < 4; ++i)
@@ -44,12 +45,13 @@ class SeamFinder {
   }
 
  private:
-  // Puts seams before those that end on them; in a cycle the longest comes first.
+  // Sorts the seams such that each comes before those that end on it. A cycle begins with its
+  // longest seam.
   std::vector<Seam> sort(std::vector<Seam> seams) const {
     std::ranges::stable_sort(seams, std::greater{}, [&](const Seam& seam) {
       return length(mesh_.vertices[seam.to].at - mesh_.vertices[seam.from].at);
     });
-    std::multimap<std::uint32_t, std::size_t> on;  // by stop
+    std::multimap<std::uint32_t, std::size_t> on;  // seams that end at a stop
     for (std::size_t i = 0; i < seams.size(); ++i)
       for (const auto& stop : seams[i].stops) on.emplace(stop.vertex, i);
     std::vector<std::vector<std::size_t>> needs(seams.size());
@@ -64,7 +66,7 @@ class SeamFinder {
     return sorted;
   }
 
-  // The seam along an edge, if shorter edges connect its ends.
+  // The seam along an edge; none unless shorter edges connect its ends.
   std::optional<Seam> follow(std::uint32_t from, std::uint32_t to) const {
     const Vec way = mesh_.vertices[to].at - mesh_.vertices[from].at;
     Seam seam{from, to, {}};
@@ -84,7 +86,7 @@ class SeamFinder {
     return std::nullopt;
   }
 
-  // Position of a vertex on the way from another, as a fraction, if it lies there.
+  // The position of a vertex on the way from another, as a fraction; none if it does not lie there.
   std::optional<double> find_share(std::uint32_t from, const Vec& way, std::uint32_t vertex) const {
     constexpr double NEAR = 1e-7;  // relative to the length of the way
     const Vec to = mesh_.vertices[vertex].at - mesh_.vertices[from].at;
@@ -94,7 +96,8 @@ class SeamFinder {
 
   const Mesh& mesh_;
   std::vector<std::uint32_t> firsts_;
-  std::vector<std::vector<std::uint32_t>> beside_;  // by vertex, the other ends of its borders
+  // for each vertex, the other ends of its borders
+  std::vector<std::vector<std::uint32_t>> beside_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> borders_;
 };
 

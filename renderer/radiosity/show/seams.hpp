@@ -1,5 +1,5 @@
 #pragma once
-// Seams between coplanar faces with different divisions: a patch's edge on one side is several
+// Seams between coplanar faces with different divisions. An edge of a patch on one side is several
 // edges on the other, and both surfaces must agree there.
 
 #include <span>
@@ -8,19 +8,19 @@
 
 namespace radiosity {
 
-/// A patch's edge and the other patches' vertices on it.
+/// An edge of a patch, and the vertices of other patches on it.
 struct Seam {
   struct Stop {
     std::uint32_t vertex = 0;
-    double share = 0;  ///< of the way, 0 to 1
+    double share = 0;  ///< fraction of the way, 0 to 1
   };
   std::uint32_t from = 0, to = 0;
-  std::vector<Stop> stops;  ///< in order; without the ends
+  std::vector<Stop> stops;  ///< in order, without the ends
 };
 
-/// The seams of a mesh. A seam comes before those that end on it, unless they form a cycle. `twins`
-/// as Fans::twins. Both ends of a seam are vertices of both faces. If neither division contains the
-/// other, as in 3 and in 5, there are seams only between common vertices.
+/// Finds the seams of a mesh. A seam comes before those that end on it, unless they form a cycle.
+/// `twins` is as Fans::twins. Both ends of a seam are vertices of both faces. If neither division
+/// contains the other, as with 3 and 5 parts, there are seams only between common vertices.
 std::vector<Seam> find_seams(const Mesh& mesh, std::span<const std::uint32_t> twins);
 
 }  // namespace radiosity

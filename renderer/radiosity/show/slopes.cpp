@@ -10,7 +10,7 @@ namespace radiosity {
 
 namespace {
 
-// The neighbours on the border through a vertex: seen from `after`, the patches are on the left.
+// The neighbours on the border through a vertex. Seen towards `after`, the patches are on the left.
 // None for an inner vertex, or if several borders meet.
 struct Border {
   std::uint32_t after = 0, before = 0;
@@ -45,7 +45,8 @@ Wedge make_wedge(const Mesh& mesh, std::uint32_t patch, std::uint32_t vertex) {
   return wedge;
 }
 
-// Marks inner edges. Patches run counter-clockwise: next in one patch is previous in another.
+// Marks inner edges. Patches run counter-clockwise, so an inner edge is next in one patch and
+// previous in another.
 void mark_inner(std::span<Wedge> wedges) {
   for (Wedge& a : wedges)
     for (Wedge& b : wedges)
@@ -58,14 +59,14 @@ bool is_straight(const Vec& a, const Vec& b) {
 }
 
 // Weight of an edge: 1, or (3 |edge| / |other|)^2 if the edge is less than a third as long as its
-// continuation `other`. A small error at the end of a short edge makes a steep slope there, and a
-// large error within the long one's patches.
+// continuation `other`. A small error at the end of a short edge makes a steep slope, and thus a
+// large error in the patches of the long edge.
 double find_trust(double edge, double other) {
   const double share = other > 0 ? std::min(1.0, 3 * edge / other) : 1.0;
   return share * share;
 }
 
-// The trust of an edge, from the longest of those within 45 degrees of straight on.
+// The weight of an edge. Its continuation is the longest edge within 45 degrees of straight on.
 double trust_edge(const Mesh& mesh, const Vertex& v, std::span<const Wedge> wedges,
                   std::uint32_t neighbour) {
   const Vec edge = unfold(v, mesh.vertices[neighbour].at);
@@ -96,8 +97,8 @@ auto sort_key(const Vertex& v) {
                     v.normal.z, v.material);
 }
 
-// True if a crease has split the vertices: they share place, lit point, normal and material, and so
-// the illumination.
+// True if a crease has split the vertices. Such vertices have the same place, lit point, normal and
+// material, and hence the same illumination.
 bool are_twins(const Vertex& a, const Vertex& b) { return sort_key(a) == sort_key(b); }
 
 }  // namespace
@@ -147,8 +148,8 @@ Fans make_fans(const Mesh& mesh) {
 
 namespace {
 
-// The mean of the planes of a vertex's patches; change(neighbour, inner) is the change towards a
-// neighbour, along an inner edge or a border.
+// The mean of the planes of a vertex's patches. change(neighbour, inner) returns the change towards
+// a neighbour, along an inner edge or a border.
 template <class T, class Change>
 Slopes<T> eval_mean_plane(const Mesh& mesh, const Fans& fans, std::uint32_t vertex,
                           const Change& change) {
@@ -160,12 +161,12 @@ Slopes<T> eval_mean_plane(const Mesh& mesh, const Fans& fans, std::uint32_t vert
   return mean.get();
 }
 
-// Finds the slopes inside first, then on straight borders, then at corners.
+// Finds the slopes first inside, then on straight borders, then at corners.
 struct SlopeFinder {
   const Mesh& mesh;
   const Fans& fans;
   std::span<const Rgb> vertices;
-  std::vector<Slopes<Rgb>> slopes;  // found so far
+  std::vector<Slopes<Rgb>> slopes;  // slopes found so far
 
   Rgb difference(std::uint32_t from, std::uint32_t to) const {
     return vertices[to] + -1.0 * vertices[from];
@@ -174,8 +175,9 @@ struct SlopeFinder {
     return unfold(mesh.vertices[from], mesh.vertices[to].at);
   }
 
-  // The change along an edge, at its beginning, of the parabola through both ends with the slope m
-  // at the far one: 2 (B_1 - B_0) - m. `back` is -m, the slope towards here.
+  // Extrapolates the change at the beginning of an edge by the parabola through both ends that has
+  // the slope m at the far end: 2 (B_1 - B_0) - m. `back` is -m, the slope in the opposite
+  // direction.
   static Rgb bend(const Rgb& whole, const Rgb& back) { return 2.0 * whole + back; }
 
   // The change at the beginning of an edge that leads inside.
@@ -185,7 +187,8 @@ struct SlopeFinder {
     return bend(whole, along(slopes[neighbour], way(neighbour, vertex)));
   }
 
-  // The change along a border to a neighbour, if it passes straight through the vertex or a twin.
+  // The change along a border to a neighbour; none unless the border passes straight through the
+  // vertex or a twin.
   std::optional<Rgb> find_straight_change(std::uint32_t vertex, std::uint32_t neighbour) const {
     const Vertex& to = mesh.vertices[neighbour];
     std::uint32_t v = vertex;
@@ -200,7 +203,8 @@ struct SlopeFinder {
     return std::nullopt;
   }
 
-  // The change along a border, from its own vertices only: the same on both sides of a crease.
+  // The change along a border, computed from its own vertices only, so that it is the same on both
+  // sides of a crease.
   Rgb find_border_change(std::uint32_t vertex, std::uint32_t neighbour) const {
     if (const auto known = find_straight_change(vertex, neighbour)) return *known;
     const Rgb whole = difference(vertex, neighbour);
@@ -220,7 +224,7 @@ struct SlopeFinder {
     at = at + Slopes<Rgb>{whole.x * missing, whole.y * missing, whole.z * missing};
   }
 
-  // Replaces the slopes at a corner by those along its two borders, if their angle allows it.
+  // Replaces the slopes at a corner by those along its two borders, if their angle permits it.
   void follow_borders(std::uint32_t vertex, const Border& border, Slopes<Rgb>& at) const {
     const Vec& normal = mesh.vertices[vertex].normal;
     const Vec a = way(vertex, border.after), b = way(vertex, border.before);
@@ -259,10 +263,10 @@ std::vector<Slopes<Rgb>> find_slopes(const Mesh& mesh, const Fans& fans,
 
 namespace {
 
-// Applies to slopes the shortest rotation that takes the unit normal `from` to `to`.
+// Rotates slopes by the shortest rotation that takes the unit normal `from` to `to`.
 Slopes<Rgb> turn(const Slopes<Rgb>& slopes, const Vec& from, const Vec& to) {
   const double cosine = dot(from, to);
-  if (!(cosine > -0.5)) return {};  // no surface turns so far within a patch
+  if (!(cosine > -0.5)) return {};  // larger rotations cannot occur within a patch
   const Rgb out = -1 / (1 + cosine) * along(slopes, to);
   const Vec both = from + to;
   return slopes + Slopes<Rgb>{both.x * out, both.y * out, both.z * out};
@@ -285,7 +289,7 @@ Rgb find_twist(const Mesh& mesh, const Wedge& wedge, const Slopes<Rgb>& slopes,
   const Vec next = mesh.vertices[wedge.next].at, prev = mesh.vertices[wedge.prev].at;
   const Vec opposite = mesh.vertices[corners[(wedge.corner + 2) % 4]].at;
   const Vec a = unfold(v, next), b = unfold(v, prev);
-  // The order of the two derivatives must not matter, so it is the mean of both.
+  // Takes the mean, since the two orders of differentiation must agree.
   const Rgb mixed = 0.5 * (along(along(bend, a), b) + along(along(bend, b), a));
   return mixed + along(slopes, (v.at - next) + (opposite - prev));
 }

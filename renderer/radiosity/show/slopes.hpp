@@ -1,7 +1,7 @@
 #pragma once
-// Changes of the illumination around every vertex: the tangent planes (thesis, 3.1.4.1), and the
+// Derivatives of the illumination at every vertex: the tangent planes (thesis, 3.1.4.1), and the
 // mixed derivatives of Eq 3.4, which do not follow from them. Both need the patches around every
-// vertex, and the surface's borders.
+// vertex and the borders of the surface.
 
 #include <optional>
 
@@ -9,14 +9,14 @@
 
 namespace radiosity {
 
-/// A patch's corner at a vertex; two corners of a patch at the same vertex share one wedge. An edge
-/// is an inner one if a second patch at the vertex shares it, else a border.
+/// The corner of a patch at a vertex. If a patch has two corners at the same vertex, they share one
+/// wedge. An edge is inner if a second patch at the vertex shares it, else a border.
 struct Wedge {
   std::uint32_t patch = 0;
-  std::uint32_t corner = 0;          ///< 0..3, the first one at the vertex
+  std::uint32_t corner = 0;          ///< first corner of the patch at the vertex, 0..3
   std::uint32_t next = 0, prev = 0;  ///< vertices at the other ends of the corner's edges
   bool next_inner = false, prev_inner = false;
-  double trust = 1;  ///< weight of its corners in slopes: see find_trust
+  double trust = 1;  ///< weight of the corner's plane in slopes (see find_trust)
 };
 
 enum class Place : std::uint8_t {
@@ -26,11 +26,12 @@ enum class Place : std::uint8_t {
 };
 
 struct Fans {
-  std::vector<Wedge> wedges;         ///< by vertex, and for each by patch
+  std::vector<Wedge> wedges;         ///< wedges sorted by vertex, then by patch
   std::vector<std::uint32_t> first;  ///< index of each vertex's first wedge; then wedges.size()
-  std::vector<Place> places;         ///< by vertex
-  std::vector<std::uint32_t> twins;  ///< by vertex, the next of those split by creases from the
-                                     ///< same vertex; a ring, or the vertex itself
+  std::vector<Place> places;         ///< kind of each vertex
+  /// For each vertex, the next of those split by creases from the same vertex, in a ring. A vertex
+  /// without twins refers to itself.
+  std::vector<std::uint32_t> twins;
 
   std::span<const Wedge> at(std::size_t vertex) const {
     return std::span(wedges).subspan(first[vertex], first[vertex + 1] - first[vertex]);
@@ -38,7 +39,7 @@ struct Fans {
 };
 
 Fans make_fans(const Mesh& mesh);
-/// Fans::twins.
+/// Finds Fans::twins.
 std::vector<std::uint32_t> find_twins(const Mesh& mesh);
 
 /// Calls f with a vertex and each of its twins.
@@ -51,7 +52,7 @@ void for_twins(std::span<const std::uint32_t> twins, std::uint32_t vertex, const
   } while (v != vertex);
 }
 
-/// The way to a neighbour, unfolded into the tangent plane of a vertex at its full length.
+/// The vector to a neighbour, rotated into the tangent plane of a vertex at its full length.
 Vec unfold(const Vertex& vertex, const Vec& to);
 
 /// The change of a quantity per unit step along x, y and z. For an illumination B with the normal
@@ -70,27 +71,27 @@ Slopes<T> operator*(double s, const Slopes<T>& a) {
   return {s * a.x, s * a.y, s * a.z};
 }
 
-/// The change for a step d in the vertex's tangent plane: Eq 3.5 times |d|. It contains the
+/// The change for a step d in the vertex's tangent plane: Eq 3.5 times |d|. It implies the
 /// half-space rule, Eq 3.6 and 3.7: these slopes are n = (N_i x N_g) x N_g, for N_i as above. The
-/// product n . d has the wanted sign and, if d is as long as its patch's edge, the wanted size.
+/// product n . d has the required sign and, if d is as long as its patch's edge, the required size.
 template <class T>
 T along(const Slopes<T>& slopes, const Vec& d) {
   return d.x * slopes.x + d.y * slopes.y + d.z * slopes.z;
 }
 
-/// The mean of the planes of a vertex's patches. It averages normals scaled to N_i . N_g = 1
-/// instead of unit ones. This averages slopes: the mean does not depend on the unit of B, is linear
-/// in it and the same for a single colour. Weights are sin / (|next| |prev|) (N. Max, "Weights for
+/// The mean of the planes of a vertex's patches. Normals are scaled to N_i . N_g = 1 instead of
+/// unit length, which averages slopes. The mean does not depend on the unit of B, is linear in B,
+/// and is the same for each single colour. Weights are sin / (|next| |prev|) (N. Max, "Weights for
 /// Computing Vertex Normals from Facet Normals", JGT 4(2), 1999) times the planes' trust. On an
 /// even grid it is the arithmetic mean. On any grid of parallel lines it is exact up to quadratic
-/// functions, if neighbours' steps differ by a factor of at most 3.
+/// functions, if neighbouring steps differ by a factor of at most 3.
 template <class T>
 struct MeanPlane {
   Slopes<T> sum;
   double weight = 0;
 
-  /// Adds the plane that changes by `to_next` along `next` and by `to_prev` along `prev`, both
-  /// across the unit normal and counter-clockwise.
+  /// Adds the plane that changes by `to_next` along `next` and by `to_prev` along `prev`. Both are
+  /// perpendicular to the unit normal, in counter-clockwise order.
   void add(const Vec& normal, const Vec& next, const T& to_next, const Vec& prev, const T& to_prev,
            double trust = 1) {
     const double sine = dot(normal, cross(next, prev));
@@ -104,23 +105,23 @@ struct MeanPlane {
   Slopes<T> get() const { return weight > 0 ? (1 / weight) * sum : Slopes<T>{}; }
 };
 
-/// The slopes of every vertex, from the illumination of all. On borders, extrapolates with a
-/// parabola if the neighbour's slope is known (below Eq 3.7), else uses the difference. Along a
-/// border the slope depends only on the border's vertices, so that creases leave no gaps.
-/// Exceptions are borders with more than a patch inside that turn by 8 to 30 or by more than 150
-/// degrees.
+/// Finds the slopes of every vertex from the illumination of all vertices. On borders, it
+/// extrapolates with a parabola if the neighbour's slope is known (below Eq 3.7), and else uses the
+/// difference. Along a border the slope depends only on the border's vertices, so that creases
+/// leave no gaps. Exceptions are borders with more than one patch inside that turn by 8 to 30, or
+/// by more than 150 degrees.
 std::vector<Slopes<Rgb>> find_slopes(const Mesh& mesh, const Fans& fans,
                                      std::span<const Rgb> vertices);
 
-/// Changes of the slopes around a vertex: the mean of the planes through its slopes and its
-/// neighbours', in the same way as slopes from illuminations. Neighbours' slopes are rotated with
-/// the normal.
+/// Changes of the slopes around a vertex. They are the mean of the planes through its slopes and
+/// its neighbours', computed like slopes from illuminations. Slopes of neighbours are rotated with
+/// their normals.
 Slopes<Slopes<Rgb>> find_bend(const Mesh& mesh, const Fans& fans,
                               std::span<const Slopes<Rgb>> slopes, std::uint32_t vertex);
 
-/// The mixed derivative at a patch's corner along its edges to `next` and `prev`, for a step of
-/// both. In an uneven quad, with opposite sides of different directions, it includes the tangent
-/// plane's contribution, so that linear functions are preserved.
+/// The mixed derivative at a corner of a patch along its edges to `next` and `prev`, for a step of
+/// both. In a quad whose opposite sides have different directions, it includes a contribution of
+/// the tangent plane, so that linear functions are preserved.
 Rgb find_twist(const Mesh& mesh, const Wedge& wedge, const Slopes<Rgb>& slopes,
                const Slopes<Slopes<Rgb>>& bend);
 
