@@ -14,11 +14,11 @@ void add_convert_command(CLI::App& app);
 void add_guide_commands(CLI::App& app);  ///< list, help, init
 
 /// Parses and executes the command line. Returns the exit code of the program:
-///  - 0: done;
-///  - 1: a check failed, or a simulation broke down;
-///  - 2: bad input or usage;
-///  - 3: the simulated program deadlocked, ran out of memory, or did something the machine forbids;
-///  - 130: interrupted by the user.
+///   - 0: done;
+///   - 1: a check failed, or a simulation broke down;
+///   - 2: bad input or usage;
+///   - 3: the simulated program deadlocked, ran out of memory, or did what the machine forbids;
+///   - 130: interrupted by the user.
 int run_tlab(int argc, char** argv);
 
 }  // namespace laboratory

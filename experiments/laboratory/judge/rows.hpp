@@ -13,10 +13,10 @@
 namespace laboratory {
 
 /// Rows of a table of results, with the names that expressions may use:
-///  - columns of the results ("bytes", "latency_s"); an empty cell is NaN;
-///  - numbers that the file assigns to keys ("image.width");
-///  - numbers of the machine model ("link.one_way_rate");
-///  - names of [let].
+///   - columns of the results ("bytes", "latency_s"); an empty cell is NaN;
+///   - numbers that the file assigns to keys ("image.width");
+///   - numbers of the machine model ("link.one_way_rate");
+///   - names of [let].
 /// A column of strings defines a name for each string: "topology_is_line" is 1 if the string is
 /// "line", else 0. Special characters become _, as in topology_is_mesh_4x4 for "mesh:4x4". The file
 /// and the table must outlive the object.

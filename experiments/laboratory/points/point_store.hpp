@@ -14,9 +14,9 @@ namespace laboratory {
 
 /// Makes the key of each point, such that points with equal keys have equal results. The key is a
 /// hash of:
-///  - the program: its version, the bytes of its executable, and SimGrid's version;
-///  - the settings of file and sweep, and the simulated time limit;
-///  - the entries of the machine model, and the content of the point's files.
+///   - the program: its version, the bytes of its executable, and SimGrid's version;
+///   - the settings of file and sweep, and the simulated time limit;
+///   - the entries of the machine model, and the content of the point's files.
 /// Throws as make_model does.
 std::vector<std::string> make_keys(const ExperimentFile& file, double until_s);
 

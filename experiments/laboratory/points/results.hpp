@@ -17,9 +17,9 @@ std::vector<std::string> find_coupled(const ExperimentFile& file, const std::str
 
 /// Makes the table of results, with one row for each row that a point measured, or one for a point
 /// that measured nothing. Columns are:
-///  - the axes, and parts of the program that count as axes;
-///  - network and parameters, if the program shows them;
-///  - the measurements, and how the point ended.
+///   - the axes, and parts of the program that count as axes;
+///   - network and parameters, if the program shows them;
+///   - the measurements, and how the point ended.
 /// With several programs in the sweep, the table has the columns of all, empty where they do not
 /// apply. Speed-up and efficiency are relative to the row with one processor and otherwise equal
 /// axes, or to PointResult::single_s. Without either they stay empty, and so do the serial
