@@ -1,5 +1,5 @@
 #pragma once
-// Interfaces of those that follow a run: a read-only observer, and a controller of its pace.
+// Interfaces for following a run: a read-only observer, and a controller of its speed.
 #include "simulator/observe/control_panel.hpp"
 
 namespace observe {

@@ -1,6 +1,6 @@
 #pragma once
-// The user's orders, sorted by time: those of the script and, in a watched run, manual orders
-// ("hands"). A manual order has the same effect as if it were part of the script.
+// The user's orders, sorted by time: those of the script and, in a live run, manual orders. A
+// manual order has the same effect as if it were part of the script.
 #include <algorithm>
 #include <any>
 #include <cmath>

@@ -25,7 +25,7 @@ struct Schedule {
   int growth = 0;            ///< also at least this number of times, at equal intervals; 0 for none
 };
 
-/// Records pictures at the times given by `looks`. The picture changes only when the display
+/// Records pictures at the times of a Schedule. The picture changes only when the display
 /// paints. The display must call note() before each change.
 class Recorder {
  public:
