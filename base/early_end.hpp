@@ -33,7 +33,7 @@ class Undo {
   std::list<std::function<void()>>::iterator place_;
 };
 
-/// Lets no thread enter a section any longer. Safe to call in a signal handler.
+/// Prevents threads from entering a critical section (Undivided). Safe to call in a signal handler.
 void request_early_end() noexcept;
 
 /// Waits until no thread is in a section, then runs every Undo, newest first. The caller must end

@@ -71,8 +71,8 @@ struct Field {
   std::string unit;  ///< such as "bytes"; "" without a unit
   std::string help;
   Domain domain;
-  std::function<bool(P&, const Scalar&)> set;  ///< returns false to refuse a value inside the
-                                               ///< domain
+  /// Sets the parameter. Returns false to refuse a value inside the domain.
+  std::function<bool(P&, const Scalar&)> set;
   std::function<Scalar(const P&)> get;
 
   /// Sets the parameter and returns "". For a refused value, changes nothing and returns a

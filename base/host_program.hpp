@@ -10,10 +10,9 @@ struct HostProgram {
   std::vector<std::string> arguments;  ///< passed literally, without a shell
   std::string input = {};              ///< text for its standard input
   std::string purpose;                 ///< first words of error messages: "topology ring:4"
-  std::string remedy;                  ///< advice if the program is not installed: "install
-                                       ///< graphviz"
-  bool shows_output = false;           ///< true: the program writes to tlab's standard output, and
-                                       ///< run_program returns ""
+  std::string remedy;                  ///< if not installed: "install graphviz"
+  /// True: the program writes to tlab's standard output, and run_program returns "".
+  bool shows_output = false;
 };
 
 /// Runs the program to its end and returns its standard output. If tlab ends first, for any reason,

@@ -7,9 +7,9 @@ namespace base {
 
 struct Order {
   std::vector<std::size_t> sorted;  ///< all indices; each follows the indices that it needs
-  std::vector<std::size_t> circle;  ///< a cycle, empty if there is none: each index needs the next,
-                                    ///< and the last needs the first. With a cycle, `sorted` is
-                                    ///< incomplete.
+  /// A cycle, empty if there is none: each index needs the next, and the last needs the first. With
+  /// a cycle, `sorted` is incomplete.
+  std::vector<std::size_t> circle;
 };
 
 /// Sorts depth first, by ascending index. `needs[i]` lists the indices that i needs. The

@@ -155,8 +155,7 @@ void check_can_save(const fs::path& path) {
 }
 
 std::string read_text(const fs::path& path, std::size_t most) {
-  const int earlier = std::exchange(errno, 0);  // restored at the end, for a caller that checks
-                                                // errno itself
+  const int earlier = std::exchange(errno, 0);  // restored at the end
   std::ifstream in(path, std::ios::binary);
   std::string text, part(1 << 16, '\0');
   while (in && text.size() <= most) {

@@ -342,8 +342,7 @@ class Coordinator {
   std::optional<Ledger> ledger_;  // only with adaptive sampling
   Progress& progress_;
   Limits limits_;                                          // present limits
-  std::unordered_map<std::uint32_t, std::uint32_t> seen_;  // object hit by each sample, for
-                                                           // divide()
+  std::unordered_map<std::uint32_t, std::uint32_t> seen_;  // object hit, by sample
 };
 
 }  // namespace

@@ -24,8 +24,8 @@ struct Params {
   int max_cell = 16;           ///< side of the largest image cell in pixels, a power of two
   CellOrder order = CellOrder::random;
   CellLight cells = CellLight::constant;
-  ray_tracing::PixelOrder pixels = ray_tracing::PixelOrder::cells;  ///< values other than `cells`
-                                                                    ///< replace cells and `order`
+  /// Values other than `cells` replace cells and `order`.
+  ray_tracing::PixelOrder pixels = ray_tracing::PixelOrder::cells;
   /// A picture drawn by the display before the first ray (thesis, 4.1). Without it the display is
   /// black.
   std::optional<renderer::PreviewStep> preview;
@@ -37,8 +37,7 @@ struct Params {
   /// task. Workers acknowledge the last one. 0 means that workers already have the scene, as in the
   /// thesis's measurements.
   std::uint32_t scene_message = 0;
-  std::optional<std::uint64_t> worker_memory, database_memory;  ///< in bytes; by default those of
-                                                                ///< the model
+  std::optional<std::uint64_t> worker_memory, database_memory;  ///< in bytes; default: the model's
   /// If set, charges intersections, shading and display by measured host time multiplied by this
   /// factor. Otherwise charges operation counts. The ray database is always charged by counts.
   std::optional<double> cycles_per_host_s;

@@ -21,8 +21,7 @@ using ray_tracing::Save;
 
 constexpr std::uint32_t TAG_BYTES = 4;      ///< a message without contents: one word
 constexpr std::uint32_t LIMITS_BYTES = 32;  ///< parameters of increasing realism: 8 words
-constexpr std::uint32_t BLOCK_BYTES = TAG_BYTES + 4 * 4;  ///< a task with a block's position and
-                                                          ///< size
+constexpr std::uint32_t BLOCK_BYTES = TAG_BYTES + 4 * 4;  ///< position and size of a block
 
 constexpr std::uint32_t FINISHED_BYTES = TAG_BYTES + 4 + 3 * 8;  ///< a pixel and three sums
 
@@ -81,8 +80,7 @@ struct Answer {
 // 4.16 and 4.17: `add.ray; ray.mess`), so sizes do not include the tag. Stop and KeepImage count
 // one word of contents.
 
-struct AskInteractive {};  ///< requests a ray in interactive mode, RMI (figure 4.16:
-                           ///< ask.interact.mode.ray)
+struct AskInteractive {};  ///< for a ray in interactive mode (ask.interact.mode.ray)
 struct AskAny {};          ///< requests any ray (ask.any.ray)
 
 /// New limits, and the number of the user's order that set them (0 for none).

@@ -11,11 +11,10 @@ namespace iirra {
 enum class BalanceMethod : std::uint8_t {
   none,
   neighbours,   ///< passive: a worker without tasks asks one neighbour after another
-  coordinator,  ///< passive: such a worker asks the coordinator and all processors on the route
-                ///< (InPathTo)
+  coordinator,  ///< passive: such a worker asks all processors towards the coordinator
   active,       ///< a worker with new tasks gives some to the neighbour with the lowest known load
   mixed,        ///< combines active and neighbours
-  green,        ///< tasks are passed down a tree from the coordinator, on demand (Green, 1991)
+  green,        ///< combination of the methods `active` and `neighbours`
   ring          ///< requests circulate in a ring of all workers (Badouel, 1990)
 };
 

@@ -14,8 +14,8 @@ namespace iirra {
 
 namespace {
 
-constexpr std::uint64_t LONGEST = 2048;  // maximum message length in bytes, unless a data record is
-                                         // longer
+// Maximum message length in bytes, unless a data record is longer.
+constexpr std::uint64_t LONGEST = 2048;
 constexpr int DATA_BIT = 1 << shared_memory::DATA_PROCESS, TASK_BIT = 1 << TASK_PROCESS;
 constexpr int TASK_BITS = DATA_BIT | TASK_BIT;
 constexpr int DISPLAY_BITS = DATA_BIT | 1 << DISPLAY_PROCESS;
@@ -282,8 +282,7 @@ class Run {
   std::optional<shared_memory::SceneItems> items_;
   Shared shared_;
   std::optional<network::Network> network_;
-  std::optional<shared_memory::VirtualMemory> memory_;  // only if the scene is distributed;
-                                                        // otherwise whole_
+  std::optional<shared_memory::VirtualMemory> memory_;  // if the scene is distributed
   std::vector<std::unique_ptr<shared_memory::DataManager>> whole_;
   std::optional<Coordinator> coordinator_;
   std::optional<Display> display_;

@@ -19,8 +19,7 @@ constexpr int SERVICES = 2;  ///< number of processors that do not compute: coor
 
 /// Initial distribution of cells to the workers.
 enum class Start : std::uint8_t {
-  scattered,  ///< each worker gets one cell of every macro-cell of sqrt(workers) x sqrt(workers)
-              ///< cells (figure 5.24)
+  scattered,  ///< one cell of each macro-cell for each worker (figure 5.24)
   blocks,     ///< each worker gets one part of the image
   subsampled  ///< balanced by the measured time for one sample of each cell (Badouel, 1990)
 };
@@ -29,23 +28,21 @@ using Order = ray_tracing::Order<Limits>;
 
 struct Params {
   renderer::Params image;
-  std::vector<Limits> stages = std::vector<Limits>(1);  ///< successive limits of the interactive
-                                                        ///< phase
-  std::vector<Order> script;                            ///< the user's orders, ascending in time
+  /// Successive limits of the interactive phase.
+  std::vector<Limits> stages = std::vector<Limits>(1);
+  std::vector<Order> script;  ///< the user's orders, ascending in time
   int max_cell = 16;  ///< side of the first cells in pixels, a power of two from 2 to MAX_CELL
   CellOrder order = CellOrder::bayer;
-  ray_tracing::PixelOrder pixels = ray_tracing::PixelOrder::cells;  ///< values other than `cells`
-                                                                    ///< replace `order`
+  /// Values other than `cells` replace `order`.
+  ray_tracing::PixelOrder pixels = ray_tracing::PixelOrder::cells;
   Weights weights;  ///< for stages and orders that have no weights
   Start start = Start::scattered;
   BalanceMethod balance = BalanceMethod::neighbours;
   int reserve = 1;     ///< number of tasks that a worker keeps; with fewer it requests tasks
-  bool is_far = true;  ///< places the display as far as possible from the coordinator, otherwise
-                       ///< next to it
+  bool is_far = true;  ///< display as far as possible from the coordinator, else beside it
   /// Each worker's data manager has a processor of its own on the same memory (6.2).
   bool is_double = false;
-  bool is_polled = true;     ///< the display polls for pictures; otherwise workers send them
-                             ///< unrequested
+  bool is_polled = true;     ///< the display polls for pictures, else workers send unrequested ones
   int polls = 4;             ///< maximum number of unanswered polls
   bool has_borders = false;  ///< also records each picture with the borders of its cells
   double frame_s = 0.04;     ///< minimum time between two polls of a worker in seconds
@@ -53,10 +50,8 @@ struct Params {
   snapshots::Schedule snapshot_times;
   network::Method method = network::Method::green;
   std::optional<std::size_t> buffers;             ///< per router; by default enough for all workers
-  std::optional<shared_memory::DataParams> data;  ///< if absent, every processor holds the whole
-                                                  ///< scene
-  std::optional<std::uint64_t> memory;            ///< bytes per processor; by default those of the
-                                                  ///< model
+  std::optional<shared_memory::DataParams> data;  ///< if absent, all processors hold the scene
+  std::optional<std::uint64_t> memory;            ///< bytes per processor; default: the model's
   std::vector<programs::PlannedFault> faults;
   programs::OtherModels others;             ///< by processor number
   std::optional<double> cycles_per_host_s;  ///< as in farm::Params
@@ -86,8 +81,7 @@ void check(const Params& params, const topologies::Topology& topology);
 struct Result : Record {
   explicit Result(Record record) : Record(std::move(record)) {}
   int workers = 0;
-  double mean_depth = 0;  ///< mean distance of workers from the coordinator, in
-                          ///< links
+  double mean_depth = 0;                         ///< mean distance from the coordinator, in links
   std::optional<ray_tracing::SharedUse> shared;  ///< set if the scene is distributed
   network::RouterUse routers;
   machine::Cycles kernel_cycles{};

@@ -5,8 +5,7 @@
 namespace iirra {
 
 struct ProgramParams {
-  Params iirra;                                   ///< the keys of [image], [iirra], [[stage]],
-                                                  ///< [[order]]
+  Params iirra;                                   ///< [image], [iirra], [[stage]], [[order]]
   std::optional<ray_tracing::SharedParams> data;  ///< set if any key of [data] is present
   ray_tracing::SceneChoice scene;                 ///< the keys of [scene]
 };

@@ -32,8 +32,7 @@ struct Limits {
   int min_cell = 2;                ///< minimum side of a cell in pixels
   int max_samples = 13;            ///< maximum number of samples in a cell
   double min_contrast = 0.0;       ///< minimum contrast at which a cell is divided
-  renderer::Area area;             ///< area of interest in pixels, which a cell must overlap; 0 x 0
-                                   ///< for all
+  renderer::Area area;             ///< pixels that a cell must overlap; 0 x 0 for all
   std::optional<Weights> weights;  ///< if absent, those of the program
   bool operator==(const Limits&) const = default;
 };

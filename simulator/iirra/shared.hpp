@@ -27,8 +27,7 @@ struct Shared {
   kernels::KernelCost ray_cost, paint_cost, display_cost;
   std::shared_ptr<const CellQuadrants> quadrants = nullptr;  ///< set if cells have quadrant order
   const shared_memory::SceneItems* items = nullptr;          ///< set if the scene is distributed
-  machine::Cycles charged_with_data{};                       ///< cycles charged for rays that read
-                                                             ///< distributed data
+  machine::Cycles charged_with_data{};                       ///< for rays with distributed data
   machine::Seconds charged_with_data_s{};                    ///< duration of these cycles
   ray_tracing::Orders<Limits> orders;                        ///< orders of the user
   Record record;

@@ -18,8 +18,7 @@ struct TaskCell : SampledCell {
   /// Number of paintings of this cell and of the cells from which it was divided. The display
   /// compares these numbers to find the newer of two pictures of a pixel.
   std::uint32_t paintings = 0;
-  int sampled = 0;  ///< number of points of the next level already sampled when new limits
-                    ///< interrupted it
+  int sampled = 0;  ///< number of points of the next level that are already sampled
 };
 
 /// A cell with the assessment made when it was stored.

@@ -112,8 +112,7 @@ class KernelTimer {
   const Host& host_;
   Replays batch_;
   double weight_ = 0;         // total of the batch
-  std::size_t full_ = 1;      // number of calls in a full batch; the first call is measured
-                              // immediately
+  std::size_t full_ = 1;      // number of calls in a full batch
   double s_per_weight_ = 0;   // of the last batch
   double batch_about_s_ = 0;  // estimated time of the batch
   double owed_s_ = 0;         // measured time of batches minus charged time

@@ -7,8 +7,7 @@
 namespace machine {
 
 namespace {
-constexpr double HAIR = 1e-9;  // tolerance in time slice periods for rounding errors of a date on a
-                               // tick
+constexpr double HAIR = 1e-9;  // rounding tolerance for dates on a tick, in time slice periods
 
 template <class Queue>
 Process& take_first(Queue& queue) {

@@ -190,8 +190,7 @@ class Cpu {
   const Model& model_;
   Processor& processor_;
   Process* running_ = nullptr;      // occupies the CPU; null when idle
-  Process* interrupted_ = nullptr;  // the low-priority process that a high-priority one has
-                                    // pre-empted
+  Process* interrupted_ = nullptr;  // the low-priority process that was pre-empted
   ReadyQueue high_queue_, low_queue_;
   Seconds free_at_{};  // date at which the last high-priority process releases the CPU
   double speed_ = 1;   // fraction of cycles not taken by DMA and a companion
@@ -199,8 +198,7 @@ class Cpu {
   Seconds stopped_at_ = NEVER;
   bool dispatching_ = false;       // dispatch() is scheduled
   std::uint64_t dispatch_id_ = 0;  // scheduled calls with a different id are outdated
-  Process* last_high_ = nullptr;   // the process that releases the CPU at free_at_, if that date is
-                                   // ahead of the clock
+  Process* last_high_ = nullptr;   // releases the CPU at free_at_, ahead of the clock
   // True while executing a process that has just reached a link. The next process is dispatched
   // after all others that reach links at this date.
   bool has_come_to_link_ = false;

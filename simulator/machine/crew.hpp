@@ -38,8 +38,7 @@ class Crew {
   std::atomic<bool> is_over_{false};
   std::mutex lock_;
   std::exception_ptr failure_;
-  std::deque<Member> members_;  // declared last, so that the threads end before other members are
-                                // destroyed
+  std::deque<Member> members_;  // last, so that threads end before other members
 };
 
 }  // namespace machine

@@ -12,8 +12,7 @@ struct LinkUse {
   Seconds busy{};
   std::uint64_t messages = 0, bytes = 0;  ///< arrived messages and their bytes
   std::uint64_t bytes_sent = 0;           ///< bytes of started messages
-  std::uint64_t bytes_cut = 0;            ///< bytes of the message that was moving when the link
-                                          ///< was cut
+  std::uint64_t bytes_cut = 0;            ///< bytes of a message that was cut
 };
 
 /// Both directions of a link. While messages move, DMA at both ends takes memory cycles from the

@@ -145,8 +145,7 @@ void throw_if_deadlocked(const Machine& machine) {
 std::vector<const Process*> find_wait_cycle(const Machine& machine) {
   Blocked blocked = find_blocked(machine);
   std::erase_if(blocked, [](const auto& of) {
-    return of.second->state() != Process::State::blocked;  // such processes exist in an interrupted
-                                                           // run
+    return of.second->state() != Process::State::blocked;  // only in interrupted runs
   });
   std::vector<const Process*> cycle;
   for (ProcessId p : find_cycle(find_waits(blocked))) cycle.push_back(blocked.at(p));

@@ -21,8 +21,8 @@ enum class Provenance { datasheet, thesis, calibrated, assumed };
 /// Range of plausible values for an uncertain number.
 struct Range {
   double low, high;
-  bool is_share;    ///< true: low and high are fractions of the entry's value; false: they have the
-                    ///< entry's unit
+  /// True: low and high are fractions of the entry's value. False: they have the entry's unit.
+  bool is_share;
   std::string why;  ///< justification of the bounds
 };
 

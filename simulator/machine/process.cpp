@@ -33,8 +33,7 @@ Process::Process(Processor& processor, std::string name, Priority priority, Proc
 Process::~Process() {
   cancelled_ = true;
   while (coroutine_ && !coroutine_->has_ended()) resume();
-  Process* const other = std::exchange(executing, this);  // because destructors may call
-                                                          // this_process()
+  Process* const other = std::exchange(executing, this);  // for destructors
   proc_ = {};
   executing = other;
 }

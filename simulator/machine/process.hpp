@@ -40,7 +40,8 @@ struct Wait {
   /// Called after a link of the processor has been cut. Ends the wait of `process` if it waits for
   /// this link and its operation may fail.
   virtual void on_cut(Process& process) { static_cast<void>(process); }
-  /// Called after blocked_since() of `process`, a date ahead of the clock, has moved.
+  /// Called after blocked_since() of `process` has changed, which happens only to dates ahead of
+  /// the clock.
   virtual void on_stretch(Process& process, const Stretch& stretch) {
     static_cast<void>(process), static_cast<void>(stretch);
   }

@@ -13,9 +13,9 @@ namespace machine {
 
 /// Cost model for a program's instructions.
 enum class Code : std::uint8_t {
-  bare,      ///< times from the data sheet only
-  compiled,  ///< times multiplied by model.software.occam_factor, except copies, divisions and
-             ///< durations
+  bare,  ///< times from the data sheet only
+  /// Times multiplied by model.software.occam_factor, except copies, divisions and durations.
+  compiled,
 };
 
 /// Memory of a processor: its size, and the bytes allocated by the program.
@@ -124,8 +124,7 @@ class Processor {
   std::string name_, role_;
   std::shared_ptr<Memory> memory_;
   std::vector<std::unique_ptr<Process>> processes_;
-  std::vector<std::unique_ptr<Process>> removed_;  // kept because a pending wake_at may refer to
-                                                   // them
+  std::vector<std::unique_ptr<Process>> removed_;  // a pending wake_at may refer to them
   std::size_t sweep_at_ = 16;                      // size of removed_ at which it is cleaned up
 };
 

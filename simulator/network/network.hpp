@@ -22,8 +22,7 @@ struct Params {
   /// Total capacity of a router's queues in messages, at least 1. In addition, each process of the
   /// router holds one message.
   std::size_t buffers = 64;
-  std::uint64_t longest = 512;  ///< maximum length of a message's contents in bytes; determines the
-                                ///< size of a buffer
+  std::uint64_t longest = 512;  ///< maximum length of a message's contents in bytes
   /// The processes served by each client, by processor and client (at most MAX_CLIENTS), as bit
   /// sets. Empty: each processor has one client for all processes.
   std::vector<std::vector<std::uint32_t>> processes;

@@ -82,15 +82,13 @@ struct Overflow : machine::Fault {
 /// Numbers of messages handled by a router.
 struct RouterUse {
   std::uint64_t taken = 0;      ///< from clients
-  std::uint64_t passed = 0;     ///< from one link to another ("EE" in table 5.1), counted on
-                                ///< arrival
+  std::uint64_t passed = 0;     ///< from link to link ("EE" in table 5.1), on arrival
   std::uint64_t delivered = 0;  ///< to clients, except returned messages
   std::uint64_t returned = 0;   ///< sent back to their sender as undeliverable
   std::uint64_t lost = 0;       ///< neither delivered nor returned
   std::size_t most_held = 0;    ///< maximum number in the queues
 
-  RouterUse& operator+=(const RouterUse& other);  ///< adds the counts; takes the maximum of
-                                                  ///< most_held
+  RouterUse& operator+=(const RouterUse& other);  ///< most_held: maximum
 };
 
 /// Cycles of a router's operations in compiled code, from the model's [operation].

@@ -125,8 +125,7 @@ Proc StoreAndForward::queue(Node& node, int way) {
   std::vector<Channel<Pointer>*> inputs;
   for (auto* input : node.queue_in[way])
     if (input) inputs.push_back(input);
-  boost::circular_buffer<Pointer> waiting(4);  // grows on demand; an empty deque would take 600
-                                               // bytes
+  boost::circular_buffer<Pointer> waiting(4);  // an empty deque would take 600 bytes
   std::size_t favourite = 0;
   bool is_free = true;
   Signal dummy;

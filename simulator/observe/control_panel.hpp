@@ -35,8 +35,8 @@ struct ControlPanel {
   /// is invalid.
   using TakeOrder = std::function<double(const std::any& record, machine::Seconds after)>;
 
-  std::vector<int> network;  ///< the network's processors, as ids in the machine; empty if the
-                             ///< numbers are the same
+  /// The network's processors, as ids in the machine. Empty if the numbers are the same.
+  std::vector<int> network;
   std::optional<Picture> picture;
   /// Computes the latest picture with the sequential renderer; rows start at the top. Stops with an
   /// empty result when `goes_on` returns false. Another thread may call it while the machine runs.
@@ -44,12 +44,10 @@ struct ControlPanel {
   std::vector<Gauge> gauges;
   std::vector<Inspect> inspections;      ///< each may return an empty list for a processor
   TakeOrder take_order;                  ///< only for a program with a user
-  std::function<void()> close_orders;    ///< ends manual commands; the user leaves after those of
-                                         ///< the file
+  std::function<void()> close_orders;    ///< ends manual commands, so that only the file's remain
   std::function<std::string()> phase;    ///< short description of the present activity
   std::function<bool()> waits_for_user;  ///< true: only a command of the user lets the run continue
-  std::function<bool()> is_complete;     ///< true: the work is done, only the end of the run is
-                                         ///< left
+  std::function<bool()> is_complete;     ///< true: only the end of the run is left
 };
 
 }  // namespace observe

@@ -24,8 +24,7 @@ struct TimelineStretch {
 
 struct Timeline {
   std::vector<TimelineRow> cpus;
-  std::vector<std::vector<TimelineStretch>> stretches;  ///< by CPU; only stretches of at least
-                                                        ///< three columns
+  std::vector<std::vector<TimelineStretch>> stretches;  ///< by CPU; at least three columns long
   std::vector<TimelineRow> links;  ///< by link number in the Trace; without columns if not shown
 };
 

@@ -29,8 +29,7 @@ struct LinkRow {
 /// Waiting times of a process, which is executing or ready during the rest of the time.
 struct ProcessRow {
   machine::ProcessId id = 0;
-  std::string name;                                     ///< such as "coordinator.coordination"; not
-                                                        ///< unique
+  std::string name;                                     ///< not unique
   double output_s = 0, input_s = 0, alternative_s = 0;  ///< time blocked in out, in and ALT
 };
 
@@ -48,8 +47,7 @@ struct KernelUse {
   double host_s = 0;  ///< total of all calls
   machine::Cycles counted{}, charged{};
   double longest_batch_s = 0;  ///< host time of the longest batch of calls
-  bool is_short = false;       ///< true if even this batch was too short for the resolution of the
-                               ///< host's clock
+  bool is_short = false;       ///< too short for the host's clock even in the longest batch
 };
 
 /// Use up to now. Throws base::InvariantBroken if a resource was busy for longer than the elapsed

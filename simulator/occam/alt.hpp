@@ -38,8 +38,7 @@ struct Guard {
   Kind kind = Kind::skip;
   bool condition = true;
   bool replicated = false;  ///< costs a replicator step for enabling and another for disabling
-  bool is_fair = false;     ///< also costs a division for enabling and another for disabling, see
-                            ///< fair_each
+  bool is_fair = false;     ///< also costs a division each time, see fair_each
   std::int64_t tick = 0;    ///< the guard is ready from this tick on, counted as in wait_until()
 };
 

@@ -103,8 +103,7 @@ class ChannelBase {
   struct End {
     Party waiting;  // the process that waits for its partner
     const Process* taken_by = nullptr;
-    const machine::Processor* place = nullptr;  // processor of the processes that use this end,
-                                                // once known
+    const machine::Processor* place = nullptr;  // of the processes at this end, once known
     machine::ProcessId user = 0;                // last process at this end, for deadlock reports
   };
 

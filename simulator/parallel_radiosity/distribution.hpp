@@ -20,8 +20,7 @@ struct Border {
 struct Share {
   std::vector<std::uint32_t> patches;   ///< in ascending order
   std::vector<std::uint32_t> vertices;  ///< corners of its patches, in ascending order
-  std::vector<Border> out, in;          ///< border vertices to send and to receive, by the other
-                                        ///< processor
+  std::vector<Border> out, in;          ///< border vertices sent and received
 };
 
 /// Assigns each patch to one processor and returns the processors' shares. The vertices of a share

@@ -8,10 +8,11 @@ namespace parallel_radiosity {
 
 struct ProgramParams {
   RoomParams room;
-  Params machine;                     ///< distribution and costs; `solve` is that of `room`
-  double amplify = 1;                 ///< factor for the difference image, 0 to 1e6
-  double peak_from = 0, peak_to = 1;  ///< horizontal range of the picture's central line in which
-                                      ///< its peak is searched, in fractions of the width, 0 to 1
+  Params machine;      ///< distribution and costs; `solve` is that of `room`
+  double amplify = 1;  ///< factor for the difference image, 0 to 1e6
+  /// Horizontal range of the picture's central line in which its peak is searched, in fractions of
+  /// the width.
+  double peak_from = 0, peak_to = 1;
 };
 
 /// The program "radiosity": progressive radiosity on a machine.

@@ -35,8 +35,8 @@ struct Params {
   /// computes it.
   bool exchange = true;
   network::Method method = network::Method::green;
-  int show_every = 0;  ///< number of shots between pictures sent to the display; 0 for the last one
-                       ///< only
+  /// Number of shots between pictures sent to the display; 0 for the last picture only.
+  int show_every = 0;
   /// Cache size of each processor's data manager in percent of the geometry's bytes, up to 100. 0:
   /// every processor holds all faces and their hierarchy.
   double cache_percent = 0;
@@ -56,31 +56,32 @@ struct Params {
 
 /// Fractions of the processors' time, which sum to 1.
 struct Loss {
-  double useful = 0;    ///< kernels, with each vertex counted once
-  double repeated = 0;  ///< vertices computed by two processors with adjacent patches; estimated by
-                        ///< number, assuming equal times
-  double unequal = 0;   ///< waiting for the busiest processor of each shot
-  double messages = 0;  ///< all other time: reduction, broadcast, borders, pictures, routers, and
-                        ///< data managers if geometry is distributed
+  double useful = 0;  ///< kernels, with each vertex counted once
+  /// Vertices computed by two processors with adjacent patches. Estimated by number, assuming equal
+  /// times.
+  double repeated = 0;
+  double unequal = 0;  ///< waiting for the busiest processor of each shot
+  /// All other time: reduction, broadcast, borders, pictures, routers, and data managers if
+  /// geometry is distributed.
+  double messages = 0;
 };
 
 struct Result {
-  double time_s = 0;   ///< until all processors have finished the last shot, including intermediate
-                       ///< pictures
+  /// Until all processors have finished the last shot, including intermediate pictures.
+  double time_s = 0;
   double total_s = 0;  ///< until the display has received the last frame
   int shots = 0;
   std::vector<Frame> frames;  ///< the last frame is the solution
   Loss loss;
   renderer::Work work;                      ///< total over all processors
-  std::uint64_t vertices_done_max = 0;      ///< maximum number of vertices computed by a processor
-                                            ///< in a shot
+  std::uint64_t vertices_done_max = 0;      ///< maximum per processor and shot
   machine::Cycles kernel_cycles{};          ///< charged to all processors
   std::vector<kernels::KernelUse> kernels;  ///< the kernels called on any processor
   observe::Use use;                         ///< during time_s
   shared_memory::DataUse data;              ///< only if cache_percent > 0
   network::RouterUse routers;
-  machine::End end = machine::End::done;  ///< if not `done`, results cover the run up to this end
-                                          ///< and may lack frames
+  /// If not `done`, results cover the run up to this end and may lack frames.
+  machine::End end = machine::End::done;
   std::uint64_t events = 0;
 };
 

@@ -14,12 +14,13 @@ struct RoomParams {
   radiosity::ReconstructionParams reconstruction;
   radiosity::PictureParams picture;
   radiosity::Display display;
-  base::Source reference;     ///< another room; "" for the scene
-  int reference_refine = 0;   ///< MeshParams::refine of the reference, 0 to 1000. 0: that of the
-                              ///< scene if `reference` is named; otherwise there is no reference
+  base::Source reference;  ///< another room; "" for the scene
+  /// MeshParams::refine of the reference, 0 to 1000. 0: that of the scene if `reference` is named;
+  /// otherwise there is no reference.
+  int reference_refine = 0;
   int reference_senders = 0;  ///< LightParams::senders of the reference
-  radiosity::ReconstructionParams shown_reference;  ///< for the reference; its twist is that of
-                                                    ///< `reconstruction`
+  /// Parameters of the reference; their twist is that of `reconstruction`.
+  radiosity::ReconstructionParams shown_reference;
 };
 
 /// The field "scene", followed by the parameters of its mesh and solution.

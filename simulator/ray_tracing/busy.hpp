@@ -18,8 +18,7 @@ constexpr double SATURATED = 0.8;
 /// Loads of processors and links, as fractions of time.
 struct Busy {
   double worker_mean = 0, worker_max = 0;
-  std::optional<double> coordinator, database, display;  ///< only if they have processors of their
-                                                         ///< own
+  std::optional<double> coordinator, database, display;  ///< if they have their own CPU
   std::optional<double> router_mean;                     ///< only if companions route
   std::string cpu_busiest;
   double cpu_max = 0, cpu_high = 0;  ///< the busiest CPU: all processes, and those of high priority

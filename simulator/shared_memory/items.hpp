@@ -25,8 +25,7 @@ class Catalogue {
   std::uint64_t largest() const;  ///< size of the largest item in bytes
 
  private:
-  std::vector<std::size_t> first_;  // place of the first item of each class, then the number of
-                                    // items
+  std::vector<std::size_t> first_;  // place of each class's first item, then the total
   std::vector<std::uint64_t> bytes_;
 };
 

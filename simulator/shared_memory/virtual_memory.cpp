@@ -138,8 +138,7 @@ struct Pages {
 
   const Catalogue& catalogue;
   std::size_t items_of_page, count;  // items per page; number of pages
-  std::uint64_t bytes;               // size of a page: items_of_page times the size of the largest
-                                     // item
+  std::uint64_t bytes;               // items_of_page times the size of the largest item
   std::size_t processors;
 };
 

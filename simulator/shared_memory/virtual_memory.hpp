@@ -15,8 +15,7 @@ enum class Scheme : std::uint8_t { items, pages };
 
 struct DataParams {
   Scheme scheme = Scheme::items;
-  std::uint64_t cache_bytes = 0;  ///< each processor's cache; with pages, in addition to the
-                                  ///< resident block
+  std::uint64_t cache_bytes = 0;  ///< each processor's cache, without resident pages
   // Items only:
   int coordinator = 0;
   std::uint64_t server_cache_bytes = 0;  ///< cache of the coordinator

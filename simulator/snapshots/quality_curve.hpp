@@ -9,8 +9,7 @@ namespace snapshots {
 /// Quality over time, where quality is the structural similarity to the final picture.
 struct Figures {
   std::optional<double> area;                       ///< mean quality over the run
-  std::optional<double> to_50_s, to_90_s, to_99_s;  ///< time in seconds until quality reaches 50,
-                                                    ///< 90, 99 % of its final value
+  std::optional<double> to_50_s, to_90_s, to_99_s;  ///< seconds to 50, 90, 99 % quality
 };
 base::Columns<Figures> figure_columns();
 

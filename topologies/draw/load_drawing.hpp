@@ -13,17 +13,14 @@ namespace topologies {
 struct Loads {
   std::string title;
   std::vector<double> processors;            ///< by processor
-  std::vector<std::array<double, 2>> links;  ///< by index into Topology::links: from a to b, from b
-                                             ///< to a
-  std::vector<std::string> labels = {};      ///< by processor; if empty, the topology's names are
-                                             ///< shown
+  std::vector<std::array<double, 2>> links;  ///< by link: from a to b, from b to a
+  std::vector<std::string> labels = {};      ///< by processor; default: the topology's
 
   /// A processor outside the topology, linked to the root or to an earlier extra processor.
   struct Extra {
     std::string name;
     double load = 0;
-    std::string to = {};                  ///< the name of an earlier extra processor, or "" for the
-                                          ///< root
+    std::string to = {};                  ///< name of an earlier extra; "": the root
     std::array<double, 2> link = {0, 0};  ///< load towards `to`, and load from `to`
   };
   std::vector<Extra> extras = {};  ///< names must be distinct

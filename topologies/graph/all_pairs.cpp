@@ -48,8 +48,7 @@ class Gathering {
       const int p = order[i], here = distance[p];
       const auto& peers = peers_[p];
       int back = 0;
-      for (int port = PORTS - 1; port >= 0; --port) {  // without branches, since they would be
-                                                       // unpredictable
+      for (int port = PORTS - 1; port >= 0; --port) {  // branches would be unpredictable
         const Short peer = peers[port], there = distance[peer];
         back = there < here ? port : back;
         order[found] = peer;
@@ -178,11 +177,9 @@ AllPairs eval_mesh(const Topology& topology, const Grid& grid) {
   for (const auto& [a, b] : topology.links) {
     const std::int64_t row = a.processor / columns, column = a.processor % columns;
     const std::int64_t above = row + 1, below = rows - above, left = column + 1;
-    if (a.port == 3)  // north-south link: between all processors above and those of the same column
-                      // below, in both directions
+    if (a.port == 3)  // north-south link: from all above to the column below, and back
       all.load.push_back({above * below * columns, below * above * columns});
-    else  // east-west link: along the destination's row, or along the source's row before going
-          // south
+    else  // east-west link: along the row of source or destination
       all.load.push_back({(below + below + 1) * left * (columns - left),
                           (below + below + 1) * left * (columns - left)});
   }

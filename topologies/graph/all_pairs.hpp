@@ -27,8 +27,7 @@ Load make_load(const Topology& topology, const Sent& sent);
 
 struct AllPairs {
   Distances distances;
-  Load load;  ///< by index into `links`, for one message per ordered pair on the routes of
-              ///< make_routes
+  Load load;  ///< by index into `links`, on the routes of make_routes
 };
 
 /// Measures a topology that passes `check`. Trees and grids take O(processors) time. Other

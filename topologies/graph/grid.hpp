@@ -13,8 +13,7 @@ struct Axis {
   int size = 1;
   bool closed = false;
 
-  int distance(int a, int b) const;       ///< steps between places `a` and `b`, each from 0 to size
-                                          ///< - 1
+  int distance(int a, int b) const;       ///< steps between two places
   int diameter() const;                   ///< the largest distance between two places
   std::int64_t sum_of_distances() const;  ///< sum of distances over all ordered pairs of places
 };
@@ -36,8 +35,7 @@ std::optional<Grid> find_grid(const Topology& topology);
 /// Orbits of processors under translation. Seen from any two processors of one orbit, links and
 /// ports are the same. The first `rows` x `columns` processors of the grid represent all orbits.
 struct Orbits {
-  int rows = 1, columns = 1;          ///< size of the corner that contains one processor of each
-                                      ///< orbit
+  int rows = 1, columns = 1;          ///< corner with one processor per orbit
   int all_rows = 1, all_columns = 1;  ///< size of the grid
 
   int count() const { return rows * columns; }

@@ -23,14 +23,12 @@ struct Metrics {
   int degree_min = 0, degree_max = 0;  ///< number of links at a processor
   int diameter = 0;                    ///< in links
   double mean_distance = 0;            ///< in links, over ordered pairs of distinct processors
-  std::optional<int> bisection_width;  ///< minimum number of links between two halves, whose sizes
-                                       ///< differ by at most one
+  std::optional<int> bisection_width;  ///< minimum number of links between two halves
   /// Link load of a task farm: every processor sends one message to the root and receives a reply
   /// along the spanning tree. In each direction, a link carries one message per processor in its
   /// subtree.
   BusiestLink farm;
-  BusiestLink all_to_all;  ///< link load of one message per ordered pair of processors, on the
-                           ///< routes of make_routes
+  BusiestLink all_to_all;  ///< one message per ordered pair of processors
 };
 
 /// Measures a topology that passes `check`, in O(processors) memory and the time of eval_all_pairs.

@@ -13,8 +13,7 @@ namespace topologies {
 
 constexpr int PORTS = 4;                          ///< number of links of a transputer
 constexpr int MAX_PROCESSORS = 65536;             ///< maximum size of a machine
-constexpr std::size_t MAX_FILE_BYTES = 16 << 20;  ///< maximum size of a file with a topology or
-                                                  ///< with routes
+constexpr std::size_t MAX_FILE_BYTES = 16 << 20;  ///< of a file with a topology or routes
 
 struct End {
   int processor;
@@ -31,8 +30,7 @@ struct Link {
 struct Shape {
   enum class Form { unknown, line, ring, grid, hypercube, around_root };
   Form form = Form::unknown;
-  int rows = 0, columns = 0;  ///< size of a grid whose processors are numbered row by row; 0 for
-                              ///< other forms
+  int rows = 0, columns = 0;  ///< size of a grid, numbered row by row; else 0
 };
 
 struct Topology {
@@ -41,14 +39,12 @@ struct Topology {
   int root = 0;                        ///< the processor nearest to the host
   std::vector<Link> links;             ///< sorted by (a.processor, b.processor, a.port)
   std::optional<int> bisection_width;  ///< in links; from the generator's closed form, if known
-  std::vector<std::string> labels;     ///< names by processor; empty if processors only have
-                                       ///< numbers
+  std::vector<std::string> labels;     ///< names by processor; may be empty
   /// Number of C004 link switches on a link, keyed by its two processors, lower first. Links
   /// without an entry have no switch.
   std::map<std::pair<int, int>, int> switches = {};
   Shape shape = {};         ///< unknown for a topology from a file
-  bool has_arrows = false;  ///< the file holds a directed graph; links are nevertheless
-                            ///< bidirectional
+  bool has_arrows = false;  ///< the file holds a directed graph
 };
 
 /// True if a topology, known to be connected, has no cycles.

@@ -114,8 +114,7 @@ void shorten(Peers& peers) {
   const auto n = static_cast<std::int64_t>(peers.size());
   const auto eval = n <= 64 ? eval_distances<1> : eval_distances<4>;
   std::mt19937_64 random(peers.size());
-  constexpr int CHORDS = 2;  // first port of a chord; ports below it form the ring, which keeps the
-                             // network connected
+  constexpr int CHORDS = 2;  // first port of a chord; lower ports form the ring
   for (std::int64_t i = 0; i < 8 * n; ++i) try_exchange(peers, random, CHORDS);
   std::int64_t steps = steps_for(n);
   if (steps == 0) return;

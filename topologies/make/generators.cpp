@@ -230,8 +230,7 @@ namespace {
 Topology make_generated(std::string_view spec) {
   const auto colon = std::min(spec.find(':'), spec.size());
   const auto& generator = find_generator(spec, spec.substr(0, colon));
-  const auto form = generator.form.substr(generator.form.find(':') + 1);  // such as "RxC" or
-                                                                          // "N[:ARITY]"
+  const auto form = generator.form.substr(generator.form.find(':') + 1);  // "N[:ARITY]"
   const char separator = form.find('x') == form.npos ? ':' : 'x';
   const auto most = 1 + std::ranges::count(form, separator);
   const auto fewest = most - std::ranges::count(form, '[');

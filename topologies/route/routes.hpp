@@ -48,8 +48,7 @@ struct SpanningTree {
   int root = 0;
   std::vector<int> parent;                 ///< -1 at the root
   std::vector<std::vector<int>> children;  ///< by ascending port of the parent
-  std::vector<int> depth;                  ///< in links from the root, which is the shortest
-                                           ///< distance
+  std::vector<int> depth;                  ///< shortest distance from the root
 };
 
 /// Searches breadth first, with neighbours by ascending port. The topology must pass `check`.

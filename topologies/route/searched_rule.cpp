@@ -10,8 +10,7 @@ namespace topologies {
 // State of simultaneous searches from the destinations of a group. Each step extends all searches
 // by one link.
 struct SearchedRule::Work {
-  std::vector<Word> met;          // by processor: bit set of the destinations whose search has
-                                  // arrived
+  std::vector<Word> met;          // by processor: destinations that have arrived
   std::vector<Word> news;         // by processor: destinations whose search arrives in this step
   std::vector<int> seen;          // by processor: the last step in which it was examined
   std::vector<int> active, next;  // processors reached in the previous step, and in this step

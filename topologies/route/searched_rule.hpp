@@ -25,8 +25,7 @@ class SearchedRule : public Rule {
   static constexpr int GROUP = 64;  // destinations per search, one bit of a word each
   using Word = std::uint64_t;
   struct Routes {
-    std::vector<std::array<Word, 2>> port;  // by processor: low and high bits of its port to each
-                                            // destination of the group
+    std::vector<std::array<Word, 2>> port;  // by processor: low and high bits of ports
     RouteSum sum;
   };
   struct Work;
@@ -34,8 +33,7 @@ class SearchedRule : public Rule {
   Routes find_routes(int group) const;
   static void add_step(const Peers& peers, Work& work, Routes& routes);
   int groups() const { return (processors() + GROUP - 1) / GROUP; }
-  Word ends_reached(int from, int group) const;  // reachable destinations of a group other than
-                                                 // `from`
+  Word ends_reached(int from, int group) const;  // apart from `from`
 
   std::vector<int> piece_;                                    // connected component, by processor
   bool is_whole_ = false;                                     // true if the topology is connected

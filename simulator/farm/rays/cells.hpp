@@ -16,9 +16,9 @@ enum class CellOrder : std::uint8_t {
   random,      ///< shuffled, depending on a seed
   sequential,  ///< from top to bottom, each row from left to right
   recursive,   ///< recursive quadrants: upper left, upper right, lower left, lower right
-  adaptive     ///< random; a cell exists only after its parent has been sampled. If the parent's
-               ///< object differs from a neighbour's, the cell precedes cells up to four times as
-               ///< large
+  /// Random order; a cell exists only after its parent has been sampled. If the parent's object
+  /// differs from a neighbour's, the cell precedes cells up to four times as large.
+  adaptive
 };
 
 /// Tiling of the image by squares of `max_cell` pixels (a power of two) from pixel (x, y) on. Each

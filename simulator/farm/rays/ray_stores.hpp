@@ -22,12 +22,11 @@ struct Weights {
 /// The user's parameters of increasing realism. A ray within all limits is "in interactive mode"
 /// (RMI). Any other ray waits for the non-interactive phase (RMNI).
 struct Limits {
-  double min_influence = 0.0;    ///< minimum influence factor
-  int depth_reflected = 1000;    ///< maximum level of rays that follow only reflections
-  int depth_transmitted = 1000;  ///< maximum level of transmitted rays and their descendants
-  int min_cell = 1;              ///< minimum size of image cells in pixels
-  renderer::Area area;           ///< area of interest in pixels, which a ray's cell must overlap; 0
-                                 ///< x 0 for all
+  double min_influence = 0.0;      ///< minimum influence factor
+  int depth_reflected = 1000;      ///< maximum level of rays that follow only reflections
+  int depth_transmitted = 1000;    ///< maximum level of transmitted rays and their descendants
+  int min_cell = 1;                ///< minimum size of image cells in pixels
+  renderer::Area area;             ///< pixels that a ray's cell must overlap; 0 x 0 for all
   std::optional<Weights> weights;  ///< if absent, those of the farm
   bool operator==(const Limits&) const = default;
 };

@@ -9,8 +9,8 @@ namespace machine {
 class Coroutine {
  public:
   using Body = std::function<void()>;
-  static constexpr std::size_t STACK_BYTES = 128 * 1024;  ///< address space; pages get memory on
-                                                          ///< first use
+  /// Address space of a stack. Pages get memory on first use.
+  static constexpr std::size_t STACK_BYTES = 128 * 1024;
 
   virtual ~Coroutine() = default;
   /// Runs the body until it suspends or returns. The body must not throw.

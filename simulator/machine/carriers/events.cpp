@@ -13,9 +13,9 @@ namespace machine {
 
 namespace {
 
-constexpr int PLACE_BITS = 24;   // limits the heap to 2^24 pending events
-constexpr std::size_t FEW = 64;  // number of pending events up to which a machine fits into the
-                                 // host's caches
+constexpr int PLACE_BITS = 24;  // limits the heap to 2^24 pending events
+// Number of pending events up to which a machine fits into the host's caches.
+constexpr std::size_t FEW = 64;
 
 __extension__ using Key = unsigned __int128;
 

@@ -96,8 +96,9 @@ class Events {
   std::uint64_t asked() const { return asked_ + soon_.size(); }
 
  private:
-  struct Heap;  // defined in the source file, because Boost.Heap compiles slowly and many files
-                // include this header
+  // Defined in the source file, because Boost.Heap compiles slowly and many files include this
+  // header.
+  struct Heap;
   // Returns the address where the callback is constructed. Copying an object just written would
   // stall the host's processor.
   Callback* ask(double date, std::uint64_t order);

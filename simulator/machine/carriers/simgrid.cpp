@@ -389,8 +389,7 @@ void OnSimGrid::start_later(std::size_t number) {
 
 void OnSimGrid::end(std::size_t number) {
   Direction& direction = directions_[number];
-  last_ended_ = std::move(direction.comm);  // kept because SimGrid still uses it after this
-                                            // callback
+  last_ended_ = std::move(direction.comm);  // SimGrid still uses it
   if (events_.stopped() || direction.cut) return;
   const double clock = s4u::Engine::get_clock();
   check_end(direction, clock, forecast_.end_of(number));

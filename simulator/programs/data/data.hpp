@@ -27,8 +27,7 @@ struct DataPass {
   double time_s = 0;           ///< from the start of the first processor to the end of the last
   double mean_s = 0;           ///< mean duration of the pass over the processors
   shared_memory::DataUse use;  ///< total over the processors with accesses
-  std::optional<std::uint64_t> server_seen;  ///< number of requests received by the coordinator;
-                                             ///< only with `together`
+  std::optional<std::uint64_t> server_seen;  ///< requests to the coordinator, with `together`
 };
 
 /// Runs the test. Throws Unfinished and the exceptions of the simulation.

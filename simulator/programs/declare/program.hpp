@@ -29,9 +29,8 @@ struct Setup {
   topologies::RoutingTable routes = {};    ///< empty unless Uses::routes
   std::optional<topologies::TreeLinks> tree = {};  ///< broadcast tree; without it, one per sender
   std::vector<PlannedFault> faults = {};           ///< empty unless Uses::faults
-  std::optional<double> cycles_per_host_s = {};  ///< for timed costs: cycles charged per second of
-                                                 ///< host time
-  bool profile = false;                          ///< true: measure the host time of kernels
+  std::optional<double> cycles_per_host_s = {};    ///< cycles charged per second of host time
+  bool profile = false;                            ///< true: measure the host time of kernels
   machine::EngineParams engine = {};
   OtherModels others = {};  ///< empty unless Uses::others
 
@@ -40,16 +39,14 @@ struct Setup {
 
 /// A computed picture. Equal runs save equal bytes.
 struct Image {
-  std::string name;            ///< such as "picture"; unique within the run; letters, digits and
-                               ///< "-"
+  std::string name;            ///< such as "picture": unique letters, digits and "-"
   std::optional<double> at_s;  ///< completion time of an intermediate picture
   std::function<void(const std::string& path)> save;  ///< writes the format of `extension`
-  std::function<void(const std::string& path)> save_exr = nullptr;  ///< writes the full range as
-                                                                    ///< OpenEXR
-  bool is_named = false;           ///< true: the file name contains the sweep's point only if
-                                   ///< another image has the same name
-  const char* extension = ".png";  ///< extension of the file that `save` writes; ".webp" for an
-                                   ///< animation
+  /// Writes the full range as OpenEXR.
+  std::function<void(const std::string& path)> save_exr = nullptr;
+  /// True: the file name contains the sweep's point only if another image has the same name.
+  bool is_named = false;
+  const char* extension = ".png";  ///< of the file that `save` writes
 };
 
 /// Load of a resource and its cause.
@@ -129,15 +126,13 @@ struct Program {
   std::function<Row(const std::any&)> describe = {};
   /// Points with equal keys must produce equal images. If not set, images are not compared.
   std::function<std::string(const std::any&)> picture_key = {};
-  bool shows_picture = false;  ///< the picture is visible during the run, see
-                               ///< observe::ControlPanel::picture
+  bool shows_picture = false;  ///< the picture is visible during the run
   /// Returns the parameter whose value makes `key` irrelevant, so that `key` cannot be an axis, or
   /// "".
   std::function<std::string(const std::any&, const std::string& key)> voids = {};
-  std::string processors = "processors";  ///< name of the column with the number of working
-                                          ///< processors
-  int services = 0;              ///< number of service processors in the network, which this column
-                                 ///< excludes
+  /// Name of the column with the number of working processors.
+  std::string processors = "processors";
+  int services = 0;              ///< number of service processors, not counted in this column
   bool shows_parameters = true;  ///< true: each parameter is a column of the results
   /// Columns that always come first, even if they are not axes of the sweep.
   std::vector<std::string> leading = {};

@@ -7,8 +7,7 @@
 namespace programs {
 
 struct Arrival {
-  std::int64_t at_us;  ///< when the source offers it, in whole microseconds; ascending for each
-                       ///< source
+  std::int64_t at_us;  ///< date of the offer in whole microseconds, ascending for each source
   int from, to;
 };
 
