@@ -74,7 +74,7 @@ std::vector<CsvCell> CsvReader::take() {
     const bool is_last = ends_line();
     if (at_ < text_.size()) ++at_;
     if (is_last) break;
-    if (at_ == text_.size()) cells.emplace_back();  // after a comma
+    if (at_ == text_.size()) cells.emplace_back();  // comma at the end
   }
   ++line_;
   return cells;

@@ -43,7 +43,7 @@ bool has_assignment(const std::string& text) {
 
 struct Formula::Parser {
   mu::Parser parser;
-  std::vector<double> values;  // muParser holds pointers to these
+  std::vector<double> values;  // referred to by muParser
 };
 
 Formula::Formula(const std::string& text, std::string place)

@@ -10,7 +10,7 @@ struct HostProgram {
   std::vector<std::string> arguments;  ///< passed literally, without a shell
   std::string input = {};              ///< text for its standard input
   std::string purpose;                 ///< first words of error messages: "topology ring:4"
-  std::string remedy;                  ///< if not installed: "install graphviz"
+  std::string remedy;                  ///< such as "install graphviz"
   /// True: the program writes to tlab's standard output, and run_program returns "".
   bool shows_output = false;
 };

@@ -18,7 +18,7 @@ std::size_t measure_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const bool is_control = byte(0) < 0x20 || byte(0) == 0x7f;
   const auto length = measure_utf8(text);
-  const bool is_later_control = length == 2 && byte(0) == 0xc2 && byte(1) < 0xa0;  // C1
+  const bool is_later_control = length == 2 && byte(0) == 0xc2 && byte(1) < 0xa0;  // C1 controls
   return is_control || is_later_control ? 0 : length;
 }
 

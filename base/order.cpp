@@ -8,8 +8,8 @@ Order sort_by_needs(const std::vector<std::vector<std::size_t>>& needs) {
   enum class State { untouched, open, sorted };
   Order order;
   std::vector<State> states(needs.size(), State::untouched);
-  std::vector<std::size_t> next(needs.size(), 0);  // next position in needs[index]
-  std::vector<std::size_t> way;                    // depth-first stack
+  std::vector<std::size_t> next(needs.size(), 0);  // per index: next need to visit
+  std::vector<std::size_t> way;                    // the depth-first stack
   for (std::size_t first = 0; first < needs.size(); ++first) {
     if (states[first] == State::untouched) way.push_back(first);
     while (!way.empty()) {

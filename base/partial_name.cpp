@@ -14,7 +14,7 @@ namespace base {
 
 namespace {
 
-// "KIND-HOST-"
+// Returns "KIND-HOST-", with "-" in the host's name doubled.
 std::string make_mark(std::string_view kind, std::string_view host) {
   std::string mark(kind);
   mark += '-';

@@ -11,7 +11,6 @@
 
 namespace base {
 
-/// This host's name.
 std::string host_name();
 
 /// The name made by a process of a host: ".NAME.KIND-HOST-PID".

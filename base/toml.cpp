@@ -103,7 +103,7 @@ toml::table parse_toml(std::string_view text, std::string_view origin) {
 }
 
 std::string to_toml(const toml::node& node) {
-  // toml++ would write 17 digits: 0.10000000000000001.
+  // toml++ would write all 17 digits, as in 0.10000000000000001.
   if (const auto number = node.value_exact<double>(); number && std::isfinite(*number)) {
     const auto text = fmt::format("{}", *number);
     return text.find_first_of(".e") == text.npos ? text + ".0" : text;

@@ -155,7 +155,7 @@ void check_can_save(const fs::path& path) {
 }
 
 std::string read_text(const fs::path& path, std::size_t most) {
-  const int earlier = std::exchange(errno, 0);  // restored at the end
+  const int earlier = std::exchange(errno, 0);  // errno is restored at the end
   std::ifstream in(path, std::ios::binary);
   std::string text, part(1 << 16, '\0');
   while (in && text.size() <= most) {

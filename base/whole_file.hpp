@@ -15,7 +15,8 @@ namespace base {
 /// (/dev/stdout, a pipe). Throws std::system_error "path: cannot be written: ...".
 void save_whole(const std::filesystem::path& path, std::string_view bytes);
 
-/// Saves the output of `write` in the same way. Exceptions of `write` pass through.
+/// Saves the output of `write` as the other overload saves bytes. Exceptions of `write` pass
+/// through.
 void save_whole(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
 /// Writes a new file as save_whole does. Returns false and writes nothing if the file exists, even

@@ -19,7 +19,7 @@ void interaction(ray_tracing::Orders<Limits>& orders, const Progress& progress,
   }
 }
 
-// The process of figure 4.16.
+// The process "ray database" of figure 4.16.
 void RayDatabase::run(Channel<DatabaseRequest>& from_coord, Channel<DatabaseReply>& into_coord) {
   machine::Memory& memory = this_process().processor().memory();
   DatabaseRequest request;
@@ -56,7 +56,7 @@ void RayDatabase::run(Channel<DatabaseRequest>& from_coord, Channel<DatabaseRepl
   }
 }
 
-// The process of figure 4.17.
+// The process "visualisation" of figure 4.17.
 void Visualisation::run(Channel<Answer>& inp) {
   Answer answer;
   for (bool active = true; turn(active);) {

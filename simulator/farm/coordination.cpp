@@ -240,7 +240,7 @@ class Coordinator {
     if (ray.level == 1 && ray.pass == 0)
       for (const auto& [x, y] : ledger_->ask_corners(ray.sample)) {
         auto probe = make_probe(setup_.scene.view, setup_.params, x, y);
-        probe.pass = 1;             // after all first samples
+        probe.pass = 1;             // rays of pass 1 come after all first samples
         probe.sample = ray.sample;  // determines the probe's cell and limits
         probe.order = ray.order;
         deposit(probe);
@@ -333,16 +333,15 @@ class Coordinator {
   Mode mode_ = Mode::null;
   bool rays_db_is_empty_ = false, sender_is_ready_ = false, quitting_ = false;
   std::size_t rays_in_farm_ = 0, stage_ = 0;
-  // Results of shading a ray.
   struct Shaded {
     renderer::Children rays;
     renderer::Rgb contribution;
   };
   Shaded shaded_, scratch_;
-  std::optional<Ledger> ledger_;  // only with adaptive sampling
+  std::optional<Ledger> ledger_;  // set for adaptive sampling
   Progress& progress_;
   Limits limits_;                                          // present limits
-  std::unordered_map<std::uint32_t, std::uint32_t> seen_;  // object hit, by sample
+  std::unordered_map<std::uint32_t, std::uint32_t> seen_;  // object hit, by sample number
 };
 
 }  // namespace

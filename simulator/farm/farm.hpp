@@ -59,8 +59,8 @@ struct Result : ray_tracing::Rendering {
   double drain_s = 0;               ///< part of time_s after the last task was sent to a worker
   topologies::Topology topology;    ///< the workers' topology as wired
   double mean_depth = 0;            ///< mean distance of workers from the coordinator, in links
-  machine::Cycles kernel_cycles{};  ///< charged for the workers' tasks
-  double kernel_host_s = 0;         ///< only with Params::profile
+  machine::Cycles kernel_cycles{};  ///< cycles charged for the workers' tasks
+  double kernel_host_s = 0;         ///< measured only with Params::profile
 };
 
 /// Throws base::BadInput that names the field, the value found and the values expected.

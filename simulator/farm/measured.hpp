@@ -25,7 +25,7 @@ struct Measured {
   ray_tracing::DataFigures data;
   ray_tracing::Busy busy;
   snapshots::Figures growth = {};
-  std::vector<Load> loads;  ///< possible bottlenecks, busiest first
+  std::vector<Load> loads;
 };
 
 base::Columns<Measured> make_columns();

@@ -66,7 +66,7 @@ struct KeepImage {   ///< to visualisation only: saves the present picture
   std::string name;  ///< file name; counts as one word of the message
 };
 
-/// Workers -> coordination -> visualisation.
+/// Message from workers to coordination, and from there to visualisation.
 struct Answer {
   std::variant<Stop, SceneReceived, SceneData, KeepImage, FinishedPixel, Intersection,
                RenderedBlock>
@@ -89,7 +89,7 @@ struct SetLimits {
   std::uint8_t order = 0;
 };
 
-/// Coordination -> ray database.
+/// Request from coordination to the ray database.
 struct DatabaseRequest {
   std::variant<Stop, AskInteractive, AskAny, renderer::Ray, SetLimits> content;
   std::uint32_t size = 0;

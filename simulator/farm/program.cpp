@@ -122,7 +122,7 @@ base::Fields<ProgramParams> make_fields() {
        base::lift_all<P>(cell_fields(), &P::farm, "farm."),
        base::lift_all<P>(farm_fields(), &P::farm, "farm."),
        base::lift_all<P>(ray_tracing::snapshot_fields(), snapshot_times, "farm."),
-       // At the end, so that "order" without a section refers to the program's own field.
+       // Placed at the end, so that "order" without a section refers to the program's own field.
        base::lift_all<P>(base::Fields<Params>{ray_tracing::pixel_order_field(&Params::pixels)},
                          &P::farm, "image."),
        base::lift_optional<P>(ray_tracing::data_fields(), &P::data)});

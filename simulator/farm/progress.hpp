@@ -28,7 +28,7 @@ struct Progress {
   std::size_t orders = 0;  ///< number of orders received from the user
   /// For each order: its date, and the date of the first pixel changed by a ray that it admitted.
   std::vector<std::pair<machine::Seconds, std::optional<machine::Seconds>>> orders_shown;
-  bool is_aborted = false;         ///< by the user
+  bool is_aborted = false;         ///< true if the user aborted the run
   std::vector<std::string> notes;  ///< orders without effect, with reasons
   observe::Use before, after;      ///< use of the machine up to `begun` and up to `ended`
 
@@ -39,13 +39,13 @@ struct Progress {
   // task, end_interactive() after the interactive phase, end() when the image is complete.
   void begin();
   void note_task(std::size_t in_farm);
-  /// Counts an order. Returns true if it shall be executed: false after the end, or if
-  /// `why_without_effect` is not empty.
+  /// Counts an order. Returns true if the order shall be executed. Returns false after the end of
+  /// the run, or if `why_without_effect` is not empty.
   bool note_order(const std::string& why_without_effect = {});
   /// Records that a ray admitted by `order` changed the picture.
   void note_changed(std::uint8_t order);
   void end_interactive();
-  void begin_interactive();  ///< the user returned to the interactive phase
+  void begin_interactive();  ///< called when the user returns to the interactive phase
   void end();
   /// Ends the record of a run that was cut short: missing dates become the present date.
   void cut();

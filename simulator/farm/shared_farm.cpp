@@ -251,7 +251,7 @@ class SharedFarm {
   std::optional<shared_memory::VirtualMemory> memory_;
   const std::uint32_t pixel_bytes_;
   kernels::KernelCost display_cost_, block_cost_;
-  machine::Cycles charged_{};  // total for all blocks
+  machine::Cycles charged_{};  // cycles charged for all blocks
   FrameBuffer picture_, scratch_;
   snapshots::Recorder recorder_;
   renderer::BlockBuffer block_scratch_;

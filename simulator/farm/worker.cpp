@@ -8,7 +8,7 @@ namespace farm {
 
 using namespace occam;
 
-// The process of figure 4.13.
+// The process "sender" of figure 4.13.
 void sender(Channel<Signal>& sender_to_main, Channel<Task>& from_main, Channel<Task>& destination) {
   Task message;
   for (bool active = true; turn(active); active = !message.stop()) {
@@ -18,7 +18,7 @@ void sender(Channel<Signal>& sender_to_main, Channel<Task>& from_main, Channel<T
   }
 }
 
-// The process of figure 4.14.
+// The process "data router" of figure 4.14.
 void data_router(Channel<Task>& from_left, std::span<Channel<Signal>* const> from_sender,
                  std::span<Channel<Task>* const> into_sender) {
   const std::size_t n_ways_out = from_sender.size();
@@ -39,7 +39,7 @@ void data_router(Channel<Task>& from_left, std::span<Channel<Signal>* const> fro
   }
 }
 
-// The process of figure 4.12.
+// The process "results router" of figure 4.12.
 void results_router(std::span<Channel<Answer>* const> inputs, Channel<Answer>& output) {
   const std::size_t n_ways_in = inputs.size();
   std::size_t favourite = 0, active = n_ways_in;

@@ -13,12 +13,12 @@ enum class BalanceMethod : std::uint8_t {
   neighbours,   ///< passive: a worker without tasks asks one neighbour after another
   coordinator,  ///< passive: such a worker asks all processors towards the coordinator
   active,       ///< a worker with new tasks gives some to the neighbour with the lowest known load
-  mixed,        ///< combines active and neighbours
-  green,        ///< combination of the methods `active` and `neighbours`
+  mixed,        ///< combination of `active` and `neighbours`
+  green,        ///< tasks are passed down a tree from the coordinator, on demand (Green, 1991)
   ring          ///< requests circulate in a ring of all workers (Badouel, 1990)
 };
 
-/// Processor numbers of the other task managers, as needed by one of them.
+/// Processor numbers that a task manager needs for load balancing.
 struct Peers {
   int self = 0, coordinator = 0;
   std::vector<int> neighbours;  ///< workers at the minimum distance

@@ -282,7 +282,7 @@ class Run {
   std::optional<shared_memory::SceneItems> items_;
   Shared shared_;
   std::optional<network::Network> network_;
-  std::optional<shared_memory::VirtualMemory> memory_;  // if the scene is distributed
+  std::optional<shared_memory::VirtualMemory> memory_;  // set if the scene is distributed
   std::vector<std::unique_ptr<shared_memory::DataManager>> whole_;
   std::optional<Coordinator> coordinator_;
   std::optional<Display> display_;

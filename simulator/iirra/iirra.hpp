@@ -54,7 +54,7 @@ struct Params {
   std::optional<std::uint64_t> memory;            ///< bytes per processor; default: the model's
   std::vector<programs::PlannedFault> faults;
   programs::OtherModels others;             ///< by processor number
-  std::optional<double> cycles_per_host_s;  ///< as in farm::Params
+  std::optional<double> cycles_per_host_s;  ///< see farm::Params
   machine::EngineParams engine = {};
   observe::RunMonitor* monitor = nullptr;
 };

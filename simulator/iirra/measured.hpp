@@ -8,9 +8,9 @@ namespace iirra {
 /// these rays they sum to 1.
 struct Losses {
   double idle = 0;      ///< without a task, or waiting for the display
-  double data = 0;      ///< waiting for scene data
+  double data = 0;      ///< time waiting for scene data
   double repeated = 0;  ///< rays of samples outside the image, or traced by several workers
-  double routing = 0;   ///< high-priority processes
+  double routing = 0;   ///< time of high-priority processes
   double managing = 0;  ///< tasks, pictures, messages and data look-ups
   std::string largest;  ///< name of the largest fraction
 };
@@ -25,7 +25,7 @@ struct Measured {
   ray_tracing::Busy busy;
   Losses losses;
   snapshots::Figures growth = {};
-  ray_tracing::Loads loads;  ///< possible bottlenecks, busiest first
+  ray_tracing::Loads loads;
 };
 
 /// Possible bottlenecks: the resources of ray_tracing::find_loads, the process "coordination" while

@@ -9,7 +9,7 @@
 namespace iirra {
 
 /// Process numbers in addresses.
-constexpr int TASK_PROCESS = shared_memory::FIRST_FREE_PROCESS;  ///< of workers and coordinator
+constexpr int TASK_PROCESS = shared_memory::FIRST_FREE_PROCESS;  ///< task managers
 constexpr int DISPLAY_PROCESS = TASK_PROCESS + 1;
 
 // --- tasks ------------------------------------------------------------------------------------

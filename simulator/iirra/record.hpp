@@ -15,7 +15,8 @@ struct Counts {
   std::uint64_t moves = 0;     ///< messages with tasks, except the initial distribution
   std::uint64_t tasks_moved = 0, bytes_moved = 0;
   std::uint64_t reports = 0;  ///< messages from workers without tasks to the coordinator
-  std::uint64_t polls = 0, pictures = 0, blocks = 0, picture_bytes = 0;  ///< of the display
+  std::uint64_t polls = 0, pictures = 0, blocks = 0, picture_bytes = 0;  ///< of the display's
+                                                                         ///< messages
   /// Maximum number of tasks held by a worker.
   std::size_t tasks_most = 0;
   std::uint64_t task_messages() const { return requests + refusals + moves; }
@@ -32,7 +33,7 @@ struct Record : ray_tracing::Rendering {
   Counts counts;
   renderer::RayCounts rays_outside;  ///< rays of samples outside the image
   renderer::RayCounts rays_image;    ///< rays of the final image
-  std::vector<bool> finished;        ///< by pixel
+  std::vector<bool> finished;        ///< true for finished pixels, by pixel
   double begun_s = 0, ended_s = 0;   ///< in seconds since the machine's start
   double interactive_s = 0;
   double last_task_s = 0;  ///< date in seconds at which a worker last took a task

@@ -48,7 +48,7 @@ class Coordinator {
   bool is_null_ = false;  // no step within the limits is left, but the user may still give orders
   bool is_quitting_ = false;
   bool is_finishing_ = false, is_finished_ = false;
-  std::uint64_t parked_ = 0, finished_pixels_ = 0;  // numbers reported in this phase
+  std::uint64_t parked_ = 0, finished_pixels_ = 0;  // reported by workers in this phase
   double interactive_since_s_ = 0;
 };
 
@@ -84,7 +84,7 @@ class Display {
   Screen screen_, scratch_;
   snapshots::Recorder recorder_;
   std::vector<std::string> to_keep_;  // names of pictures to save after the next round
-  std::size_t asked_ = 0;             // polled workers with pictures left
+  std::size_t asked_ = 0;             // number of polled workers with pictures left
   bool is_finishing_ = false, is_stopped_ = false;
 };
 

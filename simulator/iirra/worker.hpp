@@ -69,7 +69,7 @@ class Worker : private TaskGiver {
   bool is_under_way_ = false;              // an unrequested picture has not been acknowledged yet
   std::deque<network::Message> deferred_;  // messages to handle after the current sample
   std::optional<Point> open_;              // the current sample
-  bool has_begun_;                         // a message with the first tasks has arrived
+  bool has_begun_;                         // the first message with tasks has arrived
   bool is_stopped_ = false;
 };
 

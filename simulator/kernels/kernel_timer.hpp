@@ -111,9 +111,9 @@ class KernelTimer {
 
   const Host& host_;
   Replays batch_;
-  double weight_ = 0;         // total of the batch
+  double weight_ = 0;         // total weight of the batch
   std::size_t full_ = 1;      // number of calls in a full batch
-  double s_per_weight_ = 0;   // of the last batch
+  double s_per_weight_ = 0;   // in the last batch, seconds
   double batch_about_s_ = 0;  // estimated time of the batch
   double owed_s_ = 0;         // measured time of batches minus charged time
   double longest_batch_s_ = 0;

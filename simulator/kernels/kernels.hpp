@@ -107,7 +107,7 @@ class KernelCost {
 
   /// Costs of operations on the processor of this_process().
   const machine::OperationCosts& counted() const { return counted_.here(); }
-  machine::Cycles charged() const { return use_.charged; }   ///< total of all calls
+  machine::Cycles charged() const { return use_.charged; }   ///< total cycles charged for all calls
   machine::Seconds charged_s() const { return charged_s_; }  ///< duration of these cycles
   double profile_s() const { return profile_s_; }            ///< estimated host time of all calls
   KernelUse use() const;

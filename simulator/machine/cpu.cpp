@@ -90,7 +90,7 @@ void Cpu::dispatch_when_free() {
 void Cpu::ask_dispatch() {
   const auto then = [this, id = ++dispatch_id_] {
     if (id != dispatch_id_) return engine_.ignore_event();
-    if (free_at_ > now()) return ask_dispatch();  // DMA has delayed it
+    if (free_at_ > now()) return ask_dispatch();  // DMA has delayed the release
     dispatch();
   };
   if (free_at_ > now() || has_come_to_link_)
@@ -249,7 +249,7 @@ void Cpu::compute(Process& low, Seconds time) {
   low_.since = now();
   low_.end = now() + Seconds{time.value / speed_};
   low_.left = time;
-  if (interrupted_ != &low) arm_low_timer();  // otherwise pre-empted meanwhile
+  if (interrupted_ != &low) arm_low_timer();  // the process was pre-empted meanwhile
 }
 
 // The date depends on the first process in the queue, which may be ready ahead of the clock.

@@ -77,7 +77,7 @@ class CpuDiary {
  private:
   Observer* observer_ = nullptr;
   const Processor& processor_;
-  std::vector<Span> spans_;  // not reported yet
+  std::vector<Span> spans_;  // activities not reported yet
   std::map<std::string, std::uint32_t, std::less<>> numbers_;
 };
 
@@ -111,13 +111,13 @@ class Cpu {
   /// later.
   static constexpr std::size_t BY_COMPANION = 4;
   void set_stolen(std::size_t thief, double share);
-  CpuUse use() const { return use_by(now()); }  ///< use up to now
+  CpuUse use() const { return use_by(now()); }  ///< up to the present date
   /// Use up to a later date, provided that nothing happens before.
   CpuUse use_by(Seconds date) const;
   /// Lower bound on the time until a process ends its current computation, even if it is waiting
   /// for the CPU. Assumes full speed.
   Seconds least_left(const Process& process) const;
-  std::size_t ready() const { return high_queue_.size() + low_queue_.size(); }  ///< processes
+  std::size_t ready() const { return high_queue_.size() + low_queue_.size(); }  ///< ready processes
 
   void set_observer(Observer* observer) { diary_.set_observer(observer); }
   void name_for_observer(Process& process);
@@ -140,7 +140,7 @@ class Cpu {
   };
   // State of the low-priority process that is computing or interrupted.
   struct Low {
-    bool computing = false;  // false: executing
+    bool computing = false;  // false while it executes
     Seconds since{};         // start of its computation; ahead of the clock during a switch back
     Seconds end{};           // predicted end of its computation without interference
     Seconds left{};          // remaining computation at full speed, while interrupted

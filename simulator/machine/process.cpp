@@ -151,9 +151,9 @@ Seconds Process::blocked(Wait::Kind kind) const {
                       : over;
 }
 
-// Syncs if the debt is too large or exceeds the limit of the run. Without this, a process that only
-// computes would prevent the run from ending at its limit, at a failure or on request. (A Proc
-// cannot sync here; too large a debt makes it throw.)
+// Syncs if the debt is too large or exceeds the limit of the run. Otherwise a process that only
+// computes would prevent the run from ending at its limit, at a failure or on request. A Proc
+// cannot sync here; with too large a debt it throws.
 void Process::sync_if_much() {
   if (executing != this) return;
   const Seconds earliest = processor_.now() + debt_ / processor_.clock();

@@ -83,7 +83,7 @@ struct Overflow : machine::Fault {
 struct RouterUse {
   std::uint64_t taken = 0;      ///< from clients
   std::uint64_t passed = 0;     ///< from link to link ("EE" in table 5.1), on arrival
-  std::uint64_t delivered = 0;  ///< to clients, except returned messages
+  std::uint64_t delivered = 0;  ///< messages delivered to clients, except returned ones
   std::uint64_t returned = 0;   ///< sent back to their sender as undeliverable
   std::uint64_t lost = 0;       ///< neither delivered nor returned
   std::size_t most_held = 0;    ///< maximum number in the queues

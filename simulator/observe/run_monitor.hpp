@@ -37,8 +37,8 @@ inline void notify_change(const RunMonitor* monitor, machine::Seconds now) {
 /// fills the trace in any case. Deadlock after a failure of a link or processor is not thrown. It
 /// is a valid outcome of the experiment, End::deadlock.
 machine::End run(machine::Machine& machine, RunMonitor& monitor, const ControlPanel& view = {});
-/// Does the same. If `monitor` is null, there is no limit, no outcome is stored, and every Deadlock
-/// is thrown.
+/// Runs a machine without a limit if `monitor` is null. Then no outcome is stored, and every
+/// Deadlock is thrown.
 machine::End run(machine::Machine& machine, RunMonitor* monitor, const ControlPanel& view = {});
 
 }  // namespace observe

@@ -29,7 +29,7 @@ struct LinkRow {
 /// Waiting times of a process, which is executing or ready during the rest of the time.
 struct ProcessRow {
   machine::ProcessId id = 0;
-  std::string name;                                     ///< not unique
+  std::string name;                                     ///< names need not be unique
   double output_s = 0, input_s = 0, alternative_s = 0;  ///< time blocked in out, in and ALT
 };
 
@@ -44,7 +44,7 @@ struct Use {
 struct KernelUse {
   std::string name;
   std::uint64_t calls = 0;
-  double host_s = 0;  ///< total of all calls
+  double host_s = 0;  ///< host time of all calls
   machine::Cycles counted{}, charged{};
   double longest_batch_s = 0;  ///< host time of the longest batch of calls
   bool is_short = false;       ///< too short for the host's clock even in the longest batch

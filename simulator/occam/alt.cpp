@@ -94,7 +94,7 @@ bool Select::go_on(Process& self) {
       for (const Guard& guard : guards_)
         if (guard.condition && guard.channel) guard.channel->take_input(self);
       stage_ = Stage::enables;
-      // A small debt is paid together with the cost of enabling.
+      // A small debt is paid later, together with the cost of enabling.
       if (self.owes_much() && self.must_sync()) return false;
       [[fallthrough]];
     case Stage::enables:
@@ -150,8 +150,8 @@ bool Select::some_ready(const Process& self) const {
   });
 }
 
-// Cost of alt and of enabling all guards, given the guards ready when they are enabled. An output
-// that waits keeps waiting. If none is waiting at the end, none was waiting before.
+// Cost of alt and of enabling all guards, if those that are ready during enabling cost more. An
+// output stays once it waits: if none waits at the end, none waited before.
 Cycles Select::cost_to_enable_all(const Process& self) const {
   const auto waits = [&](const Guard& guard) {
     return guard.condition && guard.channel && guard.channel->has_output() &&

@@ -127,7 +127,7 @@ class ChannelBase {
   Party alternative_;                   // the process in an ALT with a guard on this channel
   std::uint64_t alternative_wait_ = 0;  // number of that wait among the process's waits
   std::uint64_t bytes_ = 0;             // length of the current output
-  End ends_[2];                         // by side
+  End ends_[2];                         // indexed by Side
   ChannelUse use_;
   Process* transfer_[2] = {};  // the two processes of the current transfer, in order of arrival
   std::string name_;
@@ -170,7 +170,7 @@ class [[nodiscard]] ChannelBase::Exchange : public machine::Operation, machine::
   Cycles cost_to_copy(const machine::Model::Channel& costs) const;
 
   ChannelBase* channel_;
-  std::uint64_t bytes_ = 0, rest_ = 0;  // of an output
+  std::uint64_t bytes_ = 0, rest_ = 0;  // rest_: bytes after the first part
   Side side_;
   Stage stage_ = Stage::comes;
   bool is_second_ = false, may_fail_ = false, failed_ = false;

@@ -13,7 +13,7 @@ enum class Distribution : std::uint8_t {
 /// Vertices shared by two processors, one of which sends the other their light in every shot.
 struct Border {
   int other = 0;
-  std::vector<std::uint32_t> vertices;  ///< ascending
+  std::vector<std::uint32_t> vertices;  ///< in ascending order
 };
 
 /// The part of the mesh assigned to a processor.

@@ -9,9 +9,9 @@ namespace parallel_radiosity {
 /// Measurements of the final picture.
 struct PictureSummary {
   double radiosity_mean = 0;  ///< over patches whose material also exists in the reference
-  double exposure = 0;        ///< positive
-  double reference_mean = 0;  ///< only with a reference
-  std::optional<radiosity::PictureError> error;  ///< only with a reference
+  double exposure = 0;        ///< greater than 0
+  double reference_mean = 0;  ///< set only with a reference
+  std::optional<radiosity::PictureError> error;  ///< set only with a reference
 };
 
 /// Draws an intermediate frame with reconstructed light and a z-buffer.

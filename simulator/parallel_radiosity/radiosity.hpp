@@ -74,11 +74,11 @@ struct Result {
   std::vector<Frame> frames;  ///< the last frame is the solution
   Loss loss;
   renderer::Work work;                      ///< total over all processors
-  std::uint64_t vertices_done_max = 0;      ///< maximum per processor and shot
+  std::uint64_t vertices_done_max = 0;      ///< maximum number per processor and shot
   machine::Cycles kernel_cycles{};          ///< charged to all processors
   std::vector<kernels::KernelUse> kernels;  ///< the kernels called on any processor
-  observe::Use use;                         ///< during time_s
-  shared_memory::DataUse data;              ///< only if cache_percent > 0
+  observe::Use use;                         ///< use of the machine during time_s
+  shared_memory::DataUse data;              ///< filled only if cache_percent > 0
   network::RouterUse routers;
   /// If not `done`, results cover the run up to this end and may lack frames.
   machine::End end = machine::End::done;

@@ -19,7 +19,7 @@ constexpr double SATURATED = 0.8;
 struct Busy {
   double worker_mean = 0, worker_max = 0;
   std::optional<double> coordinator, database, display;  ///< if they have their own CPU
-  std::optional<double> router_mean;                     ///< only if companions route
+  std::optional<double> router_mean;                     ///< set if companions route
   std::string cpu_busiest;
   double cpu_max = 0, cpu_high = 0;  ///< the busiest CPU: all processes, and those of high priority
   std::string link_busiest;          ///< "from>to"
@@ -50,7 +50,7 @@ base::Columns<observe::Use> model_columns();
 /// Makes a sentence for each model of workers if there are several: number, load, and fraction of
 /// the tasks if these are counted.
 std::vector<std::string> note_models(const observe::Use& use);
-void sort(Loads& loads);            ///< busiest first
+void sort(Loads& loads);            ///< sorts by load, busiest first
 std::string percent(double share);  ///< such as "12 %"
 /// Columns for sorted loads: bottleneck, busiest, next_busiest and their fractions.
 base::Columns<Loads> bottleneck_columns();

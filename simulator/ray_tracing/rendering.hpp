@@ -20,14 +20,14 @@ struct Rendering {
   std::vector<snapshots::Snapshot> pictures, growth;  ///< see snapshots::Recorder
   renderer::RayCounts rays;
   double time_s = 0;                        ///< from the first task until the last ray is displayed
-  double setup_s = 0;                       ///< before the first task
+  double setup_s = 0;                       ///< time before the first task
   std::optional<double> order_to_pixel_s;   ///< longest time from an order to a changed pixel
-  bool is_aborted = false;                  ///< by the user
-  observe::Use use;                         ///< during time_s
+  bool is_aborted = false;                  ///< true if the user aborted the run
+  observe::Use use;                         ///< use of the machine during time_s
   machine::End end = machine::End::done;    ///< if not `done`, up to this end
   std::uint64_t events = 0;                 ///< number of simulated events
   std::vector<observe::KernelUse> kernels;  ///< kernels called on any processor
-  std::vector<std::string> notes;           ///< on orders without effect and removed links
+  std::vector<std::string> notes;           ///< orders without effect, removed links
 };
 
 /// Renders the final picture of all runs with the sequential renderer. Returns an empty list if

@@ -21,7 +21,7 @@ class Catalogue {
   std::size_t place(Item item) const;  ///< throws base::InvariantBroken for an unknown item
   const std::vector<std::uint64_t>& bytes() const {
     return bytes_;
-  }                               ///< size of each item, by place
+  }                               ///< sizes of the items, by place
   std::uint64_t largest() const;  ///< size of the largest item in bytes
 
  private:

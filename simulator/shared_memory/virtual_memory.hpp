@@ -16,12 +16,12 @@ enum class Scheme : std::uint8_t { items, pages };
 struct DataParams {
   Scheme scheme = Scheme::items;
   std::uint64_t cache_bytes = 0;  ///< each processor's cache, without resident pages
-  // Items only:
+  // Parameters for the scheme `items`:
   int coordinator = 0;
   std::uint64_t server_cache_bytes = 0;  ///< cache of the coordinator
   bool in_path = true;                   ///< requests are offered to all processors on the route
-  bool waiting_queue = true;             ///< enables WRQu
-  // Pages only:
+  bool waiting_queue = true;             ///< enables the waiting queue for requests (WRQu)
+  // Parameters for the scheme `pages`:
   int page_items = 8;
 };
 
@@ -60,7 +60,7 @@ class VirtualMemory {
   int processors() const { return static_cast<int>(managers_.size()); }
 
  private:
-  std::vector<std::unique_ptr<DataManager>> managers_, companions_;  // by processor, or null
+  std::vector<std::unique_ptr<DataManager>> managers_, companions_;  // by processor; may be null
 };
 
 /// Adds counts and fill levels of caches to the view. The processors have the ids `first`, `first`

@@ -51,7 +51,7 @@ class Recorder {
   std::size_t next_at_ = 0;
   std::int64_t next_multiple_ = 1;
   double growth_interval_s_ = 1e-3;
-  std::int64_t next_growth_ = 0;  // in intervals
+  std::int64_t next_growth_ = 0;  // number of intervals
   std::vector<Snapshot> pictures_, growth_;
 };
 

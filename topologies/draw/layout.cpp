@@ -228,7 +228,7 @@ std::string format_points(const Place& place) {
 
 Layout make_layout(const Topology& topology) {
   constexpr double SPACING = 1.6;
-  constexpr int MAX_FOUND = 1024;  // Graphviz needs one or two seconds for this number
+  constexpr int MAX_FOUND = 1024;  // limit at which Graphviz needs one or two seconds
   const int n = topology.processors;
   base::require(n <= MAX_DRAWN, "topology " + topology.name,
                 "found {} processors, expected at most {} in a drawing (formats dot, graphml and "

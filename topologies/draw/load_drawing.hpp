@@ -12,7 +12,7 @@ namespace topologies {
 /// Loads as fractions of time, 0 to 1.
 struct Loads {
   std::string title;
-  std::vector<double> processors;            ///< by processor
+  std::vector<double> processors;            ///< loads, by processor
   std::vector<std::array<double, 2>> links;  ///< by link: from a to b, from b to a
   std::vector<std::string> labels = {};      ///< by processor; default: the topology's
 

@@ -49,7 +49,7 @@ bool read_flag(const RawVertex& vertex, const std::string& file) {
                                    file, vertex.name, vertex.root));
 }
 
-int find_root(const RawGraph& graph, const std::string& file) {  // -1 without a root
+int find_root(const RawGraph& graph, const std::string& file) {  // returns -1 without a root
   int root = -1;
   const auto designate = [&](int v) {
     base::require(root < 0 || root == v, file, "both \"{}\" and \"{}\" are designated as root",

@@ -190,8 +190,8 @@ AllPairs eval_mesh(const Topology& topology, const Grid& grid) {
 
 Load make_load(const Topology& topology, const Sent& sent) {
   const auto parallel = parallel_ports(topology);
-  // One link's share of the messages to a neighbour. `sum` is the number of those messages. `turn`
-  // is the link's rank among the parallel links, by ascending port.
+  // Computes one link's share of the messages to a neighbour. `sum` is the number of these
+  // messages. `turn` is the link's rank among the parallel links, by ascending port.
   const auto at = [&](const End& end) {
     const auto& next = parallel[end.processor];
     std::int64_t sum = 0, count = 0, turn = 0;

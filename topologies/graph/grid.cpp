@@ -21,8 +21,8 @@ bool is_grid(const Topology& topology, const Grid& grid) {
          });
 }
 
-// Candidate numbers of rows and columns from the topology's shape; a single row if the shape does
-// not fit.
+// Returns candidate numbers of rows and columns from the topology's shape, or a single row if the
+// shape does not fit.
 std::pair<int, int> find_sizes(const Topology& topology) {
   const auto& [form, rows, columns] = topology.shape;
   const bool fits =

@@ -58,8 +58,8 @@ inline bool is_tree(const Topology& topology) {
 void check(const Topology& topology);
 
 struct Neighbour {
-  int port;       ///< of this processor
-  int processor;  ///< the neighbour
+  int port;       ///< port of this processor
+  int processor;  ///< number of the neighbour
   int its_port;   ///< port of the neighbour
   int link;       ///< index into Topology::links
 };

@@ -103,7 +103,7 @@ std::optional<Exchange> try_exchange(Peers& peers, std::mt19937_64& random, int 
 
 // Number of exchanges to try. It depends only on n, so that every host makes the same network.
 std::int64_t steps_for(std::int64_t n) {
-  constexpr std::int64_t MOST = 16384;  // processors; more would allow too few steps to be useful
+  constexpr std::int64_t MOST = 16384;  // in processors; more would allow too few steps
   if (n > MOST) return 0;
   return std::min({std::int64_t{100'000}, 10'000'000 / n, 10'000'000'000 / (n * n)});
 }

@@ -33,7 +33,7 @@ class SearchedRule : public Rule {
   Routes find_routes(int group) const;
   static void add_step(const Peers& peers, Work& work, Routes& routes);
   int groups() const { return (processors() + GROUP - 1) / GROUP; }
-  Word ends_reached(int from, int group) const;  // apart from `from`
+  Word ends_reached(int from, int group) const;  // excludes `from`
 
   std::vector<int> piece_;                                    // connected component, by processor
   bool is_whole_ = false;                                     // true if the topology is connected

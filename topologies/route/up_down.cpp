@@ -107,7 +107,7 @@ bool has_cycle(const Turns& turns, const Peers& peers) {
 // The turns of broadcast messages, which can start at any processor and follow the edges of `tree`.
 Turns make_tree_turns(const Topology& topology, const Peers& peers, const TreeLinks& tree) {
   const std::set<std::pair<int, int>> links(tree.begin(), tree.end());
-  std::vector<std::uint8_t> branches(peers.size());  // a bit for each port
+  std::vector<std::uint8_t> branches(peers.size());  // bit sets of ports
   const auto distinct = distinct_links(topology);
   for (const auto& [a, b] : distinct)
     if (links.contains({a.processor, b.processor}))

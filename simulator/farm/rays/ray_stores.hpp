@@ -34,7 +34,7 @@ struct Limits {
 bool is_interactive(const renderer::Ray& ray, const Limits& limits, const Cells& cells);
 
 /// True if `a` precedes `b`. Earlier samples of a pixel come first. Without weights, the next keys
-/// are: larger influence factor, lower level, larger cell. With weights, their weighted sum
+/// are: larger influence factor, lower level, larger cell. With weights, a weighted sum
 /// replaces these keys. Ties are resolved by the order of cells. The cell of an urgent ray counts
 /// as four times as large.
 bool goes_before(const renderer::Ray& a, const renderer::Ray& b, const Cells& cells,
@@ -70,7 +70,7 @@ class RayStores {
     std::size_t feelers = 0, heap = 0, later = 0;
   };
   Lengths lengths() const { return {feelers_.size(), heap_.size(), later_.size()}; }
-  const Lengths& peaks() const { return peaks_; }  ///< maximum number of rays in each store
+  const Lengths& peaks() const { return peaks_; }  ///< maximum since the start, by store
 
  private:
   auto before() const {

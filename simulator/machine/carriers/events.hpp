@@ -41,7 +41,7 @@ class Events {
   ~Events();
 
   double now() const { return now_; }                  ///< in seconds
-  double last_useful() const { return last_useful_; }  ///< of the last event with an effect
+  double last_useful() const { return last_useful_; }  ///< date of last effect
   double until() const { return until_; }              ///< limit of simulated time
   void set_until(double date) { until_ = date; }
 

@@ -78,8 +78,8 @@ class StackPool {
   }
 
  private:
-  static constexpr std::size_t STACKS = 64;               // per block
-  static constexpr std::size_t PLACES = 16, APART = 128;  // number and distance of offsets
+  static constexpr std::size_t STACKS = 64;               // stacks in a block
+  static constexpr std::size_t PLACES = 16, APART = 128;  // number of offsets; bytes between them
 
   void add_block() {
     void* block = mmap(nullptr, STACKS * Coroutine::STACK_BYTES, PROT_READ | PROT_WRITE,
@@ -121,7 +121,7 @@ class Fiber final : public Coroutine {
     };
     PooledStack allocator;
     const auto stack = allocator.allocate();
-    stack_ = static_cast<const char*>(stack.sp) - stack.size;  // lowest address
+    stack_ = static_cast<const char*>(stack.sp) - stack.size;  // lowest address of the stack
     stack_size_ = stack.size;
     fiber_ = boost::context::fiber(std::allocator_arg,
                                    boost::context::preallocated(stack.sp, stack.size, stack),

@@ -1,4 +1,4 @@
-#include <xbt/base.h>  // before version.h, which needs it
+#include <xbt/base.h>  // must precede version.h, which depends on it
 
 #include <fmt/format.h>
 #include <simgrid/version.h>
@@ -34,8 +34,8 @@ std::string simgrid_version() {
 
 namespace {
 
-// Wrappers of calls that have different names in SimGrid 3 and 4. As templates, only the existing
-// call is compiled.
+// Wrappers of calls that have different names in SimGrid 3 and 4. They are templates, so that the
+// compiler ignores the name that does not exist.
 auto make_zone(auto& engine, const auto& name) {
   if constexpr (requires { engine.get_netzone_root()->add_netzone_full(name); })
     return engine.get_netzone_root()->add_netzone_full(name);

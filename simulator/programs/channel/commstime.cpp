@@ -48,7 +48,7 @@ void successor(Wire& from, Wire& to, std::int64_t loops) {
   Number n;
   for (std::int64_t i = 0; i < loops; ++i) {
     in(from, n);
-    occam::charge("ldc");  // adc takes the same time
+    occam::charge("ldc");  // stands for adc, which takes the same time
     ++n.value;
     out(to, n);
     turn();

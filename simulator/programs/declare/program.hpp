@@ -67,7 +67,7 @@ struct Extras {
   std::vector<Load> loads = {};
   std::uint64_t events = 0;                      ///< number of simulated events, if counted
   std::optional<double> kernel_host_s = {};      ///< host time of kernels, only with Setup::profile
-  std::vector<observe::KernelUse> kernels = {};  ///< only for timed costs
+  std::vector<observe::KernelUse> kernels = {};  ///< filled only for timed costs
 };
 
 /// Results of a run: one row, or several rows that are distinguished by the columns in
@@ -102,11 +102,11 @@ struct ColumnHelp {
 /// The optional parts of an experiment that a program uses. The experiment must not contain other
 /// parts.
 struct Uses {
-  bool network = false;  ///< [network]
-  bool routes = false;   ///< routes and trees of [network]
-  bool faults = false;   ///< [[fault]]
-  bool timed = false;    ///< run.cost = "timed"
-  bool others = false;   ///< [[processor]]
+  bool network = false;  ///< the program uses [network]
+  bool routes = false;   ///< the program uses routes and trees of [network]
+  bool faults = false;   ///< the program uses [[fault]]
+  bool timed = false;    ///< the program supports run.cost = "timed"
+  bool others = false;   ///< the program uses [[processor]]
   bool threads = false;  ///< --threads: the data that processors share on the host are constant
 };
 

@@ -37,8 +37,8 @@ struct Measured {
 Outcome<Measured> run(const Setup& setup, const Params& params) {
   const int n = setup.topology.processors;
   const double s = params.serial_fraction, work = params.work_cycles;
-  const double share = (1 - s) * work / (params.scaled ? 1 : n);  // parallel work per processor
-  const double total = s * work + n * share;                      // total work
+  const double share = (1 - s) * work / (params.scaled ? 1 : n);  // parallel work of a processor
+  const double total = s * work + n * share;                      // work of the whole program
   const auto cycles = [](double c) { return Cycles{std::llround(c)}; };
   Machine machine(setup, n);
   network::StoreAndForward network(machine, setup.topology);

@@ -10,7 +10,7 @@ namespace in_path {
 
 using network::Client;
 
-constexpr int ASKED = 0, ASKING = 1;  // kinds of process
+constexpr int ASKED = 0, ASKING = 1;  // process numbers
 
 // Answers requests. On the route, a request is answered with `probability` or else returned; at its
 // destination, it is always answered.
