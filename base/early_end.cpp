@@ -12,7 +12,7 @@ namespace base {
 namespace {
 
 std::atomic<bool> is_ending = false;
-static_assert(std::atomic<bool>::is_always_lock_free);  // because a signal handler sets it
+static_assert(std::atomic<bool>::is_always_lock_free);  // required in signal handlers
 
 std::shared_mutex sections;  // held shared by every thread in an Undivided section
 thread_local int depth = 0;  // nesting depth of this thread's sections

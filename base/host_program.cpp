@@ -57,8 +57,8 @@ class Scratch {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
-// Runs in the new process. Kills it when the parent's thread ends, and restores the default signal
-// handlers.
+// Runs in the new process. Kills it when the thread that started it ends, and restores the default
+// signal handlers.
 void set_up_child(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);

@@ -43,8 +43,8 @@ bool is_utf8(std::string_view text);
 /// terminal.
 std::string blank_controls(std::string_view text, char instead = ' ');
 
-/// Escapes a text for elements and quoted attributes of XML and HTML. Control characters that XML
-/// cannot hold become U+FFFD, and so does DEL. Line ends and tabs stay.
+/// Escapes a text for elements and quoted attributes of XML and HTML. Control characters other than
+/// line ends, tabs and DEL become U+FFFD, because XML cannot hold them.
 std::string escape_xml(std::string_view text);
 
 /// The first sentence of the comment at the start of a file, from lines with # or //; "" without a

@@ -48,7 +48,7 @@ struct Report {
   std::uint64_t parked = 0, finished = 0;
 };
 struct Stop {};
-/// An order of the user is due, given by its index in Shared::orders.
+/// Message that an order of the user is due, given by its index in Shared::orders.
 struct UserOrder {
   std::size_t place = 0;
 };

@@ -15,8 +15,8 @@ struct Counts {
   std::uint64_t moves = 0;     ///< messages with tasks, except the initial distribution
   std::uint64_t tasks_moved = 0, bytes_moved = 0;
   std::uint64_t reports = 0;  ///< messages from workers without tasks to the coordinator
-  std::uint64_t polls = 0, pictures = 0, blocks = 0, picture_bytes = 0;  ///< of the display's
-                                                                         ///< messages
+  /// Polls and pictures of the display.
+  std::uint64_t polls = 0, pictures = 0, blocks = 0, picture_bytes = 0;
   /// Maximum number of tasks held by a worker.
   std::size_t tasks_most = 0;
   std::uint64_t task_messages() const { return requests + refusals + moves; }

@@ -25,7 +25,7 @@ class Crew {
 
  private:
   struct alignas(64) Member {
-    std::atomic<std::uint64_t> called{0};  // number of calls
+    std::atomic<std::uint64_t> called{0};  // number of calls of work()
     std::jthread thread;
   };
   void end();

@@ -89,10 +89,10 @@ class Engine {
   void ignore_event() { events_.ignore(); }
   /// After a run: sets the clock back to the last event that had an effect.
   void rewind() { events_.rewind_to(events_.last_useful()); }
-  /// Drops all pending events.
+  /// Drops all pending events and ends the run.
   void stop() { events_.stop(End::stopped); }
   std::uint64_t handled() const { return events_.handled(); }  ///< number of handled events
-  /// Counter that grows whenever an event is scheduled.
+  /// Counter that grows with each event scheduled during the current event.
   std::uint64_t asked() const { return events_.asked(); }
 
   // --- for Parts and for links between two parts ----------------------------------------------

@@ -74,7 +74,8 @@ class LinkDirection {
   /// been acknowledged. `channel` is the channel's name; the string must live until then.
   void transfer(std::uint64_t bytes, const std::string& channel, Engine::Callback arrived);
 
-  std::size_t number() const { return number_; }        ///< in the machine; `^ 1`: opposite
+  /// Number in the machine. The opposite direction has number() ^ 1.
+  std::size_t number() const { return number_; }
   std::size_t direction() const { return direction_; }  ///< number in the engine
   Processor& from() const { return from_; }
   Processor& to() const { return to_; }

@@ -145,7 +145,7 @@ void throw_if_deadlocked(const Machine& machine) {
 std::vector<const Process*> find_wait_cycle(const Machine& machine) {
   Blocked blocked = find_blocked(machine);
   std::erase_if(blocked, [](const auto& of) {
-    return of.second->state() != Process::State::blocked;  // only in interrupted runs
+    return of.second->state() != Process::State::blocked;  // interrupted runs have others
   });
   std::vector<const Process*> cycle;
   for (ProcessId p : find_cycle(find_waits(blocked))) cycle.push_back(blocked.at(p));
@@ -251,7 +251,7 @@ End Machine::run(Seconds until) {
   const Engine::End why = parts_.run(until, lookahead());
   throw_failure();
   const bool cut = why != Engine::End::no_event_left && !all_have_ended(*this);
-  if (!cut && why != Engine::End::no_event_left) parts_.rewind();  // only outdated timeouts
+  if (!cut && why != Engine::End::no_event_left) parts_.rewind();  // the events were outdated
   for (const auto& processor : processors_) processor->cpu().flush_observer();
   for (const auto& link : links_) link->flush_observer();
   if (cut) return why == Engine::End::until ? End::limit : End::interrupt;
@@ -263,7 +263,7 @@ End Machine::run(Seconds until) {
 }
 
 void Machine::cut_link(Processor& a, Processor& b, Seconds at) {
-  link(a, b);  // throws if there is none
+  link(a, b);  // throws if no link exists
   plan({at, &a, &b});
 }
 

@@ -115,7 +115,7 @@ struct Model {
 // All throw BadInput for a name that the model does not contain.
 std::uint64_t get_bytes(const Model& model, std::string_view name);
 Cycles get_instruction(const Model& model, std::string_view name);
-Cycles get_operation(const Model& model, std::string_view name);  ///< not scaled
+Cycles get_operation(const Model& model, std::string_view name);  ///< without the kernel's scale
 /// Cycles of an operation in a router or in an application's message handling, including
 /// scale.router.
 Cycles get_compiled(const Model& model, std::string_view name);
@@ -137,8 +137,8 @@ std::vector<std::string> builtin_models();
 /// The first sentence of the model's file. Throws BadInput for an unknown name.
 std::string describe_builtin(std::string_view name);
 
-std::string to_text(double value);         ///< integers in full
-std::string describe(const Model& model);  ///< a table of all entries
+std::string to_text(double value);         ///< prints integers in full
+std::string describe(const Model& model);  ///< prints a table of all entries
 /// Tabulates the entries that differ in value, formula, provenance or source.
 std::string describe_difference(const Model& a, const Model& b);
 std::string_view to_string(Provenance provenance);

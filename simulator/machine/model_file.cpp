@@ -326,7 +326,7 @@ void eval_formulas(Model& model) {
   }
 }
 
-// For example "my.toml:4".
+// The place of an error, such as "my.toml:4".
 std::string place_of(std::string_view origin, const toml::source_region& source) {
   return fmt::format("{}:{}", origin, source.begin.line);
 }

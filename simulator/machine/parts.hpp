@@ -35,7 +35,7 @@ class Parts {
 
   /// Runs like Engine::run. `lookahead` is the minimum time that a process needs to reach a link.
   Engine::End run(Seconds until, Seconds lookahead);
-  Seconds now() const { return engines_.front()->now(); }  ///< only between runs
+  Seconds now() const { return engines_.front()->now(); }  ///< valid only between runs
   void rewind();
   void stop();
   std::uint64_t handled() const;

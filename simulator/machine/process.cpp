@@ -33,7 +33,7 @@ Process::Process(Processor& processor, std::string name, Priority priority, Proc
 Process::~Process() {
   cancelled_ = true;
   while (coroutine_ && !coroutine_->has_ended()) resume();
-  Process* const other = std::exchange(executing, this);  // for destructors
+  Process* const other = std::exchange(executing, this);  // destructors may use this
   proc_ = {};
   executing = other;
 }
@@ -119,7 +119,7 @@ void Process::start_wait(Wait& wait) {
 
 void Process::note_end_of_run() {
   Engine& engine = processor_.engine();
-  if (blocked_since_ > engine.until()) engine.at(blocked_since_, [] {});  // run ends at its limit
+  if (blocked_since_ > engine.until()) engine.at(blocked_since_, [] {});  // ends the run there
 }
 
 // Moves the dates of a process that blocked, or became ready, ahead of the clock.

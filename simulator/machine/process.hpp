@@ -102,8 +102,8 @@ class Process {
   /// True if sync() would yield the CPU. The operation then returns false, and must not repeat this
   /// test when it continues.
   inline bool must_sync() const;
-  /// For operations that interact by time stamps: like must_sync(), but a high-priority process
-  /// syncs only if its debt is large.
+  /// Like must_sync(), for operations that interact by time stamps. A high-priority process syncs
+  /// only if its debt is large.
   bool must_sync_if_long() const {
     return (priority_ == Priority::low || owes_much()) && must_sync();
   }

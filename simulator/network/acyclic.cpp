@@ -20,7 +20,7 @@ constexpr int AGAIN = WAYS;
 
 // Inputs of a way out: a channel from each way in. A way out to a client also has an inbox.
 struct WayOut {
-  std::array<std::unique_ptr<Channel<Handed>>, WAYS + 1> from;  // by way in, or AGAIN
+  std::array<std::unique_ptr<Channel<Handed>>, WAYS + 1> from;  // index: way in, or AGAIN
   std::vector<Channel<Handed>*> inputs;
   std::size_t favourite = 0;
   Channel<Signal> ready;

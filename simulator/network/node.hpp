@@ -46,7 +46,7 @@ struct Contents {
 
 struct Message {
   Address to = {}, from = {};
-  std::uint64_t length = 0;  ///< bytes of `contents`
+  std::uint64_t length = 0;  ///< length of `contents` in bytes
   std::uint64_t number = 0;  ///< not used by routers; available to the sender
   std::shared_ptr<const Contents> contents = {};
   Returned returned = Returned::no;
@@ -81,14 +81,14 @@ struct Overflow : machine::Fault {
 
 /// Numbers of messages handled by a router.
 struct RouterUse {
-  std::uint64_t taken = 0;      ///< from clients
+  std::uint64_t taken = 0;      ///< received from clients
   std::uint64_t passed = 0;     ///< from link to link ("EE" in table 5.1), on arrival
   std::uint64_t delivered = 0;  ///< messages delivered to clients, except returned ones
   std::uint64_t returned = 0;   ///< sent back to their sender as undeliverable
   std::uint64_t lost = 0;       ///< neither delivered nor returned
-  std::size_t most_held = 0;    ///< maximum number in the queues
+  std::size_t most_held = 0;    ///< maximum length of the queues
 
-  RouterUse& operator+=(const RouterUse& other);  ///< most_held: maximum
+  RouterUse& operator+=(const RouterUse& other);  ///< adds, except most_held
 };
 
 /// Cycles of a router's operations in compiled code, from the model's [operation].
@@ -122,7 +122,7 @@ struct Node {
   machine::Processor* processor = nullptr;
   const Routing* routing = nullptr;
   std::size_t buffers = 0;  ///< capacity of the queues in messages
-  bool pointers = true;     ///< see Params
+  bool pointers = true;     ///< true: pass pointers, see Params
   RouterCosts costs;
   std::array<Channel<Message>*, topologies::PORTS> link_in{}, link_out{};
   std::vector<Channel<Handed>*> client_in, client_out;

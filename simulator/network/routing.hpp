@@ -62,7 +62,7 @@ class Routing {
     std::map<int, Ports> by_sender;  // made on demand
   };
   struct Epoch {
-    topologies::Topology topology;  // links not cut
+    topologies::Topology topology;  // contains the links not cut
     std::optional<TreeLinks> tree;
     topologies::Topology allowed = {};  // the tree's links only, or all links if there is no tree
     std::shared_ptr<Trees> trees = std::make_shared<Trees>();

@@ -28,7 +28,7 @@ struct ControlPanel {
     std::string name;
     double value = 0;
   };
-  using Inspect = std::function<std::vector<Reading>(int processor)>;  ///< the id in the machine
+  using Inspect = std::function<std::vector<Reading>(int processor)>;  ///< takes the machine's id
   /// Takes a command of the user: a record of the program's list "order". It takes effect at the
   /// first tick of the user's clock after the later of now and `after`. Returns that time, the
   /// record's at_s. Throws base::BadInput, with the messages of the experiment file, if the record

@@ -144,8 +144,8 @@ class Chart {
   }
 
   // Draws the area under the sum of the fractions in `doing`. Areas are drawn on top of each other,
-  // one for each kind. The height of a column shows its fraction. At an edge between an empty and a
-  // full column, the step is moved within the column instead, so that the area is exact.
+  // one for each kind. A column's height is its fraction. At the edge of a bar, between an empty
+  // and a full column, a step within the column shows the fraction.
   void draw_area(const TimelineRow& row, int height, std::initializer_list<std::size_t> doing,
                  const char* name, const char* colour) {
     const int full = 2 * height;  // in half pixels

@@ -37,7 +37,7 @@ struct Trace {
   std::vector<Link> links;
   std::vector<Span> spans;          ///< sorted by time for each processor
   std::vector<Transfer> transfers;  ///< sorted by time for each link
-  double begin_s = 0, end_s = 0;    ///< the window
+  double begin_s = 0, end_s = 0;    ///< period that the trace covers
   std::string title;
 };
 

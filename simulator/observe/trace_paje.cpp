@@ -221,7 +221,7 @@ class PajeFile {
   }
 
   const Trace& trace_;
-  std::vector<std::string> channels_, processes_;  // quoted
+  std::vector<std::string> channels_, processes_;  // as quoted strings
   TraceOutput out_;
   std::vector<Lane> lanes_;
   std::int64_t now_ = 0;  // time of the last line in nanoseconds

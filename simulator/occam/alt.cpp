@@ -150,7 +150,7 @@ bool Select::some_ready(const Process& self) const {
   });
 }
 
-// Cost of alt and of enabling all guards, if those that are ready during enabling cost more. An
+// Cost of alt and of enabling all guards. A guard that is ready when enabled has its own cost. An
 // output stays once it waits: if none waits at the end, none waited before.
 Cycles Select::cost_to_enable_all(const Process& self) const {
   const auto waits = [&](const Guard& guard) {

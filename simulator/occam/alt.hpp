@@ -91,8 +91,8 @@ inline std::size_t select(std::span<const Guard> guards) {
 using Guards = boost::container::small_vector<Guard, 16>;
 
 // Each argument of an ALT contains guards and two functions. begin(i, input) starts the input of
-// guard i, if it has one. Later, end(i, input) executes the guard's body. (`input` has the type of
-// the base class Exchange, without the await_resume() of derived classes.)
+// guard i, if it has one. Later, end(i, input) executes the guard's body. The input is stored as
+// the base class Exchange, without the await_resume() of derived classes.
 using MaybeInput = std::optional<ChannelBase::Exchange>;
 
 inline void begin_input(ChannelBase& from, bool may_fail, MaybeInput& input) {

@@ -73,7 +73,7 @@ class Direct final : public Carrier {
 
   Events& events_;
   Forecast forecast_;
-  std::vector<Callback> arrived_;  // by direction
+  std::vector<Callback> arrived_;  // indexed by direction
 };
 
 }  // namespace

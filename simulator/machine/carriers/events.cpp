@@ -94,7 +94,7 @@ void Events::handle(Callback callback) {
 
 void Events::finish() {
   for (std::size_t i = 0; i < soon_.size() && !stopped_; ++i) {
-    Callback then = soon_[i];  // it may call soon() itself
+    Callback then = soon_[i];  // the callback may itself call soon()
     then();
   }
   soon_.clear();

@@ -41,7 +41,7 @@ class Events {
   ~Events();
 
   double now() const { return now_; }                  ///< in seconds
-  double last_useful() const { return last_useful_; }  ///< date of last effect
+  double last_useful() const { return last_useful_; }  ///< date of the last effect
   double until() const { return until_; }              ///< limit of simulated time
   void set_until(double date) { until_ = date; }
 
@@ -92,7 +92,7 @@ class Events {
   End end() const { return end_; }
 
   std::uint64_t handled() const { return handled_; }
-  /// Counter that grows whenever an event is scheduled.
+  /// Counter that grows with each event scheduled during the current event.
   std::uint64_t asked() const { return asked_ + soon_.size(); }
 
  private:

@@ -228,7 +228,7 @@ class OnSimGrid final : public Carrier {
   Events& events_;  // its clock may be ahead of SimGrid's
   std::unique_ptr<s4u::Engine> engine_;
   s4u::NetZone* zone_ = nullptr;
-  std::vector<s4u::Host*> hosts_;              // by processor
+  std::vector<s4u::Host*> hosts_;              // indexed by processor
   std::map<std::pair<int, int>, int> joined_;  // number of links between two processors
   double wake_up_ = Events::NEVER;             // date of the SimGrid timer that is set
   std::vector<Direction> directions_;
@@ -239,7 +239,7 @@ class OnSimGrid final : public Carrier {
   // With actors, the scheduler is an actor too, because it must wait while other actors run. It
   // executes the callbacks of SimGrid.
   bool has_actors_;
-  std::deque<Hands> idle_;    // by processor
+  std::deque<Hands> idle_;    // indexed by processor
   s4u::SemaphorePtr called_;  // released once per call, and once to end the scheduler
   std::deque<Callback> calls_;
   std::exception_ptr failure_;  // exception thrown by a call
@@ -389,7 +389,7 @@ void OnSimGrid::start_later(std::size_t number) {
 
 void OnSimGrid::end(std::size_t number) {
   Direction& direction = directions_[number];
-  last_ended_ = std::move(direction.comm);  // SimGrid still uses it
+  last_ended_ = std::move(direction.comm);  // SimGrid still uses this object
   if (events_.stopped() || direction.cut) return;
   const double clock = s4u::Engine::get_clock();
   check_end(direction, clock, forecast_.end_of(number));
