@@ -226,8 +226,8 @@ Fields<P> lift_all(const Fields<Inner>& fields, Access access, const std::string
   return all;
 }
 
-/// Turns fields of an optional Inner into fields of P. Setting one makes the Inner; without an
-/// Inner they have its defaults.
+/// Turns fields of an optional Inner into fields of P. Setting such a field creates the Inner.
+/// While there is no Inner, getting a field returns its default.
 template <class P, class Inner>
 Fields<P> lift_optional(const Fields<Inner>& fields, std::optional<Inner> P::*inner,
                         const std::string& prefix = "") {

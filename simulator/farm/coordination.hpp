@@ -36,7 +36,7 @@ struct CoordinationSetup {
   kernels::RecordBytes bytes;
   kernels::MessageCosts message;
   Cells cells;
-  std::uint64_t seed;  ///< for the order of the initial rays
+  std::uint64_t seed;  ///< seed of the order of the initial rays
   SceneMessages load;
   std::vector<Limits> stages;   ///< successive limits of the interactive phase
   machine::Cycles cell_judged;  ///< cost of comparing a sample with a neighbour

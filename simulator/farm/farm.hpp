@@ -29,10 +29,10 @@ struct Params {
   /// A picture drawn by the display before the first ray (thesis, 4.1). Without it the display is
   /// black.
   std::optional<renderer::PreviewStep> preview;
-  Weights weights;                     ///< for stages and orders that have no weights
+  Weights weights;                     ///< default for stages and orders without weights
   snapshots::Schedule snapshot_times;  ///< times at which the growing picture is recorded
   std::optional<Block> block;          ///< size of a task; if absent, each task is a ray
-  std::uint64_t seed = 1;              ///< for the order of cells
+  std::uint64_t seed = 1;              ///< seed of the order of cells
   /// Maximum length in bytes of the messages that carry the scene down the tree before the first
   /// task. Workers acknowledge the last one. 0 means that workers already have the scene, as in the
   /// thesis's measurements.

@@ -35,7 +35,7 @@ struct Params {
   CellOrder order = CellOrder::bayer;
   /// Values other than `cells` replace `order`.
   ray_tracing::PixelOrder pixels = ray_tracing::PixelOrder::cells;
-  Weights weights;  ///< for stages and orders that have no weights
+  Weights weights;  ///< default for stages and orders without weights
   Start start = Start::scattered;
   BalanceMethod balance = BalanceMethod::neighbours;
   int reserve = 1;     ///< number of tasks that a worker keeps; with fewer it requests tasks
@@ -44,9 +44,9 @@ struct Params {
   bool is_double = false;
   bool is_polled = true;     ///< the display polls for pictures, else workers send unrequested ones
   int polls = 4;             ///< maximum number of unanswered polls
-  bool has_borders = false;  ///< also records each picture with the borders of its cells
+  bool has_borders = false;  ///< records each picture a second time, with borders of cells
   double frame_s = 0.04;     ///< minimum time between two polls of a worker in seconds
-  std::uint64_t seed = 1;    ///< for the orders `random` and `adaptive`
+  std::uint64_t seed = 1;    ///< seed of the orders `random` and `adaptive`
   snapshots::Schedule snapshot_times;
   network::Method method = network::Method::green;
   std::optional<std::size_t> buffers;             ///< per router; by default enough for all workers

@@ -27,11 +27,11 @@ struct Shared {
   kernels::KernelCost ray_cost, paint_cost, display_cost;
   std::shared_ptr<const CellQuadrants> quadrants = nullptr;  ///< set if cells have quadrant order
   const shared_memory::SceneItems* items = nullptr;          ///< set if the scene is distributed
-  machine::Cycles charged_with_data{};                       ///< of rays with distributed data
+  machine::Cycles charged_with_data{};                       ///< cycles with distributed data
   machine::Seconds charged_with_data_s{};                    ///< duration of charged_with_data
   ray_tracing::Orders<Limits> orders;                        ///< orders of the user
   Record record;
-  Traced scratch = {};  ///< for repeated runs of ray kernels if costs are timed
+  Traced scratch = {};  ///< state for repeated ray kernels, if costs are timed
 
   double now_s() const { return occam_now() - record.begun_s; }
   static double occam_now() { return machine::this_process().now().value; }

@@ -37,7 +37,7 @@ struct Sample {
   std::vector<renderer::Ray> waiting;  ///< untraced rays of shading trees
   renderer::RayCounts rays;            ///< number of traced rays
   int begun = 0;                       ///< number of samples whose primary ray has been traced
-  renderer::OpenPixel open;            ///< for adaptive sampling, until the last sample is complete
+  renderer::OpenPixel open;            ///< state of an incomplete pixel with adaptive sampling
 };
 
 /// A cell in transit to another processor, with its samples in the order of points_of().

@@ -74,8 +74,8 @@ machine::Cycles KernelCost::note(machine::Cycles counted, machine::Cycles charge
 }
 
 // Records the host time of a call that represents all calls since the previous sample. If calls are
-// short compared with reading the clock, one in 17 is sampled. The period is prime so that samples
-// do not always hit the same kind of ray.
+// short compared with reading the clock, one in 17 is sampled. A prime period samples different
+// kinds of rays.
 void KernelCost::note_profile(double start_s) {
   constexpr std::uint64_t SAMPLED = 17;
   const double interval_s = clock_interval_s();

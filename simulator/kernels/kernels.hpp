@@ -93,7 +93,7 @@ class KernelCost {
   }
 
   /// For a kernel that may wait for data: it is charged its counts before each wait, multiplied by
-  /// this factor. With timed costs, calls `kernel` as above, with all data present and therefore no
+  /// this factor. With timed costs, calls `kernel` with all data present, so that there are no
   /// waits. Otherwise returns 1 without calling `kernel`.
   template <class State, class Kernel>
   double eval_scale(State& scratch, Kernel kernel) {
@@ -108,7 +108,7 @@ class KernelCost {
   /// Costs of operations on the processor of this_process().
   const machine::OperationCosts& counted() const { return counted_.here(); }
   machine::Cycles charged() const { return use_.charged; }   ///< total cycles charged for all calls
-  machine::Seconds charged_s() const { return charged_s_; }  ///< duration of these cycles
+  machine::Seconds charged_s() const { return charged_s_; }  ///< duration of charged()
   double profile_s() const { return profile_s_; }            ///< estimated host time of all calls
   KernelUse use() const;
 

@@ -277,7 +277,7 @@ void Cpu::arm_low_timer() {
 }
 
 void Cpu::low_timer() {
-  if (interrupted_ || !low_.computing) return;  // set again when the CPU resumes the process
+  if (interrupted_ || !low_.computing) return;  // set again when the CPU resumes
   Process& low = *running_;
   const Seconds left = low_.end - now();
   find_end_of_slice();

@@ -18,7 +18,7 @@ enum class End {
   done,
   limit,
   interrupt,
-  deadlock,  ///< only on a machine with failures, see observe::run
+  deadlock,  ///< possible only on a machine with failures, see observe::run
 };
 std::string_view to_string(End end);
 

@@ -127,8 +127,8 @@ class Process {
   /// Pays the debt and returns the date. Throws Misuse if called by another process.
   Seconds now();
   /// The clock plus the time to pay the debt, without pre-emption and at the present speed. Exact
-  /// for a process that has just paid. If a date ahead of the clock is stored, it must be
-  /// stretched, see Wait::on_stretch.
+  /// for a process that has just paid. A stored date ahead of the clock must be stretched, see
+  /// Wait::on_stretch.
   inline Seconds own_time() const;
 
   Processor& processor() { return processor_; }

@@ -67,7 +67,7 @@ class Processor {
   void make_ready(Process& process, Seconds at) { cpu_.make_ready(process, at); }
   /// Makes the process ready at a future date if its wait number `wait` still lasts then.
   void wake_at(Seconds date, Process& process, std::uint64_t wait);
-  /// Does the same before all other events of that date.
+  /// Like wake_at, but before all other events of that date.
   void wake_first_at(Seconds date, Process& process, std::uint64_t wait);
 
   /// The id of the next process, unique within a machine.

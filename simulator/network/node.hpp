@@ -82,7 +82,7 @@ struct Overflow : machine::Fault {
 /// Numbers of messages handled by a router.
 struct RouterUse {
   std::uint64_t taken = 0;      ///< received from clients
-  std::uint64_t passed = 0;     ///< from link to link ("EE" in table 5.1), on arrival
+  std::uint64_t passed = 0;     ///< passed from link to link ("EE" in table 5.1)
   std::uint64_t delivered = 0;  ///< messages delivered to clients, except returned ones
   std::uint64_t returned = 0;   ///< sent back to their sender as undeliverable
   std::uint64_t lost = 0;       ///< neither delivered nor returned

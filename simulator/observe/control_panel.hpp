@@ -43,7 +43,7 @@ struct ControlPanel {
   std::function<std::vector<std::uint8_t>(const std::function<bool()>& goes_on)> sequential;
   std::vector<Gauge> gauges;
   std::vector<Inspect> inspections;      ///< each may return an empty list for a processor
-  TakeOrder take_order;                  ///< only for a program with a user
+  TakeOrder take_order;                  ///< empty for a program without a user
   std::function<void()> close_orders;    ///< ends manual commands, so that only the file's remain
   std::function<std::string()> phase;    ///< short description of the present activity
   std::function<bool()> waits_for_user;  ///< true: only a command of the user lets the run continue

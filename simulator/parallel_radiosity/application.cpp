@@ -216,7 +216,7 @@ void Root::run() {
   send(network::make_global(AMP_PROCESS), Stop{});
 }
 
-// The same condition as in radiosity::solve.
+// True under the same condition as in radiosity::solve.
 bool Root::is_over(const Candidate& best) const {
   const auto& solve = common_.params.solve;
   return shots_ >= solve.shots || eval_share(best.unshot) <= solve.tolerance || !best.shot;

@@ -80,7 +80,7 @@ class Application {
 
   const Common& common_;
   const Node node_;
-  radiosity::State state_;  ///< only its own vertices and patches are valid
+  radiosity::State state_;  ///< valid for its own vertices and patches only
 
  private:
   Candidate find_best();

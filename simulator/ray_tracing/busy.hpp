@@ -18,13 +18,13 @@ constexpr double SATURATED = 0.8;
 /// Loads of processors and links, as fractions of time.
 struct Busy {
   double worker_mean = 0, worker_max = 0;
-  std::optional<double> coordinator, database, display;  ///< if they have their own CPU
+  std::optional<double> coordinator, database, display;  ///< absent without own CPU
   std::optional<double> router_mean;                     ///< set if companions route
   std::string cpu_busiest;
-  double cpu_max = 0, cpu_high = 0;  ///< the busiest CPU: all processes, and those of high priority
+  double cpu_max = 0, cpu_high = 0;  ///< load of the busiest CPU: all processes, high-priority ones
   std::string link_busiest;          ///< "from>to"
   double link_max = 0;
-  std::uint64_t link_messages = 0, link_bytes = 0;  ///< for the busiest direction of a link
+  std::uint64_t link_messages = 0, link_bytes = 0;  ///< traffic of link_busiest
   std::uint64_t worker_memory = 0;                  ///< maximum over the workers in bytes
 };
 

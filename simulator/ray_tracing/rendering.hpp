@@ -19,12 +19,12 @@ struct Rendering {
   std::vector<KeyImage> key_images;                   ///< at the ends of stages and at orders
   std::vector<snapshots::Snapshot> pictures, growth;  ///< see snapshots::Recorder
   renderer::RayCounts rays;
-  double time_s = 0;                        ///< from the first task until the last ray is displayed
+  double time_s = 0;                        ///< from the first task to the last ray displayed
   double setup_s = 0;                       ///< time before the first task
   std::optional<double> order_to_pixel_s;   ///< longest time from an order to a changed pixel
   bool is_aborted = false;                  ///< true if the user aborted the run
   observe::Use use;                         ///< use of the machine during time_s
-  machine::End end = machine::End::done;    ///< if not `done`, up to this end
+  machine::End end = machine::End::done;    ///< if not `done`, measurements end there
   std::uint64_t events = 0;                 ///< number of simulated events
   std::vector<observe::KernelUse> kernels;  ///< kernels called on any processor
   std::vector<std::string> notes;           ///< orders without effect, removed links

@@ -21,8 +21,8 @@ struct Snapshot {
 /// Times at which the picture is recorded.
 struct Schedule {
   std::vector<double> at_s;  ///< in seconds since the first task, ascending
-  double every_s = 0;        ///< also at multiples of this interval, at most 1000 times; 0 for none
-  int growth = 0;            ///< also at least this number of times, at equal intervals; 0 for none
+  double every_s = 0;        ///< interval of further times, at most 1000; 0 for none
+  int growth = 0;            ///< minimum number of further times at equal intervals; 0 for none
 };
 
 /// Records pictures at the times of a Schedule. The picture changes only when the display

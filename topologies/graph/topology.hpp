@@ -13,7 +13,7 @@ namespace topologies {
 
 constexpr int PORTS = 4;                          ///< number of links of a transputer
 constexpr int MAX_PROCESSORS = 65536;             ///< maximum size of a machine
-constexpr std::size_t MAX_FILE_BYTES = 16 << 20;  ///< of a file with a topology or routes
+constexpr std::size_t MAX_FILE_BYTES = 16 << 20;  ///< limit for files of topologies and routes
 
 struct End {
   int processor;

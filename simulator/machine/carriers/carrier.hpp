@@ -58,7 +58,7 @@ class Carrier {
 /// two. SimGrid's engine is a singleton that lives as long as the host process.
 std::unique_ptr<Carrier> make_simgrid(Events& events, Processes processes);
 
-/// Makes a carrier without SimGrid that models links in the same way. It computes the end of a
+/// Makes a carrier without SimGrid, with the link model of make_simgrid(). It computes the end of a
 /// message from the two rates, with one event per message. A host process may have any number of
 /// these carriers; simulated processes run on fibers.
 std::unique_ptr<Carrier> make_direct(Events& events);

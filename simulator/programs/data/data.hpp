@@ -24,7 +24,7 @@ struct DataLoad {
 
 struct DataPass {
   int number = 0;              ///< number of the pass, from 1
-  double time_s = 0;           ///< from the start of the first processor to the end of the last
+  double time_s = 0;           ///< from the first processor's start to the last one's end
   double mean_s = 0;           ///< mean duration of the pass over the processors
   shared_memory::DataUse use;  ///< total over the processors with accesses
   std::optional<std::uint64_t> server_seen;  ///< requests to the coordinator, with `together`

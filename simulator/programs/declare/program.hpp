@@ -46,7 +46,7 @@ struct Image {
   std::function<void(const std::string& path)> save_exr = nullptr;
   /// True: the file name contains the sweep's point only if another image has the same name.
   bool is_named = false;
-  const char* extension = ".png";  ///< of the file that `save` writes
+  const char* extension = ".png";  ///< extension of the file that `save` writes
 };
 
 /// Load of a resource and its cause.
