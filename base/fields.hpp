@@ -297,8 +297,8 @@ Cell to_cell(const T& value) {
     return std::string(value);
 }
 
-/// `access` is a pointer to a member of R, or a function from const R&. It gives a number or text,
-/// or an optional of either.
+/// `access` is a pointer to a member of R, or a function of const R&. Its value is a number or
+/// text, or an optional of either.
 template <class R, class Access>
 Column<R> column(const std::string& name, Access access, const std::string& help) {
   return {name, help,

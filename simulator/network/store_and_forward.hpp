@@ -64,7 +64,7 @@ class StoreAndForward {
     ByWay<ByWay<Channel<Pointer>*>> queue_in{};
     ByWay<Channel<Signal>*> sent{};
     ByWay<Channel<Pointer>*> to_sender{};
-    // By the lowest port to a neighbour: the port for the next packet.
+    // The port for the next packet to a neighbour, indexed by the lowest port to it.
     std::array<std::int8_t, topologies::PORTS> turn{0, 1, 2, 3};
     std::uint32_t longest_queue = 0;
   };

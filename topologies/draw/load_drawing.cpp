@@ -37,7 +37,7 @@ const char* text_colour(double share) { return is_dark_load(share) ? "white" : "
 
 std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
 
-struct Half {  // half of a link: the direction from -> to
+struct Half {  // one direction of a link
   int from, to;
   Place swerve;
   double load;
