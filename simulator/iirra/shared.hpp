@@ -35,11 +35,22 @@ struct Shared {
 
   double now_s() const { return occam_now() - record.begun_s; }
   static double occam_now() { return machine::this_process().now().value; }
+  bool is_outside(const Point& p) const {
+    return p.x < area.x || p.y < area.y || p.x >= area.x + area.width ||
+           p.y >= area.y + area.height;
+  }
   std::uint64_t pixels() const {
     return static_cast<std::uint64_t>(area.width) * static_cast<std::uint64_t>(area.height);
   }
   machine::Cycles kernel_cycles() const { return items ? charged_with_data : ray_cost.charged(); }
   machine::Seconds kernels_s() const { return items ? charged_with_data_s : ray_cost.charged_s(); }
 };
+
+/// The memory of the processor of this_process().
+inline machine::Memory& own_memory() { return machine::this_process().processor().memory(); }
+/// Allocates there; the error for exhausted memory names `what`.
+inline void allocate(std::uint64_t bytes, const char* what) {
+  own_memory().allocate(bytes, what, machine::this_process().own_time());
+}
 
 }  // namespace iirra
