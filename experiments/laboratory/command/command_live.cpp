@@ -135,8 +135,8 @@ RunOptions run_watched(const RunOptions& options, const ExperimentFile& file, Se
   std::optional<PointResult> result;
   std::exception_ptr failure;
   try {
-    result =
-        run_point(file.points[0], options, results_folder(options) / records_folder(), &session);
+    result = run_point(file.points[0], options, results_folder(options) / records_folder(),
+                       {.controller = &session});
   } catch (const machine::Fault&) {  // the run of the recording reports the fault
   } catch (...) {
     failure = std::current_exception();
@@ -152,7 +152,7 @@ RunOptions make_run_options(const LiveOptions& o, const ExperimentFile& file) {
   options.file = find_recording(o, file).string();
   options.output = o.output;
   check_results_folder(results_folder(options));
-  check_points(options, file, 1);
+  check_points(options, file);
   if (const auto parent = fs::path(options.file).parent_path(); !parent.empty())
     fs::create_directories(parent);
   base::check_can_save(options.file);

@@ -9,6 +9,7 @@
 #include "base/errors.hpp"
 #include "base/text.hpp"
 #include "experiments/laboratory/film/film.hpp"
+#include "experiments/laboratory/film/recorded_point.hpp"
 #include "experiments/laboratory/host/colour.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/results_folder.hpp"
@@ -212,13 +213,14 @@ void run_chosen_points(const RunOptions& options) {
   const auto file = spread(load_experiment(options.file, options.overrides));
   const auto numbers = read_numbers(options.points, file.points.size());
   check_counted(file, numbers);
-  check_points(options, file, numbers.size());
+  check_recordings(options, file, numbers.size());
+  check_points(options, file);
   const auto folder = results_folder(options);
   check_results_folder(folder);
   check_same_experiment(folder, file);
   const CheckPlan checks = plan_checks(file);
   const StoreGuard guard(folder);
-  const PointsPlan plan(options, file, inspect_names(checks, file));
+  const PointsPlan plan(options, file, inspect_names(checks, file), run_recorded_point);
   Results results = find_points(plan, numbers);
   std::vector<std::size_t> missing;
   for (const auto i : numbers)

@@ -7,6 +7,7 @@
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/run.hpp"
+#include "experiments/laboratory/film/recorded_point.hpp"
 #include "experiments/laboratory/host/interrupt.hpp"
 #include "experiments/laboratory/host/link_files.hpp"
 #include "experiments/laboratory/host/progress.hpp"
@@ -92,8 +93,9 @@ void write_results(const fs::path& folder, const RunOptions& options, Simulation
 Simulation simulate(const RunOptions& options, const ExperimentFile& file, const CheckPlan& checks,
                     Missing missing) {
   Clock clock;
-  check_points(options, file,
-               (static_cast<std::size_t>(file.uncertain.machines) + 1) * file.points.size());
+  check_recordings(options, file,
+                   (static_cast<std::size_t>(file.uncertain.machines) + 1) * file.points.size());
+  check_points(options, file);
   const auto results = results_folder(options);
   check_same_experiment(results, file);
   ResultsFolder folder(results);
@@ -104,7 +106,7 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
   // the file's own points precede the machines drawn from [uncertain]
   const ExperimentFile all = spread(s.file);
   s.asked = all.points.size();
-  PointsPlan plan(options, all, inspect_names(checks, s.file));
+  PointsPlan plan(options, all, inspect_names(checks, s.file), run_recorded_point);
   plan.lone = folder.working() / lone_records_folder();
   folder.fill([&] {
     Results drawn = make_results(plan, missing, s.there);

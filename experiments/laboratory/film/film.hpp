@@ -4,7 +4,7 @@
 #include <string>
 
 #include "experiments/laboratory/file/experiment.hpp"
-#include "experiments/laboratory/film/film_options.hpp"
+#include "experiments/laboratory/points/run_options.hpp"
 #include "experiments/laboratory/film/machine_drawing.hpp"
 #include "renderer/image/animation.hpp"
 #include "simulator/observe/trace.hpp"

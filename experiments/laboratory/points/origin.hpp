@@ -2,35 +2,13 @@
 // Options of a run, and origin of a results folder. The origin is a description of the experiment,
 // written to points/experiment.json with the first record of a point.
 #include <filesystem>
-#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "base/errors.hpp"
 #include "experiments/laboratory/file/experiment.hpp"
-#include "experiments/laboratory/film/film_options.hpp"
+#include "experiments/laboratory/points/run_options.hpp"
 
 namespace laboratory {
-
-/// The options of tlab run.
-struct RunOptions {
-  std::string file;                    ///< experiment file
-  std::string output;                  ///< results folder; "": results/NAME
-  std::vector<std::string> overrides;  ///< values of --set
-  unsigned jobs = 1;     ///< number of parallel jobs: points to run, and networks to draw
-  unsigned threads = 1;  ///< threads for each point; results do not depend on their number
-  bool profile = false;
-  double until_s = std::numeric_limits<double>::infinity();  ///< end of simulated time
-  double from_s = 0;     ///< simulated time at which trace, timeline and films start
-  std::string trace;     ///< trace file of the only point: .json (Perfetto) or .paje; "": none
-  std::string timeline;  ///< Gantt chart of the only point: .svg file; "": none
-  FilmOptions films;     ///< films of the only point
-  bool list = false;
-  std::vector<std::string> points;  ///< values of --point: "3" or "3-5", numbered from 0
-
-  bool wants_trace() const { return !trace.empty() || !timeline.empty() || !films.network.empty(); }
-  /// True if points are simulated even if they have results.
-  bool runs_anew() const { return profile || wants_trace() || films.is_asked(); }
-};
 
 /// The requested results folder, or results/NAME.
 std::filesystem::path results_folder(const RunOptions& options);

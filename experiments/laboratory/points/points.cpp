@@ -6,7 +6,6 @@
 #include <set>
 
 #include "base/errors.hpp"
-#include "experiments/laboratory/film/film.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/points/origin.hpp"
@@ -46,7 +45,7 @@ void save_point(const PointsPlan& plan, std::size_t number, const PointResult& r
 PointResult run_and_save(const PointsPlan& plan, std::size_t number) {
   const Point& point = plan.file.points[number];
   try {
-    auto result = run_point(point, plan.options, plan.results / records_folder());
+    auto result = plan.run(point, plan.options, plan.results / records_folder());
     // before the inspection, so that an error there loses no result
     save_point(plan, number, result);
     if (plan.inspect) plan.inspect(point, result);
@@ -74,14 +73,12 @@ void finish_failure(const PointsPlan& plan, std::size_t number, PointResult& fai
 
 }  // namespace
 
-void check_points(const RunOptions& options, const ExperimentFile& file, std::size_t chosen) {
-  check_traces(options, chosen);
+void check_points(const RunOptions& options, const ExperimentFile& file) {
   check_axes(file);
   std::set<std::string> networks;
   for (const auto& point : file.points) try {
       check_point(point.experiment);
       check_threads(options, point.experiment);
-      if (chosen == 1 && file.points.size() == 1) check_films(options.films, point.experiment);
       if (networks.insert(network_key(point.experiment)).second) check_network(point.experiment);
       // from any module: the error is in the experiment file
     } catch (const std::runtime_error& error) {
@@ -92,13 +89,20 @@ void check_points(const RunOptions& options, const ExperimentFile& file, std::si
     }
 }
 
-PointsPlan::PointsPlan(const RunOptions& options, const ExperimentFile& file, Inspect inspect)
+PointsPlan::PointsPlan(const RunOptions& options, const ExperimentFile& file, Inspect inspect,
+                       RunPoint run_one)
     : options(options),
       file(file),
       inspect(std::move(inspect)),
+      run(std::move(run_one)),
       results(results_folder(options)),
       keys(make_keys(file, options.until_s)),
-      origin(make_origin(options, file, results)) {}
+      origin(make_origin(options, file, results)) {
+  if (!run)
+    run = [](const Point& point, const RunOptions& with, const std::filesystem::path& images) {
+      return run_point(point, with, images);
+    };
+}
 
 Results find_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers) {
   Results results(plan.keys.size());

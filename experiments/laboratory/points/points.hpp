@@ -10,20 +10,26 @@
 namespace laboratory {
 
 /// Throws BadInput for an error in any point, or in options for points, before the first point
-/// runs. `chosen` is the number of points to run.
-void check_points(const RunOptions& options, const ExperimentFile& file, std::size_t chosen);
+/// runs.
+void check_points(const RunOptions& options, const ExperimentFile& file);
 
 /// Callback that examines the result of a point as soon as it exists. Throws if the file's checks
 /// and plots use names that the result lacks.
 using Inspect = std::function<void(const Point& point, const PointResult& result)>;
 
+/// Runs a point, like run_point().
+using RunPoint = std::function<PointResult(const Point& point, const RunOptions& options,
+                                           const std::filesystem::path& images)>;
+
 /// The points to run, and where their records are.
 struct PointsPlan {
-  PointsPlan(const RunOptions& options, const ExperimentFile& file, Inspect inspect = {});
+  PointsPlan(const RunOptions& options, const ExperimentFile& file, Inspect inspect = {},
+             RunPoint run = {});
 
   const RunOptions& options;
   const ExperimentFile& file;
   Inspect inspect;
+  RunPoint run;                   ///< none: run_point()
   std::filesystem::path results;  ///< folder with records to use and to add to
   /// folder for records that only these results may use; "": not saved
   std::filesystem::path lone;

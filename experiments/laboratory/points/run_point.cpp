@@ -6,14 +6,9 @@
 #include <set>
 
 #include "base/errors.hpp"
-#include "base/whole_file.hpp"
 #include "experiments/laboratory/file/schema.hpp"
-#include "experiments/laboratory/film/film.hpp"
-#include "experiments/laboratory/host/link_files.hpp"
-#include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/points/images.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
-#include "simulator/observe/run_monitor.hpp"
 #include "topologies/graph/partition.hpp"
 #include "topologies/make/generators.hpp"
 
@@ -24,7 +19,6 @@ namespace fs = std::filesystem;
 using base::require;
 using nlohmann::ordered_json;
 using programs::Setup;
-using Save = void (*)(const observe::Trace&, std::ostream&);
 
 // CPU time of this process, independent of other programs on the host.
 double process_cpu_s() {
@@ -133,43 +127,6 @@ ordered_json make_kernels(const std::vector<observe::KernelUse>& uses) {
   return kernels;
 }
 
-// Finds the writer of a trace by the file's extension; null if it is unknown.
-Save find_format(const std::string& file) {
-  const auto ending = fs::path(file).extension();
-  if (ending == ".json") return &observe::save_chrome;
-  if (ending == ".paje" || ending == ".trace") return &observe::save_paje;
-  return ending == ".svg" ? &observe::save_timeline : nullptr;
-}
-
-// Throws before the simulation if the output file cannot be written.
-void check_place(const char* option, const std::string& file, const fs::path& results) {
-  const auto inside = fs::weakly_canonical(fs::absolute(file))
-                          .lexically_relative(fs::weakly_canonical(fs::absolute(results)));
-  require(
-      inside.empty() || *inside.begin() == "..", option,
-      "found {}, expected a file outside of the results folder {}, which is replaced as a whole",
-      file, results.string());
-  base::check_can_save(file);
-}
-
-void check_single(const char* option, std::size_t points) {
-  require(points == 1, option,
-          "the experiment has {} points, expected one; choose it with --set, for example "
-          "--set 'sweep.workers=[4]'",
-          points);
-}
-
-void save_traces(const Point& point, const RunOptions& options, observe::Trace& trace,
-                 const Film& film) {
-  const auto& said = point.experiment.title;
-  const auto title = said.empty() ? fs::path(options.file).stem().string() : said;
-  trace.title = point.at.empty() ? title : fmt::format("{}: {}", title, name_of(point));
-  for (const auto& file : {options.trace, options.timeline})
-    if (!file.empty())
-      base::save_whole(file, [&](std::ostream& out) { find_format(file)(trace, out); });
-  film.save(trace.title, trace);
-}
-
 void tell_failure(PointResult& result, const std::exception_ptr& why) {
   try {
     std::rethrow_exception(why);
@@ -247,60 +204,16 @@ void check_threads(const RunOptions& options, const Experiment& experiment) {
   refuse_if(options.wants_trace(), "a trace, a time line or a film", "one");
 }
 
-void check_traces(const RunOptions& options, std::size_t points) {
-  for (const auto& [option, file, endings] :
-       {std::tuple("--trace", options.trace, ".json or .paje"),
-        std::tuple("--timeline", options.timeline, ".svg")}) {
-    if (file.empty()) continue;
-    const bool is_chart = fs::path(file).extension() == ".svg";
-    require(find_format(file) && is_chart == (std::string_view(option) == "--timeline"), option,
-            "found {}, expected a name that ends in {}", file, endings);
-    check_single(option, points);
-    check_place(option, file, results_folder(options));
-  }
-  for (const auto& film : {options.films.picture, options.films.network}) {
-    if (film.empty()) continue;
-    const auto file = first_file(film);
-    // A film without a file name goes to the folder that contains the results folder.
-    const auto folder = results_folder(options).parent_path();
-    if (!folder.empty() && fs::path(file).parent_path() == folder) make_folders(folder);
-    check_single("--animate", points);
-    check_place("--animate", file, results_folder(options));
-  }
-  require(options.from_s < options.until_s, "--from", "found {}, expected a time before --until {}",
-          options.from_s, options.until_s);
-}
-
 PointResult describe_point(const Experiment& experiment) {
   const bool has_network = experiment.program->uses.network;
   return describe(experiment, has_network ? make_workers(experiment) : topologies::make_line(1));
 }
 
 PointResult run_point(const Point& point, const RunOptions& options, const fs::path& images,
-                      observe::RunController* controller) {
-  check_films(options.films, point.experiment);
-  const bool draws = !options.films.network.empty();
-  Film film(options.films, draws ? make_workers(point.experiment) : topologies::Topology{},
-            options.from_s);
-  observe::Trace trace;
-  observe::RunMonitor monitor;
+                      observe::RunMonitor monitor) {
   monitor.until = {options.until_s};
   monitor.from = {options.from_s};
-  if (options.wants_trace()) monitor.trace = &trace;
-  monitor.controller = controller;
-  if (options.films.is_asked()) monitor.observer = &film;
-  try {
-    auto result = run(point.experiment, images, options, monitor);
-    save_traces(point, options, trace, film);
-    return result;
-  } catch (const machine::Fault&) {
-    try {
-      save_traces(point, options, trace, film);
-    } catch (const std::exception& error) {  // the exception to report is the fault
-      complain(fmt::format("what it did until then is not shown: {}", error.what()));
-    }
-    throw;
-  }
+  return run(point.experiment, images, options, monitor);
 }
 
 }  // namespace laboratory

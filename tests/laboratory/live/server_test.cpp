@@ -81,7 +81,7 @@ struct Served {
   PointResult run() {
     RunOptions options;
     options.file = "e.toml";
-    return run_point(file.points[0], options, folder.path / "images", &session);
+    return run_point(file.points[0], options, folder.path / "images", {.controller = &session});
   }
 };
 

@@ -176,7 +176,7 @@ TEST(LiveSession, FramesAreMadeForPagesThatWantThem) {
       Session session(file, 1e9);
       Driven driven(session, {});
       driven.wants_frames = are_wanted;
-      run_point(file.points[0], {}, folder.path / "images", &driven);
+      run_point(file.points[0], {}, folder.path / "images", {.controller = &driven});
       return session.frame()->number;
     };
     EXPECT_EQ(count_frames(false), 2u) << "that of the beginning, and that of the end";

@@ -81,8 +81,8 @@ inline Watched watch(const std::string& text, const std::string& folder,
   Session session(file, std::numeric_limits<double>::infinity());
   Driven driven(session, commands);
   driven.wants_frames = wants_frames;
-  auto result =
-      run_point(file.points[0], options, std::filesystem::path(folder) / "images", &driven);
+  auto result = run_point(file.points[0], options, std::filesystem::path(folder) / "images",
+                          {.controller = &driven});
   if (session.ended_by_hand_s()) result.ended = "limit";
   return {text_of(result), record_session(file, session.actions(), folder),
           driven.replies,  session.ended_by_hand_s(),
