@@ -70,7 +70,8 @@ void verify_file(const Candidate& candidate, const VerifyOptions& options, bool 
   if (!candidate.named &&
       !base::parse_toml(base::read_text(candidate.file), candidate.file).contains("check"))
     return fmt::print("{}: no checks, skipped\n\n", candidate.file);
-  const ExperimentFile file = load_experiment(candidate.file, options.run.overrides);
+  const ExperimentFile file =
+      load_experiment(candidate.file, options.run.overrides, options.run.is_reduced);
   if (file.checks.empty()) return fmt::print("{}: no checks, skipped\n\n", candidate.file);
   const CheckPlan plan = plan_checks(file);
   RunOptions run = options.run;

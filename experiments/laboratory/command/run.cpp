@@ -197,11 +197,12 @@ void judge_chosen(const PointsPlan& plan, const std::vector<std::size_t>& number
 }  // namespace
 
 void run_experiment(const RunOptions& options) {
-  write_and_judge(options, load_experiment(options.file, options.overrides), Missing::run);
+  write_and_judge(options, load_experiment(options.file, options.overrides, options.is_reduced),
+                  Missing::run);
 }
 
 void list_points(const RunOptions& options) {
-  const auto file = spread(load_experiment(options.file, options.overrides));
+  const auto file = spread(load_experiment(options.file, options.overrides, options.is_reduced));
   const PointsPlan plan(options, file);
   const Results results = find_points(plan, all_points(file));
   for (std::size_t i = 0; i < results.size(); ++i)
@@ -210,7 +211,7 @@ void list_points(const RunOptions& options) {
 }
 
 void run_chosen_points(const RunOptions& options) {
-  const auto file = spread(load_experiment(options.file, options.overrides));
+  const auto file = spread(load_experiment(options.file, options.overrides, options.is_reduced));
   const auto numbers = read_numbers(options.points, file.points.size());
   check_counted(file, numbers);
   check_recordings(options, file, numbers.size());

@@ -28,6 +28,14 @@ void assign(toml::table& file, std::string_view key, const toml::node& value) {
 }
 
 // Applies an override such as "scene.objects=800". A value that is not valid TOML counts as a
+// Sets a key of the file, which may be an axis: "sweep.topology, workers".
+void set_key(toml::table& file, const std::string& key, const toml::node& value) {
+  if (!key.starts_with("sweep.")) return assign(file, key, value);
+  auto* sweep = file.insert("sweep", toml::table{}).first->second.as_table();
+  base::require(sweep, "sweep", "not a section");
+  sweep->insert_or_assign(join_names(key.substr(6)), value);
+}
+
 // string. The name of an axis may contain dots.
 void override_key(toml::table& file, const std::string& text) {
   const auto equals = text.find('=');
@@ -44,10 +52,29 @@ void override_key(toml::table& file, const std::string& text) {
     parsed.insert("value", value);
   }
   base::require(parsed.size() == 1, "--set " + text, "expected one value after '='");
-  if (!key.starts_with("sweep.")) return assign(file, key, *parsed.get("value"));
-  auto* sweep = file.insert("sweep", toml::table{}).first->second.as_table();
-  base::require(sweep, "sweep", "not a section");
-  sweep->insert_or_assign(join_names(key.substr(6)), *parsed.get("value"));
+  set_key(file, key, *parsed.get("value"));
+}
+
+// Replaces keys of the file by those of a table in it, and of its subtables. `prefix` precedes the
+// names of the keys.
+void replace_keys(toml::table& file, const toml::table& by, const std::string& prefix) {
+  for (auto&& [name, node] : by) {
+    const auto key = prefix + std::string(name.str());
+    if (const auto* table = node.as_table())
+      replace_keys(file, *table, key + ".");
+    else
+      set_key(file, key, node);
+  }
+}
+
+// Removes [reduced], after its values have replaced those of the file if `is_reduced`.
+void take_reduced(toml::table& file, bool is_reduced, const std::string& path) {
+  const auto* node = file.get("reduced");
+  if (!node) return;
+  base::require(node->is_table(), path, "reduced: expected a section");
+  const toml::table reduced = *node->as_table();
+  file.erase("reduced");
+  if (is_reduced) replace_keys(file, reduced, "");
 }
 
 // Collects the numeric keys of the file. Values of axes override those of the file.
@@ -106,18 +133,21 @@ std::map<std::string, std::string> find_settings(const toml::table& file) {
 
 }  // namespace
 
-ExperimentFile load_experiment(const std::string& path, const std::vector<std::string>& overrides) {
+ExperimentFile load_experiment(const std::string& path, const std::vector<std::string>& overrides,
+                               bool is_reduced) {
   return read_experiment(base::read_text(path), path,
-                         std::filesystem::path(path).parent_path().string(), overrides);
+                         std::filesystem::path(path).parent_path().string(), overrides, is_reduced);
 }
 
 ExperimentFile read_experiment(const std::string& text, const std::string& path,
-                               const std::string& folder,
-                               const std::vector<std::string>& overrides) {
+                               const std::string& folder, const std::vector<std::string>& overrides,
+                               bool is_reduced) {
   for (const auto& name : {path, folder})
     base::require(base::is_utf8(name), name, "found a name that is no UTF-8, which run.json needs");
   toml::table file = base::parse_toml(text, path);
   std::vector<std::string> order;
+  add_names(order, file, path);
+  take_reduced(file, is_reduced, path);
   add_names(order, file, path);
   for (const auto& override : overrides) {
     override_key(file, override);

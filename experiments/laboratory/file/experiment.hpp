@@ -117,13 +117,15 @@ struct ExperimentFile {
 };
 
 /// Reads and checks a file. `overrides` are "key.path=value", with the value as in TOML or a bare
-/// word. Paths in the file are relative to its folder. Throws BadInput with the file, the line or
-/// key, the value found, and the nearest valid key.
-ExperimentFile load_experiment(const std::string& path, const std::vector<std::string>& overrides);
+/// word; they follow the values of [reduced], which apply if `is_reduced`. Paths in the file are
+/// relative to its folder. Throws BadInput with the file, the line or key, the value found, and the
+/// nearest valid key.
+ExperimentFile load_experiment(const std::string& path, const std::vector<std::string>& overrides,
+                               bool is_reduced = false);
 
 /// Reads a text as if it were the content of the file `path`, with paths relative to `folder`.
 ExperimentFile read_experiment(const std::string& text, const std::string& path,
-                               const std::string& folder,
-                               const std::vector<std::string>& overrides);
+                               const std::string& folder, const std::vector<std::string>& overrides,
+                               bool is_reduced = false);
 
 }  // namespace laboratory

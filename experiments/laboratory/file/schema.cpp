@@ -105,6 +105,7 @@ const Bindings<Experiment>& bindings() {
       bind_to_file("best", "[[best]]: which value of some axes is best for each of others"),
       bind_to_file("baseline", "[[baseline]]: how many times as fast each row is as another"),
       bind_to_file("report", "[report]: what else is in the report"),
+      bind_to_file("reduced", "[reduced]: values of other keys for a quick trial, with --reduced"),
       bind_to_file("uncertain", "[uncertain]: machines drawn from what their numbers may be"),
   };
   return all;

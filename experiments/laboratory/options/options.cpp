@@ -56,6 +56,8 @@ void add_run_options(CLI::App& command, RunOptions& options, const std::string& 
                      const std::string& set) {
   options.jobs = std::max(1u, std::thread::hardware_concurrency());
   command.add_option("-o,--output", options.output, output)->check(check_folder_name);
+  command.add_flag("--reduced", options.is_reduced,
+                   "a quick trial: replace keys by those of the file's section [reduced]");
   command.add_option("--set", options.overrides, set)->allow_extra_args(false);
   command.add_option("--jobs", options.jobs, "points run side by side")
       ->check(CLI::Range(1, 1024))

@@ -48,6 +48,7 @@ Origin read_origin(const fs::path& results, const ordered_json& json) {
   options.file = json.at("file").get<std::string>();
   options.output = results.string();
   for (const auto& set : json.at("set")) options.overrides.push_back(set.get<std::string>());
+  options.is_reduced = json.value("reduced", false);
   if (json.at("until_s").is_number()) options.until_s = json["until_s"].get<double>();
   const auto folder = find_folder(results, options.file, json.at("folder").get<std::string>());
   origin.file =
@@ -76,6 +77,7 @@ fs::path results_folder(const RunOptions& options) {
 
 std::string command_line(const RunOptions& options) {
   std::string line = "tlab run " + spell_word(options.file);
+  if (options.is_reduced) line += " --reduced";
   for (const auto& set : options.overrides) line += " --set " + spell_word(set);
   if (std::isfinite(options.until_s)) line += fmt::format(" --until {}", options.until_s);
   return line;
@@ -93,6 +95,7 @@ ordered_json make_origin(const RunOptions& options, const ExperimentFile& file,
       {"file", file.path},
       {"folder", folder},
       {"set", options.overrides},
+      {"reduced", options.is_reduced},
       {"until_s", std::isfinite(options.until_s) ? ordered_json(options.until_s) : ordered_json()},
       {"experiment", file.resolved}};
 }

@@ -22,6 +22,7 @@ struct RunOptions {
   std::string file;                    ///< experiment file
   std::string output;                  ///< results folder; "": results/NAME
   std::vector<std::string> overrides;  ///< values of --set
+  bool is_reduced = false;             ///< use the values of [reduced]
   unsigned jobs = 1;     ///< number of parallel jobs: points to run, and networks to draw
   unsigned threads = 1;  ///< threads for each point; results do not depend on their number
   bool profile = false;
