@@ -15,7 +15,7 @@ struct RunMonitor {
   RunObserver* observer = nullptr;      ///< may be null
 
   machine::End end = machine::End::done;  ///< reason for the end of the run
-  std::exception_ptr deadlock = {};       ///< the Deadlock, for End::deadlock
+  std::exception_ptr deadlock = {};       ///< the exception if `end` is End::deadlock
   machine::Seconds ended{};               ///< date of the end
   std::uint64_t events = 0;               ///< number of simulated events
 };

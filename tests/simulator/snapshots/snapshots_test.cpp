@@ -21,8 +21,8 @@ struct Display {
     const auto until = std::ranges::lower_bound(times_s, at_s);
     return {static_cast<std::uint8_t>(until - times_s.begin())};
   }
-  Recorder record(const Schedule& snapshot_times) const {
-    Recorder recorder(snapshot_times);
+  Recorder record(const Schedule& schedule) const {
+    Recorder recorder(schedule);
     for (std::size_t i = 0; i < times_s.size(); ++i) {
       const auto look = [i] { return Snapshot{.rgb8 = {static_cast<std::uint8_t>(i)}}; };
       if (i + 1 < times_s.size())
@@ -51,14 +51,14 @@ TEST(Recorder, TakesWhatIsShownAtEachTimeOnce) {
     std::set<double> at_s, expected;
     for (auto n = random() % 6; n > 0; --n)
       at_s.insert(0.125 * static_cast<double>(1 + random() % 500));
-    const Schedule looks{
+    const Schedule schedule{
         .at_s = {at_s.begin(), at_s.end()},
         .every_s = random() % 2 == 0 ? 0 : 0.25 * static_cast<double>(1 + random() % 40)};
     for (const double s : at_s)
       if (s <= end_s) expected.insert(s);
-    for (int i = 1; snapshot_times.every_s > 0 && i * snapshot_times.every_s <= end_s; ++i)
-      expected.insert(i * snapshot_times.every_s);
-    const Recorder recorder = display.record(snapshot_times);
+    for (int i = 1; schedule.every_s > 0 && i * schedule.every_s <= end_s; ++i)
+      expected.insert(i * schedule.every_s);
+    const Recorder recorder = display.record(schedule);
     std::vector<double> taken;
     for (const auto& picture : recorder.pictures()) {
       taken.push_back(picture.at_s);

@@ -353,7 +353,7 @@ TEST(AmpMessages, AreAsLongAsWhatTheySay) {
     for (const std::size_t n : {0u, 1u, 64u}) {
       const std::vector<radiosity::Rgb> values(n);
       EXPECT_EQ(bytes.of(Given{0, values}), 8 + n * colour);
-      EXPECT_EQ(bytes.of(Shown{0, values}), 8 + n * colour);
+      EXPECT_EQ(bytes.of(Displayed{0, values}), 8 + n * colour);
       EXPECT_GE(bytes.longest(), bytes.of(Given{0, values}));
     }
     const auto more = static_cast<std::uint64_t>(colours) * colour;
