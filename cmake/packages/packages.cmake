@@ -39,8 +39,8 @@ The experiments of a thesis of 1995 are included.")
 # Libraries that the installed headers include and that cmake/tlabConfig.cmake finds.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libtlab-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(needed libboost-context-dev libboost-filesystem-dev libboost-graph-dev libfmt-dev libmetis-dev
-    libmuparser-dev libopenexr-dev libpng-dev libpugixml-dev libsimgrid-dev libtomlplusplus-dev libwebp-dev)
+set(needed libboost-context-dev libboost-filesystem-dev libexpat1-dev libfmt-dev libmetis-dev
+    libmuparser-dev libopenexr-dev libpng-dev libsimgrid-dev libtomlplusplus-dev libwebp-dev)
 list(JOIN needed ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "tlab, cmake")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "transputer laboratory, libraries for programs of one's own

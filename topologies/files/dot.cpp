@@ -3,207 +3,206 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/graphviz.hpp>
-#include <cctype>
-#include <map>
-#include <numeric>
-#include <sstream>
 
 #include "base/errors.hpp"
-#include "topologies/files/raw_graph.hpp"
+#include "topologies/files/dot_graph.hpp"
+#include "topologies/files/dot_tokens.hpp"
 
 namespace topologies {
 namespace {
 
 constexpr int MAX_NESTING = 100;
+constexpr std::size_t MAX_EDGES = 1 << 20;  // a topology has at most an eighth of this
 
-bool is_space(char c) { return std::isspace(static_cast<unsigned char>(c)) != 0; }
+using Kind = DotToken::Kind;
 
-bool is_word(char c) {
-  return std::isalnum(static_cast<unsigned char>(c)) || c == '_' || c == '.' ||
-         static_cast<unsigned char>(c) >= 128;
-}
+// Reads one graph, statement by statement.
+class DotReader {
+ public:
+  DotReader(const std::string& text, const std::string& file) : tokens_(text, file) {}
 
-size_t skip_past(std::string_view text, size_t from, std::string_view end) {
-  const auto found = text.find(end, from);
-  return found == text.npos ? text.size() : found + end.size();
-}
+  RawGraph read();
 
-// Length of the token at `at`: white space, a comment, a quoted string, HTML, a word or a single
-// symbol.
-size_t measure_token(std::string_view text, size_t at) {
-  const auto rest = text.substr(at);
-  const auto run = [&](auto belongs) {
-    return static_cast<size_t>(std::ranges::find_if_not(rest, belongs) - rest.begin());
+ private:
+  // Nodes, or a subgraph, on one side of an edge.
+  struct Operand {
+    int group = -1;                 // -1: nodes
+    std::vector<DotEnd> ends = {};  // without a group
   };
-  if (is_space(rest[0])) return run(is_space);
-  if (is_word(rest[0])) return run(is_word);
-  if (rest.starts_with("--") || rest.starts_with("->")) return 2;
-  if (rest.starts_with("//")) return skip_past(rest, 2, "\n");
-  if (rest.starts_with("/*")) return skip_past(rest, 2, "*/");
-  if (rest[0] == '#' && (at == 0 || text[at - 1] == '\n')) return skip_past(rest, 1, "\n");
-  if (rest[0] == '"') {
-    size_t i = 1;
-    while (i < rest.size() && rest[i] != '"') i += rest[i] == '\\' ? 2 : 1;
-    return std::min(i + 1, rest.size());
-  }
-  if (rest[0] == '<') {
-    int depth = 0;
-    size_t i = 0;
-    do depth += rest[i] == '<' ? 1 : rest[i] == '>' ? -1 : 0;
-    while (++i < rest.size() && depth > 0);
-    return i;
-  }
-  return 1;
-}
 
-bool is_gap(std::string_view token) {
-  return is_space(token[0]) || token[0] == '#' || token.starts_with("//") ||
-         token.starts_with("/*");
-}
+  bool sees_name() const;
+  bool sees_operand() const { return sees_name() || tokens_.sees("subgraph") || tokens_.sees("{"); }
+  std::string take_name(std::string_view expected);
+  DotAttributes take_attributes();
+  void read_statements(int group);
+  void read_statement(int group);
+  void read_defaults(int group);
+  void read_edges(int group, Operand first, int line);
+  Operand take_operand(int group);
+  Operand take_nodes(int group, std::string name, int line);
+  int take_subgraph(int around);
+  void link(int group, const Operand& tails, const Operand& heads, const DotAttributes& attributes,
+            int line);
+  std::size_t count_ends(const Operand& operand) const;
+  std::vector<DotEnd> list_ends(const Operand& operand) const;
 
-bool is_identifier(std::string_view token) {
-  return !token.empty() && (is_word(token[0]) || token[0] == '"');
-}
-
-// True if an unquoted word is a DOT keyword. Keywords ignore case.
-bool is_keyword(std::string_view word) {
-  std::string lower;
-  for (const unsigned char c : word) lower += static_cast<char>(std::tolower(c));
-  return lower == "graph" || lower == "digraph" || lower == "subgraph" || lower == "node" ||
-         lower == "edge" || lower == "strict";
-}
-
-std::string unquote(std::string_view token) {
-  if (token.size() < 2 || token[0] != '"') return std::string(token);
-  std::string result;
-  for (size_t i = 1; i + 1 < token.size(); ++i)
-    if (token.substr(i, 2) != "\\\"") result += token[i];
-  return result;
-}
-
-// Preprocessed text for Boost's DOT reader, and the order of names, which the reader does not keep.
-struct DotText {
-  std::string text;                  // has the keyword `subgraph` before every nested brace
-  std::map<std::string, int> place;  // index by identifier, in the order of first mention
+  DotTokens tokens_;
+  DotGraph graph_{false, false};
+  std::string_view edge_ = "--";
+  int depth_ = 0;
+  std::size_t edges_ = 0;
 };
 
-// Scans the tokens of `text` once. Refuses three things that Boost's reader cannot handle. It would
-// drop the port in node:port, overflow the stack on deeply nested braces, and link all pairs of
-// nodes for an edge between two groups.
-DotText make_dot_text(const std::string& text, const std::string& file) {
-  DotText result;
-  std::string_view before, last;  // the last two tokens
-  int line = 1, braces = 0, last_braces = 0, brackets = 0, named = 0;
-  const auto refuse = [&](const std::string& what) {
-    throw base::BadInput(fmt::format("{}: line {}: {}", file, line, what));
-  };
-  const size_t start = text.starts_with("\xef\xbb\xbf") ? 3 : 0;
-  for (size_t at = start, length = 0; at < text.size(); at += length) {
-    length = measure_token(text, at);
-    const auto token = std::string_view(text).substr(at, length);
-    const char c = token[0];
-    if (c == '{' && ++braces > MAX_NESTING)
-      refuse(fmt::format("more than {} nested braces", MAX_NESTING));
-    if (c == ':' && brackets == 0)
-      refuse(fmt::format(
-          "found a port after a node (\"{}:\"), expected the edge attributes port_a and port_b",
-          last));
-    const bool joins_groups = (last == "--" || last == "->") && before == "}";
-    if (joins_groups && (c == '{' || token == "subgraph"))
-      refuse("an edge joins two groups in braces, expected a node at one side");
-    if (c == '{' && braces > 1 && last != "subgraph" && before != "subgraph")
-      result.text += "subgraph ";
-    result.text += token;
-    line += static_cast<int>(std::ranges::count(token, '\n'));
-    if (is_gap(token)) continue;
-    const bool assigned = c == '=' || before == "=";  // is the name or value of an attribute
-    const bool is_node = last_braces > 0 && before != "subgraph" && !is_keyword(last);
-    if (brackets == 0 && is_identifier(last) && is_node && !assigned)
-      named += result.place.try_emplace(unquote(last), named).second;
-    braces -= c == '}', brackets += (c == '[') - (c == ']');
-    last_braces = braces;
-    before = last, last = token;
+RawGraph DotReader::read() {
+  const bool is_strict = tokens_.accept("strict");
+  const bool is_directed = tokens_.accept("digraph");
+  if (!is_directed && !tokens_.accept("graph"))
+    tokens_.refuse(is_strict ? "graph or digraph" : "graph, digraph or strict");
+  if (is_directed) edge_ = "->";
+  graph_ = DotGraph(is_strict, is_directed);
+  if (sees_name()) take_name("");
+  read_statements(0);
+  if (tokens_.peek().kind != Kind::end) tokens_.refuse("one graph, and nothing after it");
+  return graph_.make_raw();
+}
+
+bool DotReader::sees_name() const {
+  return tokens_.peek().kind == Kind::word || tokens_.peek().kind == Kind::string;
+}
+
+// A word, or strings joined by +.
+std::string DotReader::take_name(std::string_view expected) {
+  if (!sees_name()) tokens_.refuse(expected);
+  auto token = tokens_.take();
+  while (token.kind == Kind::string && tokens_.accept("+")) {
+    if (tokens_.peek().kind != Kind::string)
+      tokens_.refuse("a string in double quotes after \"+\"");
+    token.text += tokens_.take().text;
   }
-  return result;
+  return token.text;
 }
 
-struct Edge {
-  std::string port_a, port_b, tailport, headport;
-};
-
-// Returns our port attribute if present. Otherwise returns Graphviz's, unless it is a compass
-// point.
-std::string choose_port(const std::string& ours, const std::string& graphviz) {
-  const bool is_number =
-      !graphviz.empty() && graphviz.find_first_not_of("0123456789") == std::string::npos;
-  return ours.empty() && is_number ? graphviz : ours;
-}
-
-template <typename Directedness>
-RawGraph read_raw(const std::string& text) {
-  using Graph =
-      boost::adjacency_list<boost::vecS, boost::vecS, Directedness, RawVertex, Edge, std::string>;
-  Graph graph;
-  boost::dynamic_properties properties(boost::ignore_other_properties);
-  boost::ref_property_map<Graph*, std::string> root(get_property(graph));
-  properties.property("root", root);
-  properties.property("root", get(&RawVertex::root, graph));
-  properties.property("node_id", get(&RawVertex::name, graph));
-  properties.property("port_a", get(&Edge::port_a, graph));
-  properties.property("port_b", get(&Edge::port_b, graph));
-  properties.property("tailport", get(&Edge::tailport, graph));
-  properties.property("headport", get(&Edge::headport, graph));
-  boost::read_graphviz(text, graph, properties);
-
-  RawGraph raw;
-  raw.root = get_property(graph);
-  for (auto [v, end] = vertices(graph); v != end; ++v) raw.vertices.push_back(graph[*v]);
-  for (auto [e, end] = edges(graph); e != end; ++e)
-    raw.edges.push_back({static_cast<int>(source(*e, graph)), static_cast<int>(target(*e, graph)),
-                         choose_port(graph[*e].port_a, graph[*e].tailport),
-                         choose_port(graph[*e].port_b, graph[*e].headport)});
-  return raw;
-}
-
-// Restores the file's order of vertices, because Boost's reader sorts them by name.
-void restore_order(RawGraph& raw, const std::map<std::string, int>& place) {
-  std::vector<int> order(raw.vertices.size()), now(raw.vertices.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::stable_sort(order, {}, [&](int v) {
-    const auto found = place.find(raw.vertices[v].name);
-    return found == place.end() ? static_cast<int>(place.size()) : found->second;
-  });
-  std::vector<RawVertex> sorted;
-  for (const int v : order) {
-    now[v] = static_cast<int>(sorted.size());
-    sorted.push_back(raw.vertices[v]);
-  }
-  raw.vertices = std::move(sorted);
-  for (auto& edge : raw.edges) edge.source = now[edge.source], edge.target = now[edge.target];
-}
-
-RawGraph read_raw(const std::string& text, const std::string& name) {
-  try {
-    try {
-      return read_raw<boost::undirectedS>(text);
-    } catch (const boost::directed_graph_error&) {
-      auto raw = read_raw<boost::directedS>(text);
-      raw.has_arrows = true;
-      return raw;
+// The attributes in any number of square brackets; the last of a name is valid.
+DotAttributes DotReader::take_attributes() {
+  DotAttributes attributes;
+  while (tokens_.accept("["))
+    while (!tokens_.accept("]")) {
+      const auto name = take_name("an attribute or \"]\"");
+      tokens_.require("=");
+      attributes[name] = take_name("an attribute's value");
+      if (!tokens_.accept(",")) tokens_.accept(";");
     }
-  } catch (const std::exception& error) {
-    throw base::BadInput(fmt::format("{}: malformed DOT: {}", name, error.what()));
+  return attributes;
+}
+
+void DotReader::read_statements(int group) {
+  if (++depth_ > MAX_NESTING) tokens_.refuse(fmt::format("at most {} nested braces", MAX_NESTING));
+  tokens_.require("{");
+  while (!tokens_.accept("}")) {
+    if (tokens_.peek().kind == Kind::end) tokens_.refuse("\"}\"");
+    read_statement(group);
+    tokens_.accept(";");
+  }
+  --depth_;
+}
+
+void DotReader::read_statement(int group) {
+  const int line = tokens_.peek().line;
+  if (tokens_.sees("graph") || tokens_.sees("node") || tokens_.sees("edge"))
+    return read_defaults(group);
+  if (!sees_name()) return read_edges(group, take_operand(group), line);
+  const auto name = take_name("");
+  if (tokens_.accept("="))
+    graph_.set_graph_attributes(group, {{name, take_name("an attribute's value")}});
+  else
+    read_edges(group, take_nodes(group, name, line), line);
+}
+
+void DotReader::read_defaults(int group) {
+  const auto kind = tokens_.take().text;
+  if (!tokens_.sees("[")) tokens_.refuse(fmt::format("\"[\" after \"{}\"", kind));
+  const auto attributes = take_attributes();
+  if (kind == "graph") graph_.set_graph_attributes(group, attributes);
+  if (kind == "node") graph_.set_node_defaults(group, attributes);
+  if (kind == "edge") graph_.set_edge_defaults(group, attributes);
+}
+
+// Reads on after the first operand. Edges follow at the end, since a subgraph may be given twice.
+void DotReader::read_edges(int group, Operand first, int line) {
+  std::vector<Operand> chain{std::move(first)};
+  while (tokens_.accept(edge_)) chain.push_back(take_operand(group));
+  if (tokens_.sees("--") || tokens_.sees("->"))
+    tokens_.refuse(fmt::format("\"{}\" in a {}", edge_, edge_ == "--" ? "graph" : "digraph"));
+  const auto attributes = take_attributes();
+  if (chain.size() == 1)
+    for (const auto& end : chain[0].ends) graph_.set_attributes(end.node, attributes);
+  for (std::size_t i = 1; i < chain.size(); ++i)
+    link(group, chain[i - 1], chain[i], attributes, line);
+}
+
+DotReader::Operand DotReader::take_operand(int group) {
+  const int line = tokens_.peek().line;
+  if (sees_name()) return take_nodes(group, take_name(""), line);
+  if (!tokens_.sees("subgraph") && !tokens_.sees("{")) tokens_.refuse("a node or a subgraph");
+  return {.group = take_subgraph(group)};
+}
+
+// The nodes of a list with commas, each perhaps with a port and a compass point. The first name is
+// taken already.
+DotReader::Operand DotReader::take_nodes(int group, std::string name, int line) {
+  Operand operand;
+  while (true) {
+    DotEnd end{graph_.add_node(group, name, line), std::nullopt};
+    if (tokens_.accept(":")) {
+      end.port = take_name("a port");
+      if (tokens_.accept(":")) *end.port += ":" + take_name("a compass point");
+    }
+    operand.ends.push_back(end);
+    if (!tokens_.accept(",")) return operand;
+    line = tokens_.peek().line;
+    name = take_name("a node");
   }
 }
 
-// True if the text can be written as a quoted string. Boost's reader keeps backslashes, and a quote
-// after a backslash does not end the string.
+int DotReader::take_subgraph(int around) {
+  std::optional<std::string> name;
+  if (tokens_.accept("subgraph") && sees_name()) name = take_name("");
+  const int group = graph_.open_group(around, name);
+  read_statements(group);
+  return group;
+}
+
+std::size_t DotReader::count_ends(const Operand& operand) const {
+  return operand.group < 0 ? operand.ends.size() : graph_.nodes_of(operand.group).size();
+}
+
+std::vector<DotEnd> DotReader::list_ends(const Operand& operand) const {
+  if (operand.group < 0) return operand.ends;
+  std::vector<DotEnd> ends;
+  for (const int node : graph_.nodes_of(operand.group)) ends.push_back({node, std::nullopt});
+  return ends;
+}
+
+// Links each node of one operand to each node of the other.
+void DotReader::link(int group, const Operand& tails, const Operand& heads,
+                     const DotAttributes& attributes, int line) {
+  const auto pairs = count_ends(tails) * count_ends(heads);
+  edges_ += pairs;
+  base::require(edges_ <= MAX_EDGES, fmt::format("{}: line {}", tokens_.file(), line),
+                "found {} edges, expected at most {}", edges_, MAX_EDGES);
+  if (pairs == 0) return;
+  const auto to = list_ends(heads);
+  for (const auto& tail : list_ends(tails))
+    for (const auto& head : to) graph_.add_edge(group, tail, head, attributes, line);
+}
+
+// True if a quoted string can hold the text. Two backslashes stay two; a single one stays too,
+// unless it escapes a quote or the end of a line.
 bool can_quote(std::string_view text) {
   for (size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '\\') continue;
     if (i + 1 == text.size() || text[i + 1] == '"' || text[i + 1] == '\n') return false;
+    if (text[i + 1] == '\\') ++i;
   }
   return true;
 }
@@ -215,7 +214,7 @@ std::string quote(const std::string& text) {
   };
   const bool is_number = !text.empty() && std::ranges::all_of(text, is_digit);
   const bool is_name =
-      !text.empty() && is_plain(text[0]) && !is_keyword(text) &&
+      !text.empty() && is_plain(text[0]) && !is_dot_keyword(text) &&
       std::ranges::all_of(text, [&](char c) { return is_plain(c) || is_digit(c); });
   if (is_number || is_name) return text;
   std::string quoted = "\"";
@@ -226,10 +225,7 @@ std::string quote(const std::string& text) {
 }  // namespace
 
 Topology read_dot(const std::string& text, const std::string& name) {
-  const auto dot = make_dot_text(text, name);
-  auto raw = read_raw(dot.text, name);
-  restore_order(raw, dot.place);
-  return make_topology(raw, name);
+  return make_topology(DotReader(text, name).read(), name);
 }
 
 std::string to_dot(const Topology& topology) {

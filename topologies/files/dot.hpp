@@ -1,5 +1,5 @@
 #pragma once
-// DOT files of topologies, read with Boost.Graph.
+// DOT files of topologies.
 
 #include <string>
 
@@ -7,14 +7,15 @@
 
 namespace topologies {
 
-/// Reads a DOT text by the rules of load_topology; `name` replaces the path in messages. Refuses
-/// node:port, because Boost's reader would drop the port. Refuses an edge between two groups in
-/// braces.
+/// Reads a DOT text by the rules of load_topology; `name` replaces the path in messages. Accepts
+/// the language of Graphviz 2.42 and makes the same nodes and edges. A port in node:port equals the
+/// attribute `tailport` or `headport`. Refuses, with the line, a second graph, subgraphs nested
+/// deeper than 100, more than 2^20 edges, macros, and words such as 2x, which Graphviz splits.
 Topology read_dot(const std::string& text, const std::string& name);
 
 /// Writes DOT that `read_dot` restores with the same processors, root, ports and labels. Throws
-/// BadInput for a label that DOT cannot hold: one with a backslash at its end, before a quote or
-/// before a line end.
+/// BadInput for a label that DOT cannot hold: one with an odd number of backslashes at its end,
+/// before a quote or before a line end.
 std::string to_dot(const Topology& topology);
 
 }  // namespace topologies

@@ -5,104 +5,178 @@
 #include <algorithm>
 #include <initializer_list>
 #include <map>
-#include <pugixml.hpp>
+#include <ranges>
 #include <set>
+#include <tuple>
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
 #include "topologies/files/raw_graph.hpp"
+#include "topologies/files/xml.hpp"
 
 namespace topologies {
 namespace {
 
-// The attributes declared by a GraphML file for its graph, nodes and edges.
-class Attributes {
- public:
-  explicit Attributes(const pugi::xml_node& graphml) {
-    for (const auto& key : graphml.children("key"))
-      keys_.push_back({key.attribute("id").value(), key.attribute("for").value(),
-                       key.attribute("attr.name").value(), key.child("default").child_value()});
-  }
+constexpr int DEPTH = 4;  // graphml, graph, node, data
 
-  // The value of the first declared attribute with one of these names; "" if there is none.
-  std::string find(const pugi::xml_node& element,
-                   std::initializer_list<std::string_view> names) const {
-    for (const auto& key : keys_) {
-      if (std::ranges::find(names, key.name) == names.end()) continue;
-      if (key.domain != element.name() && key.domain != "all") continue;
-      const auto data = element.find_child_by_attribute("data", "key", key.id.c_str());
-      const std::string value = data ? data.child_value() : key.standard;
-      if (!value.empty()) return value;
-    }
-    return "";
-  }
+// Elements of GraphML that tlab knows, by the elements that they stand in. Others are ignored
+// unless they are a graph, a part of one, or stand for one in another file.
+const std::map<std::string, std::set<std::string>> KNOWN{
+    {"graphml", {"key", "graph"}}, {"graph", {"node", "edge"}}, {"node", {"port"}}, {"edge", {}}};
+const std::set<std::string> PARTS{"graph", "node", "edge", "hyperedge", "locator"};
+
+// The reader of one file.
+class GraphmlReader {
+ public:
+  GraphmlReader(const XmlElement& graphml, std::string file);
+
+  RawGraph read();
 
  private:
   struct Key {
-    std::string id, domain, name, standard;
+    std::string domain, name, standard;
   };
-  std::vector<Key> keys_;
+
+  [[nodiscard]] std::string place_of(const XmlElement& element) const {
+    return fmt::format("{}: line {}", file_, element.line);
+  }
+  // The child elements in GraphML's namespace with this name.
+  auto children(const XmlElement& element, std::string_view name) const {
+    return element.children | std::views::filter([this, name](const XmlElement& child) {
+             return child.name == name && child.space == graphml_.space;
+           });
+  }
+  void refuse_other_parts(const XmlElement& element) const;
+  std::string require_attribute(const XmlElement& element, const char* key) const;
+  std::string find(const XmlElement& element, const char* name) const;
+  void read_key(const XmlElement& key);
+  void read_node(const XmlElement& node);
+  void read_edge(const XmlElement& edge, bool is_directed);
+  int find_vertex(const XmlElement& edge, const char* end) const;
+
+  const XmlElement& graphml_;
+  std::string file_;
+  std::map<std::string, Key> keys_;      // by id
+  std::map<std::string, int> vertices_;  // by id
+  std::set<std::string> names_;
+  std::set<std::tuple<int, int, std::string>> edges_;  // those with an id
+  RawGraph raw_;
 };
 
-std::string require_attribute(const pugi::xml_node& element, const char* key,
-                              const std::string& file) {
-  const auto attribute = element.attribute(key);
-  base::require(!attribute.empty(), file, "an element without attribute \"{}\"", key);
-  return attribute.value();
+GraphmlReader::GraphmlReader(const XmlElement& graphml, std::string file)
+    : graphml_(graphml), file_(std::move(file)) {
+  base::require(graphml.name == "graphml", place_of(graphml), "found <{}>, expected <graphml>",
+                graphml.name);
 }
 
-RawGraph read_raw(const pugi::xml_node& graph, const Attributes& attributes,
-                  const std::string& file) {
-  RawGraph raw;
-  std::map<std::string, int> vertices;  // by GraphML id
-  std::set<std::string> names;
-  for (const auto& node : graph.children("node")) {
-    const auto id = require_attribute(node, "id", file);
-    base::require(!node.child("graph"), file, "a graph inside node \"{}\", expected one graph", id);
-    base::require(vertices.emplace(id, vertices.size()).second, file, "two nodes have id \"{}\"",
+// Refuses a second or nested graph, hyperedges, and graphs in other files.
+void GraphmlReader::refuse_other_parts(const XmlElement& element) const {
+  const auto& known = KNOWN.at(element.name);
+  for (const auto& child : element.children)
+    if (child.space == graphml_.space && PARTS.contains(child.name) && !known.contains(child.name))
+      base::refuse(place_of(child), "found <{}> in <{}>, expected one graph of nodes and edges",
+                   child.name, element.name);
+}
+
+std::string GraphmlReader::require_attribute(const XmlElement& element, const char* key) const {
+  const auto value = element.attribute(key);
+  base::require(!value.empty(), place_of(element), "found <{}> without attribute \"{}\"",
+                element.name, key);
+  return value;
+}
+
+void GraphmlReader::read_key(const XmlElement& key) {
+  const auto id = require_attribute(key, "id");
+  std::string standard;
+  for (const auto& element : children(key, "default")) standard = element.text;
+  const auto domain = key.attribute("for");
+  const bool is_new = keys_
+                          .try_emplace(id, Key{domain.empty() ? "all" : domain,
+                                               key.attribute("attr.name"), standard})
+                          .second;
+  base::require(is_new, place_of(key), "two keys have id \"{}\"", id);
+}
+
+// The value of the attribute with this name, or its default; "" without one.
+std::string GraphmlReader::find(const XmlElement& element, const char* name) const {
+  std::string value;
+  for (const auto& [id, key] : keys_)
+    if (key.name == name && (key.domain == element.name || key.domain == "all"))
+      value = key.standard;
+  for (const auto& data : children(element, "data")) {
+    const auto id = require_attribute(data, "key");
+    const auto key = keys_.find(id);
+    base::require(key != keys_.end(), place_of(data), "found data of \"{}\", which is no key's id",
                   id);
-    const auto name = attributes.find(node, {"name"});
-    raw.vertices.push_back({name.empty() ? id : name, attributes.find(node, {"root"})});
-    base::require(names.insert(raw.vertices.back().name).second, file,
-                  "two vertices are called \"{}\"", raw.vertices.back().name);
+    if (key->second.name == name && !data.text.empty()) value = data.text;
   }
-  const bool points = std::string_view(graph.attribute("edgedefault").value()) == "directed";
-  for (const auto& edge : graph.children("edge")) {
-    raw.has_arrows |= edge.attribute("directed").as_bool(points);
-    const auto find_vertex = [&](const char* key) {
-      const auto id = require_attribute(edge, key, file);
-      const auto found = vertices.find(id);
-      base::require(found != vertices.end(), file, "an edge's {} is \"{}\", which is no node's id",
-                    key, id);
-      return found->second;
-    };
-    raw.edges.push_back({find_vertex("source"), find_vertex("target"),
-                         attributes.find(edge, {"port_a", "tailport"}),
-                         attributes.find(edge, {"port_b", "headport"})});
+  return value;
+}
+
+void GraphmlReader::read_node(const XmlElement& node) {
+  refuse_other_parts(node);
+  const auto id = require_attribute(node, "id"), name = find(node, "name");
+  base::require(vertices_.emplace(id, vertices_.size()).second, place_of(node),
+                "two nodes have id \"{}\"", id);
+  raw_.vertices.push_back({name.empty() ? id : name, find(node, "root"), node.line});
+  base::require(names_.insert(raw_.vertices.back().name).second, place_of(node),
+                "two vertices are called \"{}\"", raw_.vertices.back().name);
+}
+
+int GraphmlReader::find_vertex(const XmlElement& edge, const char* end) const {
+  const auto id = require_attribute(edge, end);
+  const auto found = vertices_.find(id);
+  base::require(found != vertices_.end(), place_of(edge),
+                "an edge's {} is \"{}\", which is no node's id", end, id);
+  return found->second;
+}
+
+void GraphmlReader::read_edge(const XmlElement& edge, bool is_directed) {
+  refuse_other_parts(edge);
+  if (const auto text = edge.attribute("directed"); !text.empty())
+    is_directed = text == "true" || text == "1";
+  raw_.has_arrows |= is_directed;
+  const int source = find_vertex(edge, "source"), target = find_vertex(edge, "target");
+  const auto id = edge.attribute("id");
+  const auto [low, high] = std::minmax(source, target);
+  const auto ends = is_directed ? std::tuple(source, target, id) : std::tuple(low, high, id);
+  base::require(id.empty() || edges_.insert(ends).second, place_of(edge),
+                "two edges between the same nodes have id \"{}\"", id);
+  const auto find_name = [&](const char* port, const char* graphviz) {
+    const auto name = edge.attribute(port);
+    return name.empty() ? find(edge, graphviz) : name;
+  };
+  raw_.edges.push_back({source, target, find(edge, "port_a"), find(edge, "port_b"),
+                        find_name("sourceport", "tailport"), find_name("targetport", "headport"),
+                        edge.line});
+}
+
+RawGraph GraphmlReader::read() {
+  refuse_other_parts(graphml_);
+  for (const auto& key : children(graphml_, "key")) read_key(key);
+  const XmlElement* graph = nullptr;
+  for (const auto& element : children(graphml_, "graph")) {
+    base::require(graph == nullptr, place_of(element), "found a second graph, expected one");
+    graph = &element;
   }
+  base::require(graph != nullptr, place_of(graphml_), "found no <graph> in <graphml>");
+  refuse_other_parts(*graph);
+  for (const auto& node : children(*graph, "node")) read_node(node);
+  const bool is_directed = graph->attribute("edgedefault") == "directed";
+  for (const auto& edge : children(*graph, "edge")) read_edge(edge, is_directed);
   // The graph's attribute `root` may hold a name or an id.
-  raw.root = attributes.find(graph, {"root"});
-  const auto by_id = vertices.find(raw.root);
-  if (!names.contains(raw.root) && by_id != vertices.end())
-    raw.root = raw.vertices[by_id->second].name;
-  return raw;
+  raw_.root = find(*graph, "root");
+  const auto by_id = vertices_.find(raw_.root);
+  if (!names_.contains(raw_.root) && by_id != vertices_.end())
+    raw_.root = raw_.vertices[static_cast<std::size_t>(by_id->second)].name;
+  return std::move(raw_);
 }
 
 }  // namespace
 
 Topology read_graphml(const std::string& text, const std::string& name) {
-  pugi::xml_document document;
-  const auto parsed =
-      document.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_trim_pcdata);
-  if (!parsed) {
-    const auto before = std::string_view(text).substr(0, static_cast<size_t>(parsed.offset));
-    throw base::BadInput(fmt::format("{}: malformed GraphML, line {}: {}", name,
-                                     1 + std::ranges::count(before, '\n'), parsed.description()));
-  }
-  const auto graphml = document.child("graphml"), graph = graphml.child("graph");
-  base::require(!graph.empty(), name,
-                "malformed GraphML: no element <graph> in an element <graphml>");
-  return make_topology(read_raw(graph, Attributes(graphml), name), name);
+  const auto graphml = read_xml(text, DEPTH, name);
+  return make_topology(GraphmlReader(graphml, name).read(), name);
 }
 
 std::string to_graphml(const Topology& topology) {

@@ -1,5 +1,5 @@
 #pragma once
-// GraphML files of topologies, read with pugixml.
+// GraphML files of topologies.
 
 #include <string>
 
@@ -7,7 +7,9 @@
 
 namespace topologies {
 
-/// Reads a GraphML text by the rules of load_topology; `name` replaces the path in messages.
+/// Reads a text by the rules of load_topology; `name` stands for the path. Edge attributes
+/// `sourceport` and `targetport` name ports as `tailport` and `headport` do. Refuses, with the
+/// line, a second or nested graph, hyperedges, locators, and data without a key.
 Topology read_graphml(const std::string& text, const std::string& name);
 
 /// Writes GraphML that `read_graphml` restores with the same processors, root, ports and labels.

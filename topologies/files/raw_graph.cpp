@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <initializer_list>
 #include <numeric>
 #include <tuple>
 
@@ -38,15 +37,20 @@ bool is_name(const std::string& text) {
          std::ranges::none_of(text, is_control);
 }
 
+// The beginning of a message about a line of the file, or about the file if the line is 0.
+std::string place_in(const std::string& file, int line) {
+  return line > 0 ? fmt::format("{}: line {}", file, line) : file;
+}
+
+// Reads a flag as networkx does; Python writes True and False.
 bool read_flag(const RawVertex& vertex, const std::string& file) {
-  const auto is_one_of = [&](std::initializer_list<std::string_view> texts) {
-    return std::ranges::find(texts, vertex.root) != texts.end();
-  };
-  // networkx writes True and False, as Python does
-  if (is_one_of({"", "false", "False", "0"})) return false;
-  if (is_one_of({"true", "True", "1"})) return true;
-  throw base::BadInput(fmt::format("{}: vertex \"{}\": root is \"{}\", expected true or false",
-                                   file, vertex.name, vertex.root));
+  std::string text = vertex.root;
+  for (char& c : text)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  if (text.empty() || text == "false" || text == "0") return false;
+  if (text == "true" || text == "1") return true;
+  base::refuse(place_in(file, vertex.line), "vertex \"{}\": root is {}, expected true or false",
+               vertex.name, base::quote(vertex.root));
 }
 
 int find_root(const RawGraph& graph, const std::string& file) {  // returns -1 without a root
@@ -66,13 +70,33 @@ int find_root(const RawGraph& graph, const std::string& file) {  // returns -1 w
   return root;
 }
 
-int read_port(const RawGraph& graph, const RawEdge& edge, const std::string& text,
-              const std::string& file) {  // returns -1 if the attribute is missing
-  if (text.empty()) return -1;
+// The number in a name such as "2" or, with a compass point, "2:ne"; "" for any other name.
+std::string find_number(const std::string& name) {
+  const auto number = name.substr(0, name.find(':'));
+  const auto digits = number.starts_with('-') ? number.substr(1) : number;
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  return !digits.empty() && std::ranges::all_of(digits, is_digit) ? number : "";
+}
+
+bool is_compass_point(const std::string& name) {
+  constexpr std::array<std::string_view, 10> POINTS{"n",  "ne", "e",  "se", "s",
+                                                    "sw", "w",  "nw", "c",  "_"};
+  return std::ranges::find(POINTS, name) != POINTS.end();
+}
+
+// The port at one end of an edge: the attribute, else the number in the port's name, else -1. Notes
+// a name that is neither number nor compass point.
+int read_port(const RawGraph& graph, const RawEdge& edge, const std::string& attribute,
+              const std::string& name, const std::string& file, Topology& topology) {
+  const auto text = attribute.empty() ? find_number(name) : attribute;
+  if (text.empty()) {
+    topology.has_port_names |= !name.empty() && !is_compass_point(name);
+    return -1;
+  }
   if (text.size() == 1 && text[0] >= '0' && text[0] < '0' + PORTS) return text[0] - '0';
-  throw base::BadInput(fmt::format("{}: edge \"{}\" to \"{}\": found port \"{}\", expected 0 to {}",
-                                   file, graph.vertices[edge.source].name,
-                                   graph.vertices[edge.target].name, text, PORTS - 1));
+  base::refuse(place_in(file, edge.line), "edge \"{}\" to \"{}\": found port {}, expected 0 to {}",
+               graph.vertices[edge.source].name, graph.vertices[edge.target].name,
+               base::quote(text), PORTS - 1);
 }
 
 // Gives each end without a port the lowest free one. If no port is free, leaves -1, which `check`
@@ -106,7 +130,7 @@ std::vector<std::string> names_of(const Topology& topology) {
 Topology make_topology(const RawGraph& graph, const std::string& name) {
   base::require(!graph.vertices.empty(), name, "the graph is empty, expected a vertex at least");
   for (const auto& vertex : graph.vertices)
-    base::require(is_name(vertex.name), name,
+    base::require(is_name(vertex.name), place_in(name, vertex.line),
                   "found a vertex called {}, expected UTF-8 without control characters and without "
                   "blanks at its ends",
                   base::quote(vertex.name));
@@ -115,9 +139,11 @@ Topology make_topology(const RawGraph& graph, const std::string& name) {
   const auto processor = number_vertices(graph, topology);
   const int root = find_root(graph, name);
   if (root >= 0) topology.root = processor[root];
-  for (const auto& edge : graph.edges)
-    topology.links.push_back({{processor[edge.source], read_port(graph, edge, edge.port_a, name)},
-                              {processor[edge.target], read_port(graph, edge, edge.port_b, name)}});
+  for (const auto& edge : graph.edges) {
+    const int a = read_port(graph, edge, edge.port_a, edge.name_a, name, topology);
+    const int b = read_port(graph, edge, edge.port_b, edge.name_b, name, topology);
+    topology.links.push_back({{processor[edge.source], a}, {processor[edge.target], b}});
+  }
   assign_ports(topology);
   for (auto& [a, b] : topology.links)
     if (a.processor > b.processor) std::swap(a, b);

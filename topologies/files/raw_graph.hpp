@@ -11,11 +11,15 @@ namespace topologies {
 struct RawVertex {
   std::string name;
   std::string root;  ///< text of the attribute `root`, or "" if it is missing
+  int line = 0;      ///< in the file; 0 if there is none
 };
 
 struct RawEdge {
   int source = 0, target = 0;  ///< indices into `vertices`
   std::string port_a, port_b;  ///< text of the port attributes, or "" if missing
+  /// The port's name in Graphviz or GraphML, such as "3", "3:n", "ne" or "f0"; "" if missing.
+  std::string name_a = {}, name_b = {};
+  int line = 0;  ///< in the file; 0 if there is none
 };
 
 struct RawGraph {

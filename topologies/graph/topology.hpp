@@ -43,8 +43,9 @@ struct Topology {
   /// Number of C004 link switches on a link, keyed by its two processors, lower first. Links
   /// without an entry have no switch.
   std::map<std::pair<int, int>, int> switches = {};
-  Shape shape = {};         ///< unknown for a topology from a file
-  bool has_arrows = false;  ///< the file holds a directed graph
+  Shape shape = {};             ///< unknown for a topology from a file
+  bool has_arrows = false;      ///< the file holds a directed graph
+  bool has_port_names = false;  ///< the file has port names other than numbers; they are ignored
 };
 
 /// True if a topology, known to be connected, has no cycles.

@@ -52,11 +52,12 @@ TEST(TopologyNames, AreUtf8WithoutControlCharactersAndBlanksAtTheirEnds) {
     EXPECT_TRUE(refused([&] {
       read_dot("graph G { \"" + std::string(name) + "\" -- \"b\" }", "f.dot");
     })) << name;
+  }
+  for (const auto* name : {" a", "a ", "a\n", "a\r"})
     EXPECT_TRUE(refused([&] {
       read_graphml("<graphml><graph><node id=\"" + std::string(name) + "\"/></graph></graphml>",
                    "f.graphml");
     })) << name;
-  }
   EXPECT_TRUE(refused([] {
     read_graphml("<graphml><graph><node id=\"a&#13;\"/></graph></graphml>", "f.graphml");
   }));
@@ -68,7 +69,8 @@ TEST(TopologyDot, NamesMayBeThoseOfGraphsAndGroupsAndKeywords) {
        {std::vector<std::string>{"one", "G", "two", "three"},
         {"b", "a", "node", "GRAPH"},
         {"x", "edge", "subgraph", "-5"},
-        {".", "\\n", "a\\b", "1.5"}}) {
+        {".", "\\n", "a\\b", "1.5"},
+        {"a\\\\", "\\\\\"b", "-.5", "<b>"}}) {
     ring.labels = labels;
     expect_round_trips(ring);
   }
@@ -78,7 +80,7 @@ TEST(TopologyDot, NamesMayBeThoseOfGraphsAndGroupsAndKeywords) {
 
 TEST(TopologyDot, RefusesToWriteWhatItCannotHold) {
   auto ring = make_topology("ring:3");
-  for (const char* label : {"a\\", "a\\\"b"}) {
+  for (const char* label : {"a\\", "a\\\"b", "a\\\\\\"}) {
     ring.labels = {"x", label, "y"};
     EXPECT_THROW(to_dot(ring), base::BadInput) << label;
     expect_same_wiring(read_graphml(to_graphml(ring), "x"), ring);
@@ -126,11 +128,46 @@ TEST(TopologyDot, NumbersVerticesAsTheFileNamesThem) {
   EXPECT_EQ(describe_processor(t, 1), "\"w 10\"");
 }
 
-// Line markers of a C preprocessor: they name no vertices.
-TEST(TopologyDot, LinesThatBeginWithAHashAreComments) {
-  const auto t = read_dot("# 1 \"net.dot\"\ngraph {\n# b -- a\na -- b // c\n}\n", "net.dot");
-  EXPECT_EQ(t.labels, (std::vector<std::string>{"a", "b"}));
-  EXPECT_EQ(t.links.size(), 1u);
+// Names in the order of first mention, and the number of links.
+TEST(TopologyDot, IsReadAsGraphvizReadsIt) {
+  struct Case {
+    std::string text;
+    std::vector<std::string> names;
+    std::size_t links;
+  };
+  for (const auto& [text, names, links] : {
+           Case{"strict graph { a -- b; b -- c; c -- a; a -- b; b -- a; }", {"a", "b", "c"}, 3},
+           Case{"strict digraph { a -> b; a -> b; b -> a }", {"a", "b"}, 2},
+           Case{R"(graph { "a" + "b" -- "c"; "ab" -- d; })", {"ab", "c", "d"}, 2},
+           Case{"graph { -1 -- 0; 0 -- 1; 1 -- -1; }", {"-1", "0", "1"}, 3},
+           Case{"graph { -.5--1.--007 }", {"-.5", "1.", "007"}, 2},
+           Case{"graph { a [label=<<table><tr><td port=\"p\">A &amp; B</td></tr></table>>];"
+                " a -- b [label=<x<br/>y>]; b--c }",
+                {"a", "b", "c"},
+                2},
+           Case{"graph { <<i>x</i>> -- <b>; \"b\" -- c }", {"<i>x</i>", "b", "c"}, 2},
+           Case{"graph { Köln -- Zürich -- \"São Paulo\"; }", {"Köln", "Zürich", "São Paulo"}, 2},
+           Case{"// head\n/* multi\n line -- x */\n# 1 \"net.dot\"\ngraph { a -- b // c -- d\n"
+                " # 1 \"foo\"\n b -- c /* -- z */ ; # trailing hash\n c -- d }",
+                {"a", "b", "c", "d"},
+                3},
+           Case{"\xef\xbb\xbfGRAPH \"x\" + \"y\" { Node [a=b]; SubGraph s { a } -- b }",
+                {"a", "b"},
+                1},
+           Case{"graph { {a b} -- {c d}; a, b -- e }", {"a", "b", "c", "d", "e"}, 6},
+           Case{"graph { subgraph s {a} subgraph s {b} -- c }", {"a", "b", "c"}, 2},
+           Case{"graph { a -- {b -- c} -- d [x=y][]; }", {"a", "b", "c", "d"}, 5},
+           Case{"graph { a -- b [key=1]; b -- a [key=1]; a -- b [key=2] }", {"a", "b"}, 2},
+           Case{"graph { a -- {} -- b; a -- b }", {"a", "b"}, 1},
+           Case{R"(graph { "a\"b" -- "c\
+d" -- "e\f" })",
+                {"a\"b", "cd", "e\\f"},
+                2},
+       }) {
+    const auto t = read_dot(text, "net.dot");
+    EXPECT_EQ(t.labels, names) << text;
+    EXPECT_EQ(t.links.size(), links) << text;
+  }
 }
 
 TEST(TopologyDot, KeepsNumbersThatAreNames) {
@@ -149,10 +186,29 @@ TEST(TopologyDot, AssignsFreePortsInTheOrderOfEdges) {
   EXPECT_EQ(t.links, expected);
 }
 
+// In an undirected graph, b -- a of a strict graph means the edge a -- b that is there already.
+TEST(TopologyDot, PortsAreThoseOfNodesAndOfDefaults) {
+  for (const auto* text :
+       {"graph { 0:1 -- 1:2:ne }", "graph { edge [port_a=1]; 0 -- 1:3 [headport=\"2:n\"] }",
+        "graph { subgraph { edge [tailport=1]; 0 -- 1 [port_b=2] } }",
+        "strict graph { 0 -- 1; 1:2 -- 0:1 }", "graph { 0:3 -- 1 [key=x]; 1:2 -- 0:1 [key=x] }",
+        "graph { 0:f0 -- 1 [port_a=1, port_b=2] }"})
+    EXPECT_EQ(read_dot(text, "x.dot").links, (std::vector<Link>{{{0, 1}, {1, 2}}})) << text;
+}
+
+TEST(TopologyDot, DefaultsHoldForNewVerticesOfTheirSubgraph) {
+  for (const auto* text : {"graph { a -- b; { node [root=true]; b c } c -- b }",
+                           "graph { a -- b; subgraph s { node [root=1] } subgraph s { c } c -- b }",
+                           "graph { a -- b; node [root=1]; { node [root=0] x } x -- b; c -- b }"}) {
+    const auto t = read_dot(text, "root.dot");
+    EXPECT_EQ(describe_processor(t, t.root), "\"c\"") << text;
+  }
+}
+
 TEST(TopologyDot, RootIsAGraphOrVertexAttribute) {
   for (const auto* text : {"graph { root=c; a -- b -- c }", "graph { graph [root=c]; a -- b -- c }",
                            "graph { a -- b -- c; c [root=true] }",
-                           "graph { a [root=False]; a -- b -- c; c [root=True] }",
+                           "graph { a [root=False]; a -- b -- c; c [root=TRUE] }",
                            "digraph { root=c; c [root=1]; a [root=false];"
                            " a -> b -> c }"}) {
     const auto t = read_dot(text, "root.dot");
@@ -175,6 +231,45 @@ TEST(TopologyGraphml, ReadsWhatAnEditorWrites) {
   EXPECT_EQ(t.labels, (std::vector<std::string>{"z", "b"}));
   EXPECT_EQ(t.root, 1);
   EXPECT_EQ(t.links, (std::vector<Link>{{{0, 3}, {1, 0}}}));
+}
+
+TEST(TopologyGraphml, ReadsPortsPrefixesAndDefaults) {
+  const std::string begin =
+                        "<?xml version='1.0'?><!DOCTYPE g:graphml [<!ENTITY b 'b'>]>"
+                        "<g:graphml xmlns:g='http://graphml.graphdrawing.org/xmlns' "
+                        "xmlns='http://elsewhere'><g:desc><g:graph/></g:desc>"
+                        "<g:key id='r' for='node' attr.name='root'><g:default>0</g:default>"
+                        "</g:key><g:key id='q' attr.name='headport'><g:default>2</g:default>"
+                        "</g:key><g:graph edgedefault='undirected'><edge source='a' target='a'/>",
+                    a = "<g:node id='a'><g:port name='3'><g:port name='x'/></g:port></g:node>",
+                    b = "<g:node id='&b;'><g:data key='r'> 1\n</g:data></g:node>",
+                    edge = "<g:edge source='a' target='b' sourceport='3'/>",
+                    end = "</g:graph></g:graphml>";
+  for (const auto& text : {begin + a + b + edge + end, "\xef\xbb\xbf" + begin + a + b + edge + end,
+                           begin + edge + b + a + end}) {
+    const auto t = read_graphml(text, "x.graphml");
+    ASSERT_EQ(t.processors, 2);
+    EXPECT_EQ(t.labels[t.root], "b");
+    const auto [one, other] = t.links.at(0);
+    EXPECT_EQ(t.labels[one.processor] == "a" ? one.port : other.port, 3);
+    EXPECT_EQ(t.labels[one.processor] == "a" ? other.port : one.port, 2);
+  }
+}
+
+TEST(TopologyFiles, NamesOfPortsThatAreNoNumbersAreLeftOutAndReported) {
+  const auto dot = [](const std::string& port) {
+    return to_metrics(read_dot("graph { a:" + port + " -- b }", "x.dot"));
+  };
+  const auto graphml = read_graphml(
+      "<graphml><graph><node id='a'/><node id='b'/>"
+      "<edge source='a' target='b' targetport='north'/>"
+      "</graph></graphml>",
+      "x.graphml");
+  const std::string row = "\nport names              left out, since they are no numbers 0 to 3\n";
+  EXPECT_NE(dot("f0").find(row), std::string::npos);
+  EXPECT_NE(to_metrics(graphml).find(row), std::string::npos);
+  for (const auto* port : {"ne", "_", "3", "\"3:w\""})
+    EXPECT_EQ(dot(port).find("port names"), std::string::npos) << port;
 }
 
 TEST(TopologyFiles, AreSpecsByTheirExtension) {

@@ -80,30 +80,56 @@ TEST(TopologyErrors, SizesOfGeneratorsCalledDirectly) {
   EXPECT_NE(rejection([] { make_hypercube(1 << 30); }), "");
 }
 
+// A subgraph of many nodes.
+std::string make_group(int nodes) {
+  std::string text = "{";
+  for (int i = 0; i < nodes; ++i) text += " " + std::to_string(i);
+  return text + " }";
+}
+
 TEST(TopologyErrors, Dot) {
   expect_rejected(
-      {{"", {"x.dot", "malformed DOT", "graph"}},
-       {"graph { a -- }", {"malformed DOT"}},
-       {"graph { a -- b", {"malformed DOT"}},
-       {"graph { a [label=\"open }", {"malformed DOT"}},
-       {"graph { a -> b }", {"malformed DOT"}},
-       {"digraph { a -> }", {"malformed DOT"}},
+      {{"", {"x.dot: line 1: found the end of the file, expected graph, digraph or strict"}},
+       {"net { a }", {"line 1: found 'net', expected graph, digraph or strict"}},
+       {"strict\n{ a }", {"line 2: found '{', expected graph or digraph"}},
+       {"graph {\n a -- }", {"line 2: found '}', expected a node or a subgraph"}},
+       {"graph { a -- b\n", {"line 2: found the end of the file, expected \"}\""}},
+       {"graph {\n a [label=\"open }\n", {"line 2: found the end of the file in a string"}},
+       {"graph {\n a [label=<<b> }\n", {"line 2: found the end of the file in HTML"}},
+       {"graph {\n a /* b }\n", {"line 2: found the end of the file in a comment"}},
+       {"graph {\n\n a -> b }", {"line 3: found '->', expected \"--\" in a graph"}},
+       {"digraph {\n a -- b }", {"line 2: found '--', expected \"->\" in a digraph"}},
+       {"digraph { a -> }", {"line 1: found '}', expected a node or a subgraph"}},
+       {"graph { \"a\\\n\" --\n b; ; }", {"line 3: found ';', expected a node or a subgraph"}},
+       {"graph { a [\nbold] }", {"line 2: found ']', expected \"=\""}},
+       {"graph { a [x=] }", {"found ']', expected an attribute's value"}},
+       {"graph { \"a\" +\n b }", {"line 2: found 'b', expected a string in double quotes"}},
+       {"graph {\n 2x -- b }", {"line 2: found '2x', expected a number, or a name in double"}},
+       {"graph { 10.0.0.1 -- b }", {"found '10.0.0.1', expected a number, or a name in double"}},
+       {"graph { a - b }", {"found '-', expected a name, a string or a symbol"}},
+       {"graph { a:0:n:n -- b }", {"found ':'"}},
+       {"graph { subgraph s; a }", {"found ';', expected \"{\""}},
+       {"graph { node a }", {"found 'a', expected \"[\" after \"node\""}},
+       {"graph { a -- b }\ngraph { c }", {"line 2: found 'graph', expected one graph"}},
+       {"graph { a -- b }\n}", {"line 2: found '}', expected one graph, and nothing after it"}},
        {"graph { }", {"x.dot", "empty"}},
        {"graph { a -- b; b -- b }", {"x.dot", "\"b\" is linked to itself"}},
        {"graph { a -- b; a -- b; a -- b; b -- a; a -- b }", {"processor \"a\" has 5 links"}},
        {"graph { a -- b; c -- d }", {"not connected", "\"c\" cannot be reached", "root \"a\""}},
        {"graph { a -- b; a--c; a--d; a--e; a--f }", {"processor \"a\" has 5 links", "4 ports"}},
-       {"graph { a -- b [port_a=4] }", {"edge \"a\" to \"b\"", "port \"4\"", "0 to 3"}},
-       {"graph { a -- b [port_b=east] }", {"port \"east\"", "0 to 3"}},
-       {"graph { a -- b [tailport=12] }", {"port \"12\""}},
+       {"graph {\n\n a -- b [port_a=4] }",
+        {"x.dot: line 3: edge \"a\" to \"b\"", "port '4'", "0 to 3"}},
+       {"graph { a -- b [port_b=east] }", {"port 'east'", "0 to 3"}},
+       {"graph { a -- b [tailport=12] }", {"port '12'"}},
        {"graph { a--b [port_a=1]; a--c [port_a=1] }",
         {"port 1 of processor \"a\"", "\"b\" and \"c\""}},
-       {"graph {\n a -- b;\n c:1 -- a }", {"line 3", "\"c:\"", "port_a"}},
-       {"graph {\n {a b} -- {c d} }", {"line 2", "two groups in braces"}},
+       {"graph {\n a -- b;\n c:7:ne -- a }", {"line 3", "edge \"c\" to \"a\"", "port '7'"}},
        {"graph { root=z; a -- b }", {"root \"z\" is not a vertex", "\"a\""}},
        {"graph { root=a; a -- b; b [root=true] }", {"both \"a\" and \"b\"", "root"}},
-       {"graph { a [root=maybe]; a -- b }", {"vertex \"a\"", "\"maybe\"", "true or false"}},
-       {"graph " + std::string(5000, '{'), {"nested braces"}}},
+       {"graph {\n a [root=maybe]; a -- b }", {"line 2: vertex \"a\"", "'maybe'", "true or false"}},
+       {"graph " + std::string(5000, '{'), {"line 1", "at most 100 nested braces"}},
+       {"graph {\n" + make_group(2000) + " -- " + make_group(2000) + " }",
+        {"line 2: found 4000000 edges, expected at most 1048576"}}},
       [](const std::string& text) { read_dot(text, "x.dot"); });
 }
 
@@ -118,24 +144,44 @@ TEST(TopologyErrors, Graphml) {
   std::string deep, closed;
   for (int i = 0; i < 100000; ++i) deep += "<a>", closed += "</a>";
   expect_rejected(
-      {{"", {"x.graphml", "malformed GraphML"}},
-       {"<graphml>\n<graph>\n<node></graph>", {"malformed GraphML, line 3"}},
-       {"<html></html>", {"no element <graph>"}},
-       {"<graphml></graphml>", {"no element <graph>"}},
+      {{"", {"x.graphml: line 1: malformed XML: no element found"}},
+       {"<graphml>\n<graph>\n<node></graph>", {"line 3: malformed XML: mismatched tag"}},
+       {"<graphml>\n<g:graph/></graphml>", {"line 2: malformed XML: unbound prefix"}},
+       {"<!DOCTYPE x SYSTEM 'x.dtd'>\n<graphml>&up;</graphml>",
+        {"line 2: malformed XML: the entity 'up' is not defined"}},
+       {"<html></html>", {"line 1: found <html>, expected <graphml>"}},
+       {"\n<graphml></graphml>", {"line 2: found no <graph> in <graphml>"}},
        {graphml(""), {"empty"}},
-       {graphml("<node/>"), {"without attribute \"id\""}},
-       {graphml(ab + "<edge source=\"a\"/>"), {"without attribute \"target\""}},
-       {graphml(ab + R"(<edge source="a" target="zz"/>)"), {"target is \"zz\"", "no node's id"}},
-       {graphml(ab + R"(<node id="a"/>)"), {"two nodes have id \"a\""}},
+       {graphml("<node/>"), {"line 4: found <node> without attribute \"id\""}},
+       {graphml(ab + "<edge source=\"a\"/>"), {"<edge> without attribute \"target\""}},
+       {graphml(ab + "\n<edge source=\"a\" target=\"zz\"/>"),
+        {"line 5: ", "target is \"zz\"", "no node's id"}},
+       {graphml(ab + R"(<node id="a"/>)"), {"line 4: two nodes have id \"a\""}},
        {graphml(ab + R"(<edge source="b" target="b"/>)"), {"\"b\" is linked to itself"}},
        {graphml(ab + R"(<node id="c"/>)"), {"\"c\" cannot be reached"}},
        {graphml(R"(<node id="a"/><node id="b"/><edge source="a" target="b"><data key="p">7</data>)"
                 "</edge>"),
-        {"port \"7\"", "0 to 3"}},
-       {deep, {"malformed GraphML, line 1"}},
-       {deep + "</a>", {"malformed GraphML"}},
+        {"line 4: edge \"a\" to \"b\": found port '7', expected 0 to 3"}},
+       {graphml(R"(<node id="a"/><node id="b"/><edge source="a" target="b" sourceport="5"/>)"),
+        {"line 4", "port '5'", "0 to 3"}},
+       {graphml(R"(<node id="a"><data key="q">7</data></node>)"),
+        {"line 4", "\"q\"", "no key's id"}},
+       {graphml(R"(<node id="a"/><node id="b"/><edge id="e" source="a" target="b"/>)"
+                R"(<edge id="e" source="b" target="a"/>)"),
+        {"line 4: two edges between the same nodes have id \"e\""}},
+       {deep, {"malformed XML: no element found"}},
+       {deep + "</a>", {"line 1: malformed XML"}},
        {graphml(deep + closed), {"empty"}},
-       {graphml(R"(<node id="a"><graph/></node>)"), {"a graph inside node \"a\""}}},
+       {graphml(ab + "\n<hyperedge><endpoint node=\"a\"/></hyperedge>"),
+        {"line 5: found <hyperedge> in <graph>, expected one graph of nodes and edges"}},
+       {graphml("<node id=\"a\"/></graph>\n<graph><node id=\"b\"/>"),
+        {"line 5: found a second graph"}},
+       {graphml("<node id=\"a\">\n<graph/></node>"), {"line 5: found <graph> in <node>"}},
+       {graphml(ab + "<edge source=\"a\" target=\"b\">\n<graph/></edge>"),
+        {"line 5: found <graph> in <edge>"}},
+       {graphml("<locator xlink='a.graphml'/>"), {"line 4: found <locator> in <graph>"}},
+       {"<graphml>\n<key id='a'/>\n<key id='a'/><graph/></graphml>",
+        {"line 3: two keys have id \"a\""}}},
       [](const std::string& text) { read_graphml(text, "x.graphml"); });
 }
 
