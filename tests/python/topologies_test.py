@@ -186,6 +186,39 @@ class GraphsTest(unittest.TestCase):
         self.assertEqual(renamed.distance("board 0", "board 7"), topology.distance(0, 7))
         self.assertEqual(renamed.path("board 0", "board 7"), [f"board {i}" for i in topology.path(0, 7)])
 
+    def test_nodes_that_are_numbers_are_names(self):
+        for first, step in [(1, 1), (10, -2), (-3, 1), (0, 2)]:
+            nodes = [first + step * i for i in range(5)]
+            graph = networkx.path_graph(nodes)
+            topology = tlab.from_networkx(graph)
+            for a, b in itertools.product(nodes, nodes):
+                self.assertEqual(topology.path(a, b), networkx.shortest_path(graph, a, b))
+                self.assertEqual(topology.distance(str(a), numpy.int64(b)), abs(a - b) // abs(step))
+            with self.assertRaisesRegex(tlab.BadInput, "found no processor called 99"):
+                topology.path(nodes[0], 99)
+            self.assertEqual(list(topology.to_networkx()), nodes)
+            with tempfile.TemporaryDirectory() as folder:
+                topology.save(f"{folder}/path.dot")
+                again = tlab.topology(f"{folder}/path.dot")
+            self.assertEqual(again.path(nodes[0], nodes[2]), [str(node) for node in nodes[:3]])
+        with self.assertRaisesRegex(tlab.BadInput, "found no processor called 0"):
+            tlab.from_networkx(networkx.path_graph([1, 2, 3])).path(0, 1)
+
+    def test_nodes_may_be_of_any_kind(self):
+        grid = tlab.from_networkx(networkx.grid_2d_graph(3, 3))
+        self.assertEqual(grid.path((0, 0), (0, 2)), [(0, 0), (0, 1), (0, 2)])
+        self.assertEqual(grid.distance("(0, 0)", 8), 4)
+        self.assertEqual(tlab.topology("ring:4").path("0", 1), [0, 1])
+        with self.assertRaisesRegex(tlab.BadInput, "processor: found True"):
+            grid.distance(True, 0)
+
+    def test_root_is_a_flag_or_a_node(self):
+        for mark, root in [(True, 2), ("true", 2), (1.0, 2), ("1", 2), (False, 0), ("False", 0), (0, 0), (None, 0)]:
+            graph = networkx.path_graph(3)
+            graph.nodes[2]["root"] = mark
+            self.assertEqual(tlab.from_networkx(graph).root, root)
+        self.assertEqual(tlab.from_networkx(networkx.Graph([(1, 2), (2, 3)], root=2)).root, 1)
+
     def test_parallel_links_are_kept(self):
         graph = networkx.MultiGraph([("a", "b"), ("a", "b"), ("b", "c")])
         topology = tlab.from_networkx(graph)
@@ -199,15 +232,18 @@ class GraphsTest(unittest.TestCase):
         one_port.edges[0, 1]["port_b"] = one_port.edges[1, 2]["port_a"] = 2
         no_port = networkx.path_graph(2)
         no_port.edges[0, 1]["port_a"] = 4
+        marked = networkx.path_graph(2)
+        marked.nodes[1]["root"] = "yes"
         word, half = networkx.path_graph(2), networkx.path_graph(2)
         word.edges[0, 1]["port_a"], half.edges[0, 1]["port_b"] = "left", 1.5
         for graph, message in [
-                (word, "network: port of an edge: found 'left', expected a whole number"), (half, "found 1.5"),
+                (word, "network: edge \"0\" to \"1\": found port 'left', expected 0 to 3"), (half, "found port '1.5'"),
                 (networkx.Graph(), "the graph is empty"), (networkx.star_graph(5), "processor 0 has 5 links"),
                 (networkx.Graph([(0, 0)]), "linked to itself"), (networkx.Graph([(0, 1), (2, 3)]), "processor 2 cannot be reached from the root 0"),
                 (networkx.Graph([(1, "1")]), "found two nodes that read '1'"), (two_roots, "designated as root"),
-                (one_port, "port 2"), (no_port, 'found port "4", expected 0 to 3'),
-                (networkx.Graph([(0, 1)], root=7), "root 7 is no node")]:
+                (one_port, "port 2"), (no_port, "found port '4', expected 0 to 3"),
+                (networkx.Graph([(0, 1)], root=7), 'root "7" is not a vertex'),
+                (marked, "vertex \"1\": root is 'yes', expected true or false")]:
             with self.subTest(message), self.assertRaisesRegex(tlab.BadInput, message):
                 tlab.from_networkx(graph)
         with self.assertRaisesRegex(tlab.BadInput, 'did you mean "torus"'):

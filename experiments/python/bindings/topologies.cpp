@@ -23,29 +23,33 @@ namespace {
 using topologies::RoutingTable;
 using topologies::Topology;
 
-// Two vertices, by index into the list of names, and their ports; -1: any port.
-using Edge = std::tuple<int, int, int, int>;
+// Two processors and their ports.
+using Wire = std::tuple<int, int, int, int>;
 
-std::string spell_port(int port) { return port < 0 ? "" : std::to_string(port); }
+// Two vertices, by index into the list of names, and the texts of port_a, port_b, tailport and
+// headport; "" without one.
+using Edge = std::tuple<int, int, std::string, std::string, std::string, std::string>;
 
-// Makes the topology of a graph, by the rules for files.
-Topology make_graph(const std::string& name, const std::vector<std::string>& names, int root,
+// Makes the topology of a graph, by the rules for files: `roots` are the texts of the vertices'
+// attribute root, `root` that of the graph's.
+Topology make_graph(const std::string& name, const std::vector<std::string>& names,
+                    const std::vector<std::string>& roots, const std::string& root,
                     const std::vector<Edge>& edges, bool has_arrows) {
   topologies::RawGraph graph;
   graph.has_arrows = has_arrows;
-  for (const auto& vertex : names) graph.vertices.push_back({vertex, ""});
+  graph.root = root;
+  for (std::size_t i = 0; i < names.size(); ++i) graph.vertices.push_back({names[i], roots.at(i)});
   const auto is_vertex = [&](int v) { return v >= 0 && v < static_cast<int>(names.size()); };
-  for (const auto& [from, to, port_a, port_b] : edges) {
+  for (const auto& [from, to, port_a, port_b, tailport, headport] : edges) {
     base::require(is_vertex(from) && is_vertex(to), name, "an edge ends at no vertex");
-    graph.edges.push_back({from, to, spell_port(port_a), spell_port(port_b)});
+    graph.edges.push_back({from, to, port_a, port_b, tailport, headport});
   }
-  if (is_vertex(root)) graph.vertices[static_cast<std::size_t>(root)].root = "true";
   return topologies::make_topology(graph, name);
 }
 
 // Each link as its lower and higher processor, then the ports of both.
-std::vector<Edge> list_links(const Topology& topology) {
-  std::vector<Edge> links;
+std::vector<Wire> list_links(const Topology& topology) {
+  std::vector<Wire> links;
   for (const auto& [a, b] : topology.links)
     links.emplace_back(a.processor, b.processor, a.port, b.port);
   return links;

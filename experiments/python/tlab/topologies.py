@@ -4,6 +4,7 @@ import collections
 import functools
 import os
 import pathlib
+import re
 
 from tlab import _native
 from tlab.errors import BadInput
@@ -16,12 +17,13 @@ Link = collections.namedtuple("Link", "a port_a b port_b")
 class Topology:
     """A machine's wiring: processors with four ports each, and links between ports. It is immutable.
 
-    Methods take a processor by number or by label.
+    Methods take a processor by name. Without names that are whole numbers, they take its number too.
     """
 
-    def __init__(self, native, spec=None):
+    def __init__(self, native, spec=None, nodes=()):
         self._native = native
         self.spec = spec  # the spec that stands for it in an experiment, or None
+        self._nodes = list(nodes)  # of the graph that it was made from
 
     @property
     def name(self):
@@ -45,8 +47,8 @@ class Topology:
 
     @functools.cached_property
     def names(self):
-        """The names of the processors: their labels, else their numbers."""
-        return self.labels or list(range(self.processors))
+        """The names of the processors: the nodes of the graph or the labels in the file, else their numbers."""
+        return (self._nodes or self.labels) if self.labels else list(range(self.processors))
 
     @functools.cached_property
     def links(self):
@@ -86,7 +88,7 @@ class Topology:
         return self._shortest.distances()
 
     def to_networkx(self):
-        """A networkx.MultiGraph with a node for each processor, by its label or number, and an edge for each link.
+        """A networkx.MultiGraph with a node for each processor, by its name, and an edge for each link.
 
         An edge has the attributes port_a and port_b: the ports at its first and second node, in the order of `edges`.
         The root's node has the attribute root. from_networkx() restores the same topology.
@@ -111,16 +113,31 @@ class Topology:
         except OSError as error:
             raise BadInput(f"{path}: cannot be written: {error.strerror}") from None
 
+    @functools.cached_property
+    def _numbers(self):  # by name, and by name as a text
+        named = list(zip(self.names, range(self.processors)))
+        return {**{str(name): number for name, number in named}, **dict(named)}
+
+    @functools.cached_property
+    def _has_whole_names(self):
+        return any(re.fullmatch("-?[0-9]+", label) for label in self.labels)
+
     def number_of(self, processor):
-        """The number of a processor given by number or by label."""
-        if isinstance(processor, str):
-            if processor not in self.labels:
-                raise BadInput(f"{self.name}: found no processor called {processor!r}")
-            return self.labels.index(processor)
-        number = whole(processor, f"{self.name}: processor")
-        if not 0 <= number < self.processors:
-            raise BadInput(f"{self.name}: found processor {number}, expected 0 to {self.processors - 1}")
-        return number
+        """The number of a processor given by name; without names that are whole numbers, also by its number."""
+        try:
+            if processor in self._numbers and not isinstance(processor, bool):
+                return self._numbers[processor]
+        except TypeError:
+            pass  # a list is no name
+        if not isinstance(processor, str):
+            number = whole(processor, f"{self.name}: processor")
+            if str(number) in self._numbers:
+                return self._numbers[str(number)]
+            if not self._has_whole_names:
+                if not 0 <= number < self.processors:
+                    raise BadInput(f"{self.name}: found processor {number}, expected 0 to {self.processors - 1}")
+                return number
+        raise BadInput(f"{self.name}: found no processor called {processor!r}")
 
     def _repr_svg_(self):
         return self._native.to_svg()
@@ -180,20 +197,22 @@ def generators():
     return dict(_native.generators())
 
 
-# An edge's port from any of these attributes, as a number or a text; -1: any port.
-def _find_port(edge, graph, *names):
-    port = next((edge[name] for name in names if edge.get(name, "") != ""), -1)
-    number = int(port) if str(port).isdecimal() else whole(port, f"{graph}: port of an edge")
-    return min(number, 1 << 30)  # still no valid port
+# An attribute's value as a text, as a file would contain it; "" without one.
+def _spell(attributes, name):
+    value = attributes.get(name)
+    if isinstance(value, float) and value.is_integer():
+        value = int(value)
+    return "" if value is None else str(value)
 
 
 def from_networkx(graph, name=None):
     """The topology of a graph of networkx: each edge, directed or not, is one link.
 
-    Nodes are numbered in the graph's order unless they are exactly 0 to n-1; other nodes become labels. The edges'
+    Nodes are numbered in the graph's order unless they are exactly 0 to n-1; they stay the processors' names. The edges'
     attributes port_a and port_b are the ports, 0 to 3, at the first and second node, in the order of `graph.edges`.
-    Ends without a port get the lowest free one. The root is the node with the attribute root, or the node named by
-    the graph's attribute root, else processor 0. Raises BadInput for a graph that transputers cannot be wired to.
+    Ends without a port get the lowest free one. The root is the node with the attribute root (true or false), or the
+    node named by the graph's attribute root, else processor 0. Raises BadInput for a graph that transputers cannot be
+    wired to.
     """
     name = str(name or graph.name or "network")
     nodes = list(graph.nodes)
@@ -202,14 +221,8 @@ def from_networkx(graph, name=None):
     if len(set(names)) < len(names):
         twice = next(n for n, count in collections.Counter(names).items() if count > 1)
         raise BadInput(f"{name}: found two nodes that read {twice!r}, expected different ones")
-    roots = [node for node in nodes if graph.nodes[node].get("root") in (True, "true", "True", "1")]
-    if len(roots) > 1:
-        raise BadInput(f"{name}: both {roots[0]!r} and {roots[1]!r} are designated as root")
-    named = graph.graph.get("root")
-    root = roots[0] if roots else named
-    if root is not None and root not in index:
-        raise BadInput(f"{name}: root {root!r} is no node of the graph")
-    edges = [(index[a], index[b],
-              _find_port(edge, name, "port_a", "tailport"), _find_port(edge, name, "port_b", "headport"))
+    roots = [_spell(graph.nodes[node], "root") for node in nodes]
+    edges = [(index[a], index[b], *(_spell(edge, key) for key in ("port_a", "port_b", "tailport", "headport")))
              for a, b, edge in graph.edges(data=True)]
-    return Topology(_native.make_graph(name, names, index.get(root, -1), edges, graph.is_directed()))
+    native = _native.make_graph(name, names, roots, _spell(graph.graph, "root"), edges, graph.is_directed())
+    return Topology(native, nodes=nodes)
