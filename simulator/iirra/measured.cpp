@@ -124,8 +124,8 @@ Losses find_losses(const Result& result) {
                                                   {"repeated", losses.repeated},
                                                   {"routing", losses.routing},
                                                   {"managing", losses.managing}};
-  losses.largest =
-      std::ranges::max_element(named, {}, [](const auto& n) { return n.second; })->first;
+  losses.largest = std::string(
+      std::ranges::max_element(named, {}, [](const auto& n) { return n.second; })->first);
   return losses;
 }
 

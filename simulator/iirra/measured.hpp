@@ -1,5 +1,7 @@
 #pragma once
 // Measurements of an IIRRA run, and their columns.
+#include <cmath>
+
 #include "simulator/iirra/iirra.hpp"
 
 namespace iirra {
@@ -7,14 +9,14 @@ namespace iirra {
 /// Fractions of the workers' time not spent on rays of the final image. Together with the time for
 /// these rays they sum to 1.
 struct Losses {
-  double idle = 0;      ///< without a task, or waiting for the display
-  double data = 0;      ///< time waiting for scene data
-  double repeated = 0;  ///< rays of samples outside the image, or traced by several workers
-  double routing = 0;   ///< time of high-priority processes
-  double managing = 0;  ///< tasks, pictures, messages and data look-ups
-  std::string largest;  ///< name of the largest fraction
+  double idle = NAN;      ///< without a task, or waiting for the display
+  double data = NAN;      ///< waiting for scene data
+  double repeated = NAN;  ///< rays of samples outside the image, or traced by several workers
+  double routing = NAN;   ///< high-priority processes
+  double managing = NAN;  ///< tasks, pictures, messages and data look-ups
+  base::Cell largest;     ///< name of the largest fraction
 };
-/// All fractions are 0 if the run was cut short before its first task.
+/// No fraction is a number if the run was cut short before its first ray.
 Losses find_losses(const Result& result);
 
 struct Measured {

@@ -1,5 +1,6 @@
 #include "simulator/parallel_radiosity/program.hpp"
 
+#include "base/mean.hpp"
 #include "renderer/radiosity/show/adapt.hpp"
 #include "renderer/radiosity/show/display.hpp"
 #include "simulator/parallel_radiosity/pictures.hpp"
@@ -65,12 +66,11 @@ struct Measured {
   PictureSummary shown;
 };
 
-double over(double part, double all) { return all > 0 ? part / all : 0; }
-
+// Not a number if no time passed.
 double eval_cpu_mean(const observe::Use& use) {
   double busy = 0;
   for (const auto& cpu : use.cpus)
-    busy += over(cpu.busy_s, use.time_s) / static_cast<double>(use.cpus.size());
+    busy += cpu.busy_s / use.time_s / static_cast<double>(use.cpus.size());
   return busy;
 }
 
@@ -117,14 +117,15 @@ Columns<Loss> loss_columns() {
 
 Columns<Result> work_columns() {
   using R = Result;
-  return {column<R>("rays", &count_rays, "rays cast"),
-          column<R>(
-              "rays_per_s",
-              [](const R& r) { return over(static_cast<double>(count_rays(r)), r.time_s); },
-              "rays over time_s"),
-          column("vertices_max", &R::vertices_done_max,
-                 "vertices that a processor finds in a shot, at most"),
-          column("kernel_cycles", &R::kernel_cycles, "cycles that kernels were charged")};
+  return {
+      column<R>("rays", &count_rays, "rays cast"),
+      column<R>(
+          "rays_per_s",
+          [](const R& r) { return base::eval_mean(static_cast<double>(count_rays(r)), r.time_s); },
+          "rays over time_s"),
+      column("vertices_max", &R::vertices_done_max,
+             "vertices that a processor finds in a shot, at most"),
+      column("kernel_cycles", &R::kernel_cycles, "cycles that kernels were charged")};
 }
 
 Columns<observe::Use> load_columns() {

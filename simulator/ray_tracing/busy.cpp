@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "base/mean.hpp"
+
 namespace ray_tracing {
 
 using base::column;
@@ -198,7 +200,7 @@ Columns<observe::Use> model_columns() {
       all += tasks;
       others += is_other(use, cpu) ? tasks : 0;
     }
-    return all > 0 ? others / all : 0;
+    return base::eval_mean(others, all);
   };
   return base::only_if(
       [is_other](const observe::Use& use) {

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "base/mean.hpp"
 #include "simulator/programs/declare/routers.hpp"
 
 namespace ray_tracing {
@@ -36,7 +37,7 @@ base::Columns<SharedUse> shared_columns() {
   using U = SharedUse;
   using base::column;
   const auto wait_share = [](const U& u) {
-    return u.workers_s > 0 ? u.data.waited.value / u.workers_s : 0;
+    return base::eval_mean(u.data.waited.value, u.workers_s);
   };
   return base::join(
       base::Columns<U>{column("cache_bytes", &U::cache_bytes, "cache of a worker")},

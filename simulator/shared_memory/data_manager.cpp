@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "base/mean.hpp"
 #include "simulator/occam/case_of.hpp"
 #include "simulator/occam/process.hpp"
 
@@ -27,8 +28,8 @@ void change(DataUse& use, const DataUse& by, Change apply) {
   apply(use.waited, by.waited);
 }
 
-double share(double part, std::uint64_t all) {
-  return all > 0 ? part / static_cast<double>(all) : 0;
+std::optional<double> share(double part, std::uint64_t all) {
+  return base::eval_mean(part, static_cast<double>(all));
 }
 
 base::Column<DataUse> level_column(const std::string& name, Level level, const std::string& where) {

@@ -1,5 +1,6 @@
 #include "simulator/programs/network/traffic.hpp"
 
+#include "base/mean.hpp"
 #include "base/random.hpp"
 #include "simulator/network/store_and_forward.hpp"
 #include "simulator/programs/declare/support.hpp"
@@ -73,7 +74,7 @@ struct Params {
 };
 
 struct Measured {
-  double latency_s = 0;
+  std::optional<double> latency_s = {};
   std::size_t packets = 0;
   double links_mean = 0, inside_mean = 0;
   std::size_t longest_queue = 0;
@@ -109,7 +110,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   const double later = mean_inside(result.deliveries, 3 * window_s / 4, window_s);
   const bool is_saturated = later > 1.6 * earlier && later > setup.topology.processors;
   const double links = static_cast<double>(result.links) / static_cast<double>(arrivals.size());
-  Outcome<Measured> outcome(Measured{sum_s / std::max(count, 1.0), arrivals.size(), links, later,
+  Outcome<Measured> outcome(Measured{base::eval_mean(sum_s, count), arrivals.size(), links, later,
                                      result.longest_queue, result.link_busy_max, is_saturated});
   outcome.is_saturated = is_saturated;
   return outcome;
@@ -130,19 +131,20 @@ Program make_traffic() {
                   D::number("window_s", &Params::window_s, 1e-4, 1e4, "s",
                             "how long packets are offered"),
                   seed_field<Params>(&Params::seed, "seed of times and destinations")},
-       .columns = {column("latency_s", &Measured::latency_s,
-                          "mean time of a packet, of those sent in the second half"),
-                   column("packets", &Measured::packets, "packets sent"),
-                   column("links_mean", &Measured::links_mean,
-                          "links that a packet passes, on average"),
-                   column("inside_mean", &Measured::inside_mean,
-                          "packets in the network, on average over the last quarter"),
-                   column("longest_queue", &Measured::longest_queue,
-                          "most packets that waited for one link at once"),
-                   column("link_busy_max", &Measured::link_busy_max,
-                          "share of the time that the busiest direction of a link was busy"),
-                   column("saturated", &Measured::is_saturated,
-                          "1 where queues grow without bound, else 0")},
+       .columns =
+           {column(
+                "latency_s", &Measured::latency_s,
+                "mean time of a packet, of those sent in the second half; empty if there are none"),
+            column("packets", &Measured::packets, "packets sent"),
+            column("links_mean", &Measured::links_mean, "links that a packet passes, on average"),
+            column("inside_mean", &Measured::inside_mean,
+                   "packets in the network, on average over the last quarter"),
+            column("longest_queue", &Measured::longest_queue,
+                   "most packets that waited for one link at once"),
+            column("link_busy_max", &Measured::link_busy_max,
+                   "share of the time that the busiest direction of a link was busy"),
+            column("saturated", &Measured::is_saturated,
+                   "1 where queues grow without bound, else 0")},
        .run = &run});
 }
 

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "base/mean.hpp"
 #include "base/random.hpp"
 #include "simulator/programs/declare/routers.hpp"
 
@@ -26,7 +27,7 @@ struct Measured {
   Seconds time;
   std::uint64_t sent = 0, expected = 0, delivered = 0, returned = 0, lost = 0;
   std::uint64_t duplicated = 0, misdelivered = 0, reordered = 0;
-  double links_mean = 0;
+  std::optional<double> links_mean = {};
   std::size_t most_held = 0;
 };
 
@@ -108,8 +109,8 @@ class Account {
   }
 
   void finish() {
-    result.links_mean = static_cast<double>(links_) /
-                        static_cast<double>(std::max<std::uint64_t>(1, result.delivered));
+    result.links_mean =
+        base::eval_mean(static_cast<double>(links_), static_cast<double>(result.delivered));
     name_lost();
   }
 

@@ -7,6 +7,8 @@
 #include <set>
 
 #include "base/errors.hpp"
+#include "simulator/programs/network/traffic.hpp"
+#include "simulator/shared_memory/data_manager.hpp"
 #include "tests/simulator/programs/run_program.hpp"
 #include "tests/support/lab.hpp"
 #include "topologies/make/generators.hpp"
@@ -150,6 +152,60 @@ TEST(Programs, OfRoutersNeedTwoProcessors) {
               }),
               "")
         << name;
+}
+
+// The latency is a mean over the packets of the window's second half.
+TEST(Programs, AMeanLatencyOfNoPacketIsEmpty) {
+  const auto model = machine::load_model("t805-25");
+  const double load = 0.0002, window_s = 0.5;
+  int without = 0, with = 0;
+  for (std::int64_t seed = 1; seed <= 10; ++seed) {
+    const auto arrivals = make_uniform_traffic(4, load * model.link.one_way_rate / 1000,
+                                               1e6 * window_s, static_cast<std::uint64_t>(seed));
+    if (arrivals.empty()) continue;
+    const bool is_empty = std::ranges::none_of(
+        arrivals, [&](const auto& arrival) { return arrival.at_us > 1e6 * window_s / 2; });
+    const auto found = occam::isolated([&] {
+      const programs::Setup setup{model, topologies::make_topology("mesh:2x2")};
+      const auto outcome = run_program(
+          "traffic", setup,
+          {{"bytes", std::int64_t{1000}}, {"load", load}, {"window_s", window_s}, {"seed", seed}});
+      const bool has_none = get_cell(outcome.rows.at(0), "latency_s") == base::Cell();
+      return std::string(has_none ? "empty" : "a number");
+    });
+    EXPECT_EQ(found, is_empty ? "empty" : "a number") << seed;
+    ++(is_empty ? without : with);
+  }
+  EXPECT_GT(without, 0);
+  EXPECT_GT(with, 0);
+}
+
+// The only link is cut before the first message.
+TEST(Programs, AMeanWayOfNoMessageIsEmpty) {
+  const auto model = machine::load_model("t805-25");
+  const auto run = [&](std::vector<PlannedFault> faults) {
+    return occam::isolated([&] {
+      programs::Setup setup{model, topologies::make_topology("line:2")};
+      setup.routes = topologies::make_routes(setup.topology);
+      setup.faults = std::move(faults);
+      const auto row = run_program("soak", setup, {{"messages", std::int64_t{20}}}).rows.at(0);
+      const bool has_none = get_cell(row, "links_mean") == base::Cell();
+      return fmt::format("{} {}", get_number(row, "delivered"), has_none ? "empty" : "a number");
+    });
+  };
+  EXPECT_EQ(run({}), "20 a number");
+  EXPECT_EQ(run({{.at_s = 0, .a = 0, .b = 1}}), "0 empty");
+}
+
+TEST(Programs, SharesOfNoAccessesAndNoRequestsAreEmpty) {
+  const std::set<std::string> shares{
+      "local",   "on_path",           "by_queue",          "at_coordinator",
+      "on_disk", "links_per_request", "wait_per_request_s"};
+  shared_memory::DataUse some;
+  some.found[0] = some.requests = 1;
+  for (const auto& [use, is_empty] : {std::pair(shared_memory::DataUse{}, true), {some, false}})
+    for (const auto& [name, cell] : base::make_row(shared_memory::data_columns(), use))
+      EXPECT_EQ(cell == base::Cell(), is_empty && shares.contains(name)) << name;
 }
 
 // Two messages are sent within the window of 2 ms. One arrives shortly after its end.
