@@ -14,17 +14,23 @@ namespace {
 using Numbers = std::vector<double>;
 using Rows = std::vector<std::size_t>;
 
-// The numbers of a column in the given rows; none if a cell is not a number.
+bool is_empty(const Table& table, std::size_t row, const std::string& column) {
+  return table.rows[row][*table.find(column)] == Value();
+}
+
+// The numbers of a column in the given rows, without empty cells; none if there are none, or if a
+// cell is a string.
 std::optional<Numbers> find_numbers(const Table& table, const Rows& rows,
                                     const std::string& column) {
   Numbers numbers;
   const auto c = *table.find(column);
   for (const auto row : rows) {
+    if (is_empty(table, row, column)) continue;
     const auto number = as_number(table.rows[row][c]);
     if (!number) return std::nullopt;
     numbers.push_back(*number);
   }
-  return numbers;
+  return numbers.empty() ? std::nullopt : std::optional(numbers);
 }
 
 // The logarithms of a column's numbers; none if a number is infinite or not positive.
@@ -104,8 +110,14 @@ std::optional<Ratio> find_ratio(const MatchedRuns& matched, const MatchedRuns::P
                                 std::size_t run, const std::string& column) {
   const Table &first = matched.runs[0].table, &other = matched.runs[run].table;
   const auto paired = pair_seeds(first, other, point.rows[0], point.rows[run], matched.seed);
-  const auto a = find_logs(first, point.rows[0], column);
-  const auto b = find_logs(other, paired ? *paired : point.rows[run], column);
+  Rows rows_a, rows_b;  // pairs without empty cells, or else all rows
+  for (std::size_t i = 0; paired && i < paired->size(); ++i)
+    if (!is_empty(first, point.rows[0][i], column) && !is_empty(other, (*paired)[i], column)) {
+      rows_a.push_back(point.rows[0][i]);
+      rows_b.push_back((*paired)[i]);
+    }
+  const auto a = find_logs(first, paired ? rows_a : point.rows[0], column);
+  const auto b = find_logs(other, paired ? rows_b : point.rows[run], column);
   if (!a || !b) return std::nullopt;
   const double middle = find_mean(*b) - find_mean(*a);
   Ratio ratio{std::exp(middle)};

@@ -74,6 +74,31 @@ TEST(Ratios, PointsOfOneRunAloneAreLeftOut) {
   EXPECT_TRUE(find_spread(matched, 1, "t").is_same());
 }
 
+// Seeds with an empty cell in one run count in neither.
+TEST(Ratios, EmptyCellsLeaveTheirSeedOut) {
+  const auto run = [](const std::string& name, double factor, std::vector<int> empty) {
+    auto made = make_run(name, 1, 5, 1, [&](int, int s) { return factor * std::exp(s) + s; });
+    for (const int seed : empty) made.table.rows[std::size_t(seed - 1)][2] = Value();
+    return made;
+  };
+  const auto expect = [&](const std::vector<int>& empty_a, const std::vector<int>& empty_b,
+                          const std::vector<int>& left) {
+    const auto matched = match_points({run("a", 1, empty_a), run("b", 2, empty_b)});
+    const auto ratio = find_ratio(matched, matched.points.at(0), 1, "t");
+    ASSERT_EQ(ratio.has_value(), !left.empty());
+    EXPECT_FALSE(find_spread(matched, 1, "t").is_same());
+    if (left.empty()) return;
+    double logs = 0;
+    for (const int s : left) logs += std::log((2 * std::exp(s) + s) / (std::exp(s) + s));
+    EXPECT_NEAR(ratio->value, std::exp(logs / double(left.size())), 1e-12);
+    EXPECT_EQ(ratio->interval.has_value(), left.size() > 1);
+  };
+  expect({2}, {2}, {1, 3, 4, 5});
+  expect({1, 2}, {5}, {3, 4});
+  expect({1, 2, 3}, {5}, {4});
+  expect({1, 2, 3, 4, 5}, {1}, {});
+}
+
 // Values without a ratio are reported, never called equal.
 TEST(Ratios, NothingIsDividedByNothing) {
   for (const double nothing : {0.0, -1.0, double(NAN), double(INFINITY)}) {
