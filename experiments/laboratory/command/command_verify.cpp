@@ -82,6 +82,7 @@ void verify_file(const Candidate& candidate, const VerifyOptions& options, bool 
   if (was_interrupted()) throw Interrupted();
   fmt::print("{}: {} point(s), results {} {}\n\n", candidate.file, s.results.size(),
              s.there == s.results.size() ? "were in" : "are now in", run.output);
+  for (const auto& note : note_unknown_texts(plan, s.table)) print_note(note);
   for (const auto& check : s.checks) print_check(check, s.table, options.all, count);
   for (const auto& failure : s.undrawn) complain(failure);
   count.undrawn += s.undrawn.size();

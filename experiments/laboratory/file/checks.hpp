@@ -32,6 +32,7 @@ struct Check {
   std::optional<double> within_abs;   ///< largest allowed absolute error, in the column's unit
   /// least share of expected values inside the 90 % intervals of the machines drawn
   std::optional<double> covers;
+  bool may_be_empty = false;  ///< the check holds if it applies to no point
 
   bool has_bounds() const { return !at_least.empty() || !at_most.empty(); }
   /// True if errors are in the column's unit; otherwise they are relative to the expected value.

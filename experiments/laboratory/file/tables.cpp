@@ -120,6 +120,8 @@ const Bindings<Check>& check_bindings() {
        [](C& c, const Place& at) { c.at_most = read_expression(at); }},
       {"between", "or both, [lowest, highest]", read_between},
       bind_key("where", &C::where, "an expression: only points where it is not 0"),
+      bind_key("may_be_empty", &C::may_be_empty,
+               "true: the check holds if there is no such point; false: it fails"),
       bind_key("calibrated", &C::calibrated,
                "an expression: not 0 at points that the machine model was fitted to"),
       bind_number("within", &C::within, 0, LARGEST, "largest relative error"),

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <ranges>
+#include <set>
 #include <tuple>
 
 #include "base/errors.hpp"
@@ -102,7 +103,8 @@ void for_each_expression(const CheckPlan& plan, const Visit& visit) {
 }
 
 // Throws for unknown names with dots. These are keys and model entries, which are known before the
-// run. Names without dots may be result columns, which are not.
+// run. Names without dots may be result columns, which are not; nor are the strings in them, with
+// which names such as topology_is_net.dot compare.
 void check_dotted_names(const CheckPlan& plan, const ExperimentFile& file) {
   ExperimentFile first;
   first.points = {file.points[0]};
@@ -114,7 +116,8 @@ void check_dotted_names(const CheckPlan& plan, const ExperimentFile& file) {
     for (const auto& name : expression.variables()) {
       const auto* reference = expression.find_reference(name);
       const auto& wanted = reference ? reference->column : name;
-      if (wanted.find('.') != std::string::npos) rows.get(wanted, 0, expression.place());
+      if (wanted.find('.') != std::string::npos && wanted.find("_is_") == std::string::npos)
+        rows.get(wanted, 0, expression.place());
     }
   });
 }
@@ -170,6 +173,29 @@ void check_columns(const CheckPlan& plan, const Table& table, const std::vector<
   }
 }
 
+// Adds a note if no row has the text that `name` compares a column with, or if several texts are
+// spelled alike in this name.
+void note_comparison(const std::string& name, const std::string& place, const Table& table,
+                     std::vector<std::string>& notes) {
+  if (table.find(name)) return;
+  for (const auto& column : table.columns) {
+    if (!name.starts_with(name_comparison(column, ""))) continue;
+    std::set<std::string> equal;
+    std::vector<std::string> names;
+    for (const auto& text : texts_of(table, column)) {
+      names.push_back(name_comparison(column, text));
+      if (names.back() == name) equal.insert(text);
+    }
+    if (names.empty()) continue;
+    if (equal.empty())
+      notes.push_back(fmt::format("{}: {}: no point has this {}{}", place, name, column,
+                                  base::suggest(name, names)));
+    if (equal.size() > 1)
+      notes.push_back(
+          fmt::format("{}: {}: is 1 for each of {}", place, name, fmt::join(equal, ", ")));
+  }
+}
+
 }  // namespace
 
 std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& table) {
@@ -183,7 +209,10 @@ std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& 
   for_each_expression(plan, [&](const Expression& expression) {
     for (const auto& variable : expression.variables()) {
       const auto* reference = expression.find_reference(variable);
-      if (!reference) continue;
+      if (!reference) {
+        note_comparison(variable, expression.place(), table, notes);
+        continue;
+      }
       for (const auto& [axis, text, value] : reference->conditions) {
         const auto texts = texts_of(table, axis);
         if (texts.empty() || std::ranges::find(texts, text) != texts.end()) continue;

@@ -105,9 +105,14 @@ std::optional<Predicted> judge_predicted(const std::vector<CheckedPoint>& points
   return predicted;
 }
 
-void judge(CheckResult& result) {
+// Judges a check. Without points it fails unless it may be empty; but if the results are not whole,
+// it may apply to points that are still missing.
+void judge(CheckResult& result, bool is_whole) {
   auto& points = result.points;
-  if (points.empty()) return;
+  if (points.empty()) {
+    if (is_whole) result.verdict = result.check.may_be_empty ? Verdict::holds : Verdict::fails;
+    return;
+  }
   const auto rank = [&](const CheckedPoint& p) {
     return std::pair(!p.holds, badness(result.check, p));
   };
@@ -129,7 +134,8 @@ CheckResult eval_check(const CheckPlan::Comparison& c, const Rows& rows) {
     if (c.check.has_bounds()) add_bounded_point(result, c, rows, row, left_out);
   }
   if (const auto note = note_left_out(rows.table(), left_out)) result.notes.push_back(*note);
-  judge(result);
+  const auto is_complete = [&](const auto& row) { return is_complete_row(rows.table(), row); };
+  judge(result, std::ranges::all_of(rows.table().rows, is_complete));
   if (c.calibrated) result.predicted = judge_predicted(result.points);
   return result;
 }
@@ -204,11 +210,15 @@ std::vector<CheckResult> eval_checks(const CheckPlan& plan, const ExperimentFile
 std::string summarize(const CheckResult& result, const Table& table) {
   const Check& check = result.check;
   if (result.verdict == Verdict::unmatched)
-    return fmt::format("no point {}: {} has no point that it speaks of", check.name, check.of);
+    return fmt::format("no point {}: {} at no point of these incomplete results", check.name,
+                       check.of);
+  const auto* verdict = result.verdict == Verdict::holds ? "ok" : "FAILED";
+  if (result.points.empty())
+    return fmt::format("{:<8} {}: {} at no point{}", verdict, check.name, check.of,
+                       check.may_be_empty ? "" : ", expected one at least, or may_be_empty = true");
   const auto& worst = result.points[result.worst];
-  std::string line = fmt::format("{:<8} {}: {} at {} point(s), {}",
-                                 result.verdict == Verdict::holds ? "ok" : "FAILED", check.name,
-                                 check.of, result.points.size(), describe_worst(check, worst));
+  std::string line = fmt::format("{:<8} {}: {} at {} point(s), {}", verdict, check.name, check.of,
+                                 result.points.size(), describe_worst(check, worst));
   if (table.axes > 0 && (worst.error != 0 || check.has_bounds()))
     line += " at " + name_axes(table, worst.row);
   if (check.within_mean)

@@ -33,7 +33,9 @@ struct Predicted {
   double mean = 0;
 };
 
-enum class Verdict { holds, fails, unmatched };  ///< unmatched: the check applies to no point
+/// unmatched: the check applies to no completed point, but others are incomplete. In complete
+/// results such a check fails unless it may be empty.
+enum class Verdict { holds, fails, unmatched };
 
 struct CheckResult {
   Check check;

@@ -25,7 +25,7 @@ constexpr std::size_t MOST_NAMED = 5;  // number of rows that a note lists
 
 std::string spell_as_name(std::string text) {
   for (char& c : text)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && c != '.') c = '_';
+    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
   return text;
 }
 
@@ -107,22 +107,25 @@ std::optional<double> Rows::find_number(const std::string& name, std::size_t row
 }
 
 std::optional<double> Rows::compare_text(const std::string& name, std::size_t row) const {
-  for (const auto& column : table_.columns) {
-    const auto* text = find_text(column, row);
-    const auto prefix = spell_as_name(column) + "_is_";
-    if (text && name.starts_with(prefix)) return prefix + spell_as_name(*text) == name ? 1 : 0;
+  const auto spelled = spell_as_name(name);
+  for (std::size_t i = 0; i < table_.columns.size(); ++i) {
+    const auto& cell = table_.rows[row][i];
+    if (!spelled.starts_with(name_comparison(table_.columns[i], ""))) continue;
+    if (cell == Value()) return 0;
+    if (const auto* text = std::get_if<std::string>(&cell))
+      return name_comparison(table_.columns[i], *text) == spelled ? 1 : 0;
   }
   return std::nullopt;
 }
 
 std::optional<double> Rows::get(const std::string& name, std::size_t row,
                                 const std::string& place) const {
-  if (const auto let = lets_.find(name); let != lets_.end()) return let->second[row];
+  if (const auto let = lets_.find(name); let != lets_.end()) return let->second[row].value;
   if (const auto number = find_number(name, row)) return number;
   if (const auto equal = compare_text(name, row)) return equal;
   if (const auto* text = find_text(name, row))
-    throw BadInput(fmt::format("{}: {} is a text, expected a comparison such as {}_is_{}", place,
-                               name, spell_as_name(name), spell_as_name(*text)));
+    throw BadInput(fmt::format("{}: {} is a text, expected a comparison such as {}", place, name,
+                               name_comparison(name, *text)));
   std::set<std::string> known;
   for (const auto& column : table_.columns)
     if (!find_text(column, row)) known.insert(column);
@@ -134,9 +137,9 @@ std::optional<double> Rows::get(const std::string& name, std::size_t row,
 }
 
 void Rows::define(const std::string& name, const Expression& expression, const std::string& place) {
-  std::vector<std::optional<double>> values;
+  std::vector<Evaluated> values;
   for (std::size_t row = 0; row < table_.rows.size(); ++row) {
-    values.push_back(eval(expression, row));
+    values.push_back(eval_at(expression, row));
     base::require(!find_number(name, row) && !find_text(name, row), place,
                   "there is a {} already, expected a new name", name);
   }
@@ -206,22 +209,36 @@ void Rows::check(const Expression& expression, std::size_t row) const {
   }
 }
 
+bool Rows::is_gap(const std::string& name, std::size_t row) const {
+  if (const auto let = lets_.find(name); let != lets_.end()) return let->second[row].is_gap;
+  const auto column = table_.find(name);
+  return column && table_.rows[row][*column] == Value();
+}
+
 std::optional<double> Rows::eval(const Expression& expression, std::size_t row) const {
+  const auto [value, is_gap] = eval_at(expression, row);
+  return is_gap ? std::nullopt : value;
+}
+
+Rows::Evaluated Rows::eval_at(const Expression& expression, std::size_t row) const {
   std::vector<double> values;
+  bool has_gaps = false;
   for (const auto& variable : expression.variables()) {
     std::size_t from = row;
     std::string name = variable;
     if (const auto* reference = expression.find_reference(variable)) {
       const auto found = find_row(*reference, expression.place(), row);
-      if (!found) return std::nullopt;
+      if (!found) return {};
       from = *found;
       name = reference->column;
     }
     const auto value = get(name, from, expression.place());
-    if (!value) return std::nullopt;
+    if (!value) return {};
+    has_gaps |= is_gap(name, from);
     values.push_back(*value);
   }
-  return expression.eval(values);
+  const double value = expression.eval(values);
+  return {value, has_gaps && std::isnan(value)};
 }
 
 std::vector<std::string> axis_names(const Table& table) {
@@ -233,6 +250,10 @@ std::size_t find_axis(const Table& table, const std::string& axis, const std::st
   if (found && *found < table.axes) return *found;
   throw BadInput(fmt::format("{}: \"{}\" is no axis of the results{}", place, axis,
                              base::suggest(axis, axis_names(table))));
+}
+
+std::string name_comparison(const std::string& column, const std::string& text) {
+  return spell_as_name(column) + "_is_" + spell_as_name(text);
 }
 
 std::string name_axes(const Table& table, std::size_t row) {
@@ -280,7 +301,7 @@ std::optional<std::string> note_left_out(const Table& table, const std::vector<s
   if (rows.empty()) return std::nullopt;
   std::vector<std::string> names;
   for (const auto row : rows) names.push_back(name_axes(table, row));
-  return fmt::format("{} point(s) left out, for want of another point that they need: {}",
+  return fmt::format("{} point(s) left out, since a value that they need is missing: {}",
                      rows.size(), join_few(names));
 }
 

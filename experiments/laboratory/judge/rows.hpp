@@ -18,8 +18,9 @@ namespace laboratory {
 ///   - numbers of the machine model ("link.one_way_rate");
 ///   - names of [let].
 /// A column of strings defines a name for each string: "topology_is_line" is 1 if the string is
-/// "line", else 0. Special characters become _, as in topology_is_mesh_4x4 for "mesh:4x4". The file
-/// and the table must outlive the object.
+/// "line", else 0. Characters other than letters and digits become _, as in topology_is_mesh_4x4
+/// for "mesh:4x4" and topology_is_my_net_dot for "my-net.dot". The file and the table must outlive
+/// the object.
 class Rows {
  public:
   Rows(const ExperimentFile& file, const Table& table);
@@ -37,8 +38,9 @@ class Rows {
   /// and axes in braces.
   void check(const Expression& expression, std::size_t row) const;
 
-  /// The value of an expression in a row; none if it refers to a missing or incomplete row. Throws
-  /// base::BadInput if a reference in braces matches several rows.
+  /// The value of an expression in a row; none if it refers to a missing or incomplete row, or if
+  /// it is NaN because of an empty cell. Throws base::BadInput if a reference in braces matches
+  /// several rows.
   std::optional<double> eval(const Expression& expression, std::size_t row) const;
 
   /// The number that a name stands for in a row; none for a name of [let] that has no value there.
@@ -49,6 +51,10 @@ class Rows {
 
  private:
   using Numbers = std::map<std::string, double, std::less<>>;
+  struct Evaluated {
+    std::optional<double> value = {};  // none if a row is missing
+    bool is_gap = false;               // not a number because of an empty cell
+  };
 
   const Point& point_of(std::size_t row) const { return file_.points[table_.point_of(row)]; }
   /// The string in a column; null if the name is not a column or the cell is not a string.
@@ -56,6 +62,9 @@ class Rows {
   /// The number of a column, of the machine model or of the experiment file.
   std::optional<double> find_number(const std::string& name, std::size_t row) const;
   std::optional<double> compare_text(const std::string& name, std::size_t row) const;
+  Evaluated eval_at(const Expression& expression, std::size_t row) const;
+  /// True if the name is a column with an empty cell here, or a name of [let] that needs one.
+  bool is_gap(const std::string& name, std::size_t row) const;
   std::optional<std::size_t> find_row(const RowReference& reference, const std::string& place,
                                       std::size_t row) const;
   /// The row with the wanted values on all axes. Otherwise the only row with the wanted values on
@@ -69,7 +78,7 @@ class Rows {
   std::map<std::string, Numbers> models_;  // numbers of each machine model, by model_key
   std::vector<const Numbers*> model_of_;   // machine model of each row
   // values of the names of [let], by row
-  std::map<std::string, std::vector<std::optional<double>>> lets_;
+  std::map<std::string, std::vector<Evaluated>> lets_;
 };
 
 std::vector<std::string> axis_names(const Table& table);
@@ -79,7 +88,7 @@ std::vector<std::string> axis_names(const Table& table);
 std::size_t find_axis(const Table& table, const std::string& axis, const std::string& place);
 
 /// The rows of completed points at which the expression is not 0, or all of these rows without an
-/// expression. Throws base::BadInput if the value is not a number.
+/// expression. Leaves out rows without a value. Throws base::BadInput if the value is not a number.
 std::vector<std::size_t> choose_rows(const Rows& rows, const std::optional<Expression>& where);
 
 /// Reference values: a table, the file it was read from, its column of values, and its columns that
@@ -97,9 +106,12 @@ std::vector<std::pair<std::size_t, double>> match_reference(const Reference& ref
                                                             const Table& table,
                                                             std::vector<std::string>& notes);
 
-/// Makes a note about rows whose expressions refer to missing rows, "2 point(s) left out, ...";
-/// none if there are no such rows.
+/// Makes a note about rows whose expressions refer to missing rows or empty cells, "2 point(s) left
+/// out, ..."; none if there are no such rows.
 std::optional<std::string> note_left_out(const Table& table, const std::vector<std::size_t>& rows);
+
+/// The name that compares a column of strings with this one: "topology_is_mesh_4x4".
+std::string name_comparison(const std::string& column, const std::string& text);
 
 /// Formats the axes of a row: "objects = 200, workers = 1".
 std::string name_axes(const Table& table, std::size_t row);

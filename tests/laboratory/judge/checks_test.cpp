@@ -59,7 +59,9 @@ TEST(ExperimentsChecks, RelativeErrorsDecide) {
            {"within_abs = 0.19\n", Verdict::fails},
            {"within = 0.01\nwhere = \"topology_is_line\"\n", Verdict::holds},
            {"within = 0.01\nwhere = \"topology_is_mesh_2x2\"\n", Verdict::fails},
-           {"within = 1\nwhere = \"topology_is_ring\"\n", Verdict::unmatched}}) {
+           {"within = 1\nwhere = \"topology_is_ring\"\n", Verdict::fails},
+           {"within = 1\nwhere = \"topology_is_ring\"\nmay_be_empty = true\n", Verdict::holds},
+           {"within = 0.01\nmay_be_empty = true\n", Verdict::fails}}) {
     const ChecksCase test(check(formula + limit));
     EXPECT_EQ(test.eval().at(0).verdict, verdict) << limit;
   }
@@ -91,7 +93,8 @@ TEST(ExperimentsChecks, BoundsDecide) {
            {"at_least = \"0 / 0\"", Verdict::fails},
            {"between = [\"0 / 0\", 9]", Verdict::fails},
            {"between = [0, \"0 / 0\"]", Verdict::fails},
-           {"at_least = \"{latency_s @ bytes = 3}\"", Verdict::unmatched}}) {
+           {"at_least = \"{latency_s @ bytes = 3}\"", Verdict::fails},
+           {"at_least = \"{latency_s @ bytes = 3}\"\nmay_be_empty = true", Verdict::holds}}) {
     const ChecksCase test(check(bounds + "\n"));
     EXPECT_EQ(test.eval().at(0).verdict, verdict) << bounds;
   }
@@ -183,7 +186,7 @@ TEST(ExperimentsChecks, ReferencesAreMatchedByTheirKeys) {
   const ChecksCase none(
       check("reference = \"ref.csv\"\nkeys = [\"bytes\"]\nwhere = \"bytes > 4\"\n"
             "within = 0.2\n"));
-  EXPECT_EQ(none.eval().at(0).verdict, Verdict::unmatched);
+  EXPECT_EQ(none.eval().at(0).verdict, Verdict::fails);
 }
 
 TEST(ExperimentsChecks, TablesShowPointsAndOfManyTheWorst) {
@@ -239,10 +242,73 @@ TEST(ExperimentsChecks, PointsThatNeedOneThatIsNotThereAreLeftOut) {
       check("formula = \"bytes + 0 * {latency_s @ bytes = bytes / 2}\"\nwithin = 1\n"));
   const auto result = test.eval().at(0);
   EXPECT_TRUE(result.points.empty()) << "the topologies differ";
-  EXPECT_EQ(result.verdict, Verdict::unmatched);
+  EXPECT_EQ(result.verdict, Verdict::fails);
+  EXPECT_EQ(summarize(result, test.table),
+            "FAILED   c: latency_s at no point, expected one at least, or may_be_empty = true");
   ASSERT_EQ(result.notes.size(), 1u);
   EXPECT_NE(result.notes[0].find("3 point(s) left out"), std::string::npos);
   EXPECT_NE(result.notes[0].find("topology = mesh:2x2, bytes = 2"), std::string::npos);
+}
+
+// Missing points might be those that the check is for.
+TEST(ExperimentsChecks, WithoutPointsACheckOfIncompleteResultsIsOpen) {
+  for (const auto* rest : {"", "may_be_empty = true\n"}) {
+    ChecksCase test(check("at_least = 1\nwhere = \"bytes > 2\"\n" + std::string(rest)));
+    test.table.columns.push_back("ended");
+    for (auto& row : test.table.rows) row.emplace_back("done");
+    test.table.rows[2].back() = "time limit";
+    EXPECT_EQ(test.eval().at(0).verdict, Verdict::unmatched);
+  }
+}
+
+TEST(ExperimentsChecks, NamesOfFilesCanBeCompared) {
+  for (const auto& [file, name] : std::vector<std::pair<std::string, std::string>>{
+           {"net.dot", "topology_is_net_dot"},
+           {"net.dot", "topology_is_net.dot"},
+           {"./my nets/a-1.graphml", "topology_is___my_nets_a_1_graphml"},
+           {"K\xc3\xb6ln.gv", "topology_is_K__ln_gv"}}) {
+    ChecksCase test(check("at_least = 2\nat_most = 2.5\nwhere = \"" + name + "\"\n"));
+    test.table.rows[1][0] = file;
+    const auto result = test.eval().at(0);
+    ASSERT_EQ(result.points.size(), 1u) << name;
+    EXPECT_EQ(result.points[0].row, 1u);
+    EXPECT_EQ(note_unknown_texts(plan_checks(test.file), test.table), std::vector<std::string>{});
+  }
+}
+
+TEST(ExperimentsChecks, ComparisonsThatAreNeverOrOftenTrueAreNoted) {
+  const auto notes = [](const std::string& name, const char* other) {
+    ChecksCase test(check("at_least = 0\nwhere = \"" + name + "\"\n"));
+    test.table.rows[2][0] = other;
+    return note_unknown_texts(plan_checks(test.file), test.table);
+  };
+  EXPECT_EQ(notes("topology_is_line", "ring"), std::vector<std::string>{});
+  const auto unknown = notes("topology_is_lime", "ring").at(0);
+  EXPECT_NE(unknown.find("topology_is_lime: no point has this topology"), std::string::npos);
+  EXPECT_TRUE(unknown.ends_with(", the nearest is \"topology_is_line\"")) << unknown;
+  const auto twice = notes("topology_is_mesh_2x2", "mesh-2x2").at(0);
+  EXPECT_NE(twice.find("is 1 for each of mesh-2x2, mesh:2x2"), std::string::npos) << twice;
+}
+
+// A mean of nothing is empty. Formulas that need it have no value; others are as before.
+TEST(ExperimentsChecks, EmptyCellsLeavePointsOut) {
+  const std::string let = "[let]\ntwice = \"2 * latency_s\"\n";
+  for (const auto& [rest, points] : std::vector<std::pair<std::string, std::size_t>>{
+           {"of = \"latency_s\"\nat_least = 0", 2},
+           {"of = \"twice\"\nat_least = 0", 2},
+           {"of = \"bytes\"\nat_least = \"0 * latency_s\"", 2},
+           {"of = \"bytes\"\nformula = \"bytes + 0 * twice\"\nwithin = 1", 2},
+           {"of = \"bytes\"\nat_least = 0\nwhere = \"latency_s\"", 2},
+           {"of = \"bytes\"\nat_least = 0\nwhere = \"latency_s > 0 || bytes > 1\"", 3},
+           {"of = \"bytes\"\nformula = \"bytes == 2 ? 2 : bytes + 0 * twice\"\nwithin = 1", 3},
+           {"of = \"bytes\"\nat_least = \"{latency_s @ bytes = bytes}\"", 2},
+           {"of = \"bytes\"\nat_least = 0\nwhere = \"note_is_a\"", 1}}) {
+    ChecksCase test(let + "[[check]]\nname = \"c\"\n" + rest + "\n");
+    test.table.rows[1][2] = Value();
+    const auto result = test.eval().at(0);
+    EXPECT_EQ(result.points.size(), points) << rest;
+    EXPECT_EQ(result.verdict, points > 0 ? Verdict::holds : Verdict::fails) << rest;
+  }
 }
 
 TEST(ExperimentsChecks, TextsThatNoPointHasAreNoted) {
