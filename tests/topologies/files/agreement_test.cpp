@@ -71,7 +71,7 @@ void expect_graph(const Topology& topology, Fields nodes, const std::vector<Fiel
 TEST(TopologyFiles, AreTheGraphsOfGraphvizAndNetworkx) {
   const test::TemporaryFolder folder;
   std::istringstream lines(base::run_program(
-      {.name = "python3",
+      {.name = "env",  // starts the script with Debian's Python
        .arguments = {test::in_sources("tests/topologies/files/write_graphs"), folder.path},
        .purpose = "graphs",
        .remedy = "run .ci/install --tests"}));

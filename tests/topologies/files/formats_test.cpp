@@ -159,6 +159,7 @@ TEST(TopologyDot, IsReadAsGraphvizReadsIt) {
            Case{"graph { a -- {b -- c} -- d [x=y][]; }", {"a", "b", "c", "d"}, 5},
            Case{"graph { a -- b [key=1]; b -- a [key=1]; a -- b [key=2] }", {"a", "b"}, 2},
            Case{"graph { a -- {} -- b; a -- b }", {"a", "b"}, 1},
+           Case{"graph { { subgraph { a } b } -- c }", {"a", "b", "c"}, 2},
            Case{R"(graph { "a\"b" -- "c\
 d" -- "e\f" })",
                 {"a\"b", "cd", "e\\f"},
@@ -191,6 +192,7 @@ TEST(TopologyDot, PortsAreThoseOfNodesAndOfDefaults) {
   for (const auto* text :
        {"graph { 0:1 -- 1:2:ne }", "graph { edge [port_a=1]; 0 -- 1:3 [headport=\"2:n\"] }",
         "graph { subgraph { edge [tailport=1]; 0 -- 1 [port_b=2] } }",
+        "graph { edge [port_a=1, headport=2]; subgraph { { 0 -- 1 } } }",
         "strict graph { 0 -- 1; 1:2 -- 0:1 }", "graph { 0:3 -- 1 [key=x]; 1:2 -- 0:1 [key=x] }",
         "graph { 0:f0 -- 1 [port_a=1, port_b=2] }"})
     EXPECT_EQ(read_dot(text, "x.dot").links, (std::vector<Link>{{{0, 1}, {1, 2}}})) << text;
