@@ -1,6 +1,7 @@
 #pragma once
 // Tokenizer for text files that keeps line numbers.
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,17 +15,23 @@ namespace renderer {
 /// Largest magnitude of a number in a scene. It keeps products of several numbers finite.
 inline constexpr double MAX_NUMBER = 1e15;
 
-/// Parses a finite decimal number, independent of the locale; none if there is anything else.
+/// Parses a finite decimal number, independent of the locale; none if there is anything else. The
+/// exponent may be Fortran's: 1.0D+00.
 std::optional<double> parse_number(std::string_view word);
 
 /// Reads words separated by blanks from a text, which must outlive the object. '#' starts a comment
 /// that ends with the line. If a comment begins its line and `is_statement` accepts it, its '#' and
-/// words are returned like others. Every error is a BadInput "name:line: found ..., expected ...".
+/// words are returned like others. Lines end with LF, CR LF or CR. The reader skips byte-order
+/// marks of UTF-8, and byte 26 and zeros at the end. Every error is a BadInput "name:line: found
+/// ..., expected ...".
 class Tokens {
  public:
   using IsStatement = bool (*)(std::string_view comment);
-  Tokens(std::string_view text, std::string name, IsStatement is_statement = nullptr)
-      : text_(text), name_(std::move(name)), is_statement_(is_statement) {}
+  /// Whether a backslash at the end of a line, outside comments, joins the next line to it.
+  enum class Lines : std::uint8_t { separate, joined };
+  /// BadInput if the text is UTF-16.
+  Tokens(std::string_view text, std::string name, IsStatement is_statement = nullptr,
+         Lines lines = Lines::separate);
 
   /// Begins a statement that ends with its line: until the next call no word of another line is
   /// taken. Returns false at the end of the file. A reader that never calls it treats line breaks
@@ -47,6 +54,10 @@ class Tokens {
   std::string_view take();
   /// Takes the next word if it equals `word`.
   bool take_if(std::string_view word);
+  /// Takes the rest of the current statement's line with any '#' in it, without blanks at its ends.
+  /// Call it right after take(). Lines are joined only if a blank precedes the backslash, because
+  /// names of Windows' folders end with one.
+  std::string take_rest();
   /// Skips the rest of the current statement's line.
   void skip_line();
   /// Throws unless the current statement ends here.
@@ -92,10 +103,15 @@ class Tokens {
 
  private:
   void fetch();
+  std::size_t skip_line_end(std::size_t at) const;
+  std::size_t find_join(std::size_t at) const;
+  void join_line(std::size_t next);
+  std::size_t find_word_end() const;
 
   std::string_view text_, next_;
   std::string name_;
   IsStatement is_statement_;
+  Lines lines_;
   std::size_t at_ = 0;
   int line_ = 1, taken_line_ = 0;
   bool by_line_ = false;

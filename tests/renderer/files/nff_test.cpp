@@ -4,6 +4,7 @@
 
 #include "base/errors.hpp"
 #include "tests/renderer/support.hpp"
+#include "tests/support/files.hpp"
 
 namespace renderer::test {
 namespace {
@@ -41,9 +42,28 @@ TEST(Nff, EveryStatement) {
 }
 
 TEST(Nff, NumbersAsProgramsWriteThem) {
-  const Scene scene = parse(VIEW + SURFACE + "s +1 -.5 1e-3 1E0\ns 0 0 1e-400 1\n");
+  const Scene scene =
+      parse(VIEW + SURFACE + "s +1 -.5 1e-3 1E0\ns 0 0 1e-400 1\ns 1D0 0 1E-400 +0.5d+0#x\n");
   EXPECT_EQ(scene.spheres.at(0).centre, (Vec{1, -0.5, 0.001}));
-  EXPECT_EQ(object_count(scene), 2u);
+  EXPECT_EQ(scene.spheres.at(2).radius, 0.5);
+  EXPECT_EQ(object_count(scene), 3u);
+}
+
+TEST(Nff, LineEndsAndMarksOfOtherSystems) {
+  const std::string text = "# made on a Mac\n" + VIEW + SURFACE + "# red\n#emit\ns 1 2 3 0.5 # b\n";
+  for (const char* head : {"", "\xEF\xBB\xBF"})
+    for (const char* tail : {"", "\x1A", "# no end"})
+      for (const char* line_end : {"\n", "\r\n", "\r", "\r\r\n"}) {
+        std::string ended = head;
+        for (const char c : text) ended += c == '\n' ? line_end : std::string(1, c);
+        const Scene scene = parse(ended + tail);
+        ASSERT_EQ(object_count(scene), 1u);
+        EXPECT_EQ(scene.spheres.at(0).radius, 0.5);
+      }
+  for (const char* line_end : {"\n", "\r\n", "\r"})
+    EXPECT_EQ(::test::message_of<base::BadInput>(
+                  [&] { parse(fmt::format("# a{0}{0}s 1 2 3 4{0}", line_end)); }),
+              "test.nff:3: found 's', expected a surface ('f') before it");
 }
 
 struct Wrong {
@@ -93,6 +113,8 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"f 1 1 1 2 0 0 0 0", "9: found '2', expected Kd (a number from 0 to 1)"},
         Wrong{"f 1 1 1 1 0 0 0.5 0", "9: found an index of refraction of 0"},
         Wrong{"f 1 1 1 1 0 -3 0 0", "9: found '-3', expected Shine"},
+        Wrong{"s 0 0 1.#INF 1", "9: found '1.#INF', expected the centre"},
+        Wrong{"s 0 0 1.#QNAN 1", "9: found '1.#QNAN', expected the centre"},
         Wrong{"b 1 -1 1", "9: found '-1', expected the background"},
         Wrong{"l 1 2", "9: found the end of the file, expected the light's position"},
         Wrong{"l 1 2 3 0.5\n", "9: found the end of the file, expected the light's colour"},
@@ -108,6 +130,7 @@ TEST(Nff, WrongFromTheStart) {
     }
   };
   expect("", "test.nff:1: found the end of the file, expected a view ('v')");
+  expect("\xFF\xFEv", "test.nff:1: found UTF-16 or binary data, expected text in UTF-8");
   expect("b 0 0 0\n", "test.nff:1: found the end of the file, expected a view ('v')");
   expect(VIEW + "s 0 0 0 1\n", "test.nff:8: found 's', expected a surface ('f')");
   expect("v\nfrom 0 0 1\nat 0 0 0\nup 0 1 0\n" + SURFACE,
