@@ -21,14 +21,6 @@ Vec eval_centre(std::span<const Vec> corners) {
   return sum;
 }
 
-Vec eval_area_normal(std::span<const Vec> corners) {
-  // Sums relative to the first corner, since products of large coordinates would cancel.
-  Vec sum;
-  for (std::size_t i = 2; i < corners.size(); ++i)
-    sum += cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
-  return sum;
-}
-
 std::vector<Vec> clip(std::span<const Vec> polygon, const Plane& plane, double tolerance) {
   std::vector<double> heights;
   bool above = false;

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "renderer/scene/vec.hpp"
+#include "renderer/scene/triangulate.hpp"
 
 namespace radiosity {
 
@@ -32,8 +32,7 @@ Vec eval_mean(std::span<const Vec> corners);
 /// The mean of the corners. Unlike eval_mean(), each corner is divided before it is added, with
 /// different rounding.
 Vec eval_centre(std::span<const Vec> corners);
-/// The normal of the polygon's front, by Newell's method. Its length is twice the area.
-Vec eval_area_normal(std::span<const Vec> corners);
+using renderer::eval_area_normal;
 
 /// The part of a polygon above the plane; corners within `tolerance` of the plane lie in it. Empty
 /// unless a corner lies above.
