@@ -32,6 +32,13 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   return parts;
 }
 
+std::string to_lower(std::string_view text) {
+  std::string lower(text);
+  for (char& c : lower)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return lower;
+}
+
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known) {
   return *std::ranges::min_element(
       known, {}, [&](const std::string& candidate) { return count_edits(name, candidate); });

@@ -14,6 +14,9 @@ std::string_view trim(std::string_view text);
 /// The trimmed parts between separators; the whole text if it has no separator.
 std::vector<std::string_view> split(std::string_view text, char separator);
 
+/// The text with its ASCII letters in lower case.
+std::string to_lower(std::string_view text);
+
 /// Parses the whole text as a number, independent of the locale. Returns none for anything else,
 /// even for a number with surrounding blanks.
 template <class Number>

@@ -12,8 +12,8 @@ namespace renderer {
 
 namespace {
 
-// Targets that ignore a scene's content and collect only the names of the files it refers to.
-struct NffFiles : NffTarget {
+// Target that ignores a scene's content and collects only the names of the files it refers to.
+struct FileNames : NffTarget {
   std::vector<std::string> files;
 
   void add_file(const std::string& path) override { files.push_back(path); }
@@ -24,16 +24,6 @@ struct NffFiles : NffTarget {
   void add_polygon(std::vector<Vec>, std::vector<Vec>) override {}
   void add_cone(const Vec&, double, const Vec&, double) override {}
 };
-struct ObjFiles : ObjTarget {
-  std::vector<std::string> files;
-
-  void add_library(const std::string& path) override { files.push_back(path); }
-  void add_material(const MtlMaterial& material) override {
-    if (!material.picture.empty()) files.push_back(material.picture);
-  }
-  void use_material(std::size_t) override {}
-  void add_face(std::vector<Vec>, std::vector<Vec>, std::vector<Corner>) override {}
-};
 
 }  // namespace
 
@@ -41,34 +31,31 @@ bool is_scene_file(std::string_view source) {
   return source.ends_with(".nff") || source.ends_with(".obj");
 }
 
-void read_scene(std::string_view text, const std::string& name, NffTarget& target) {
+void read_scene(std::string_view text, const std::string& name, NffTarget& target,
+                LeftOut* left_out) {
   if (!name.ends_with(".obj")) return read_nff(text, name, target);
-  ObjAsNff obj(target);
-  read_obj(text, name, obj);
+  LeftOut uncounted;
+  LeftOut& losses = left_out ? *left_out : uncounted;
+  ObjAsNff obj(target, losses);
+  read_obj(text, name, obj, losses);
   at_place(name, [&] { obj.finish(); });
 }
 
-Scene parse_scene(std::string_view text, const std::string& name, int frame) {
+Scene parse_scene(std::string_view text, const std::string& name, int frame, LeftOut* left_out) {
   SceneTarget target(name);
-  read_scene(text, name, target);
+  read_scene(text, name, target, left_out);
   return target.make_scene(frame);
 }
 
 std::vector<std::string> find_files(const std::string& source) {
   if (!is_scene_file(source)) return {};
-  const std::string text = base::read_text(source);
-  if (source.ends_with(".obj")) {
-    ObjFiles target;
-    read_obj(text, source, target);
-    return target.files;
-  }
-  NffFiles target;
-  read_nff(text, source, target);
+  FileNames target;
+  read_scene(base::read_text(source), source, target);
   return target.files;
 }
 
-Scene load_scene(const std::string& source, int frame) {
-  if (is_scene_file(source)) return parse_scene(base::read_text(source), source, frame);
+Scene load_scene(const std::string& source, int frame, LeftOut* left_out) {
+  if (is_scene_file(source)) return parse_scene(base::read_text(source), source, frame, left_out);
   std::vector<std::string> forms;
   for (const auto& [name, number, least, most, make] : GENERATORS) {
     const auto prefix = fmt::format("{}:", name);

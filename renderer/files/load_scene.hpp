@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "renderer/files/left_out.hpp"
 #include "renderer/files/nff.hpp"
 #include "renderer/scene/scene.hpp"
 
@@ -12,8 +13,9 @@ namespace renderer {
 
 /// Makes a scene from a generator with its number ("spheres:800", "hills:20000"), or from the path
 /// of an .nff or .obj file. Throws BadInput as parse_scene() does, and if the file cannot be read.
-/// For any other source it throws BadInput with a list of valid ones.
-Scene load_scene(const std::string& source, int frame = 0);
+/// For any other source it throws BadInput with a list of valid ones. `left_out`, if given, counts
+/// the parts of a file that cannot be read or that scenes do not have.
+Scene load_scene(const std::string& source, int frame = 0, LeftOut* left_out = nullptr);
 
 /// True if the source is a file, whose content may change between runs.
 bool is_scene_file(std::string_view source);
@@ -22,11 +24,13 @@ bool is_scene_file(std::string_view source);
 /// have their initial positions when the shutter opens, at time frame + T0. They move linearly
 /// until it closes, at frame + T1. Paths of other files are relative to the folder of `name`.
 /// Throws BadInput "name:line: found ..., expected ...".
-Scene parse_scene(std::string_view text, const std::string& name, int frame = 0);
+Scene parse_scene(std::string_view text, const std::string& name, int frame = 0,
+                  LeftOut* left_out = nullptr);
 
 /// Sends the statements of a scene text to `target`, those of OBJ as NFF. Throws BadInput as
 /// parse_scene() does.
-void read_scene(std::string_view text, const std::string& name, NffTarget& target);
+void read_scene(std::string_view text, const std::string& name, NffTarget& target,
+                LeftOut* left_out = nullptr);
 
 /// Sends a scene without textures to `target`, as it is when the shutter opens. Polygon corners may
 /// differ from the originals by rounding.

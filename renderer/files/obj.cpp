@@ -1,21 +1,17 @@
 #include "renderer/files/obj.hpp"
 
-#include <fmt/ranges.h>
-
 #include <algorithm>
-#include <filesystem>
+#include <tuple>
 
 #include "base/text.hpp"
-#include "base/whole_file.hpp"
+#include "renderer/files/beside.hpp"
+#include "renderer/files/obj_items.hpp"
+#include "renderer/files/obj_materials.hpp"
+#include "renderer/scene/triangulate.hpp"
 
 namespace renderer {
 
 namespace {
-
-bool is_surface(std::string_view comment) {
-  const Words words = first_words(comment);
-  return words.name == "surface" && has_number(words);
-}
 
 bool is_statement(std::string_view comment) {
   const Words words = first_words(comment);
@@ -24,120 +20,196 @@ bool is_statement(std::string_view comment) {
          (words.name == "light" && has_light_shape(words));
 }
 
-// Takes the rest of the line, and reduces blanks between words to one.
-std::string take_line(Tokens& tokens, std::string_view what) {
-  std::string text(tokens.take_word(what));
-  while (tokens.continues()) text += fmt::format(" {}", tokens.take());
-  return text;
-}
+constexpr double LEAST_HEIGHT = 2e-6;  // least height of a triangle, relative to its longest edge
 
-std::string find_beside(const std::string& name, std::string_view file) {
-  return (std::filesystem::path(name).parent_path() / file).string();
-}
-
-class MtlReader {
- public:
-  MtlReader(std::string_view text, const std::string& path) : tokens_(text, path, &is_surface) {}
-
-  struct Draft {
-    MtlMaterial material;
-    int line;
-    std::optional<double> opacity, transparency;  // statements d and Tr
-  };
-
-  std::vector<Draft> read() {
-    while (tokens_.begin_line()) read_statement();
-    for (auto& [material, line, d, tr] : drafts_)
-      if (d || tr) {
-        constexpr double ROUNDED = 1e-6;
-        const bool is_tr_meant = tr && (!d || std::abs(*d + *tr - 1) <= ROUNDED);
-        material.transparency = is_tr_meant ? *tr : 1 - *d;
-      }
-    return std::move(drafts_);
-  }
-
-  const Tokens& tokens() const { return tokens_; }
-
- private:
-  void read_statement() {
-    using Read = void (*)(MtlReader&, Draft&);
-    static constexpr std::pair<std::string_view, Read> STATEMENTS[] = {
-        {"Kd", [](auto& r, auto& d) { d.material.set_diffuse(r.tokens_.take_rgb("Kd")); }},
-        {"Ks", [](auto& r, auto& d) { d.material.specular = r.tokens_.take_rgb("Ks"); }},
-        {"Ke", [](auto& r, auto& d) { d.material.emission = r.tokens_.take_rgb("Ke"); }},
-        {"Ns", [](auto& r, auto& d) { d.material.shine = r.take("Ns", MAX_SHINE); }},
-        {"Ni", [](auto& r, auto& d) { d.material.ior = r.take("Ni", MAX_IOR); }},
-        {"d", [](auto& r, auto& d) { d.opacity = r.take("d", 1); }},
-        {"Tr", [](auto& r, auto& d) { d.transparency = r.take("Tr", 1); }},
-        {"illum", [](auto& r, auto& d) { d.material.illum = r.take_illum(); }},
-        {"map_Kd",
-         [](auto& r, auto& d) {
-           d.material.picture = find_beside(r.tokens_.name(), take_line(r.tokens_, "a picture"));
-         }},
-        {"#", [](auto& r, auto& d) { r.read_surface(d.material); }}};
-    const std::string_view name = tokens_.take();
-    if (name == "newmtl") {
-      drafts_.push_back({{}, tokens_.line(), {}, {}});
-      drafts_.back().material.name = tokens_.take_word("a name");
-      return tokens_.end_line();
-    }
-    const auto* known =
-        std::ranges::find(STATEMENTS, name, [](const auto& statement) { return statement.first; });
-    if (known == std::end(STATEMENTS)) return tokens_.skip_line();
-    if (drafts_.empty())
-      tokens_.fail(tokens_.line(), fmt::format("found '{}', expected 'newmtl' before it", name));
-    known->second(*this, drafts_.back());
-    tokens_.end_line();
-  }
-
-  double take(std::string_view what, double most) { return tokens_.take_number(what, 0, most); }
-
-  int take_illum() {
-    constexpr int MAX_ILLUM = 10;
-    return tokens_.take_count("illum", 0, MAX_ILLUM);
-  }
-
-  void read_surface(MtlMaterial& material) {
-    tokens_.take();
-    const Rgb colour = take_colour(tokens_, "the surface's colour");
-    const double kd = take("KD", 1);
-    if (kd * colour == material.diffuse) material.set_diffuse(colour, kd);
-  }
-
-  Tokens tokens_;
-  std::vector<Draft> drafts_;
+// The parts of a corner: v, v/vt, v//vn or v/vt/vn. Wings3D writes v//.
+struct CornerWords {
+  std::string_view v, vt, vn;
 };
+
+std::optional<CornerWords> split_corner(std::string_view word) {
+  CornerWords parts;
+  for (auto* part : {&parts.v, &parts.vt, &parts.vn}) {
+    const auto slash = std::min(word.find('/'), word.size());
+    *part = word.substr(0, slash);
+    if (slash == word.size()) return parts;
+    word.remove_prefix(slash + 1);
+  }
+  return {};  // none after a third slash
+}
+
+bool is_readable(const Vec& item) { return !std::isnan(item.x); }
+bool is_readable(const Corner& item) { return !std::isnan(item.u); }
+
+// Items of one kind, and their number above the current line.
+template <class Item>
+struct Items {
+  const std::vector<Item>& all;
+  const char* what;
+  std::size_t above = 0;
+
+  // The item with a number, counted from 1, or backwards from -1; null if it is not there.
+  const Item* find(std::string_view number) const {
+    const auto n = base::parse_number<long long>(number).value_or(0);
+    const auto count = static_cast<long long>(all.size()), before = static_cast<long long>(above);
+    if (n == 0 || n > count || n < -before) return nullptr;
+    const Item& item = all[static_cast<std::size_t>(n > 0 ? n - 1 : before + n)];
+    return is_readable(item) ? &item : nullptr;
+  }
+};
+
+// Normals or coordinates of a face's corners.
+template <class Item>
+struct Attributes {
+  std::vector<Item> items;
+  std::string problem;  // message about the first missing item
+
+  void add(const Items<Item>& items_of_file, std::string_view number) {
+    if (number.empty()) return;
+    if (const Item* item = items_of_file.find(number))
+      items.push_back(*item);
+    else if (problem.empty())
+      problem = fmt::format("found {}, expected the number of a {} that can be used",
+                            base::quote(number), items_of_file.what);
+  }
+};
+
+ObjFace pick(const ObjFace& face, std::span<const std::uint32_t> corners) {
+  ObjFace part;
+  for (const auto i : corners) {
+    part.corners.push_back(face.corners[i]);
+    if (!face.normals.empty()) part.normals.push_back(face.normals[i]);
+    if (!face.coordinates.empty()) part.coordinates.push_back(face.coordinates[i]);
+  }
+  return part;
+}
+
+// Keeps one of several neighbouring corners at the same point. Some programs write triangles as
+// quadrilaterals.
+ObjFace drop_repeated(ObjFace face) {
+  std::vector<std::uint32_t> kept;
+  const auto count = static_cast<std::uint32_t>(face.corners.size());
+  for (std::uint32_t i = 0; i < count; ++i)
+    if (face.corners[i] != face.corners[(i + 1) % count]) kept.push_back(i);
+  return kept.size() == count ? std::move(face) : pick(face, kept);
+}
 
 class ObjReader {
  public:
-  ObjReader(std::string_view text, const std::string& path, ObjTarget& target)
-      : tokens_(text, path, &is_statement), target_(target) {}
+  ObjReader(std::string_view text, const std::string& path, ObjTarget& target, LeftOut& left_out)
+      : tokens_(text, path, &is_statement, Tokens::Lines::joined),
+        target_(target),
+        left_out_(left_out),
+        items_(read_items(text, path, left_out)),
+        materials_(path, items_.libraries, target, left_out) {}
 
   void read() {
     while (tokens_.begin_line()) read_statement();
+    if (faces_ == 0)
+      for (const auto& problem : {unknown_, items_.problem, bad_face_})
+        if (!problem.empty()) throw base::BadInput(problem);
+    if (grey_ > 0)
+      left_out_.replace("faces in light grey",
+                        materials_.missing() > 0 ? materials_.missing_remark() : why_grey_, grey_);
+    else
+      left_out_.add("libraries", materials_.missing_remark(), materials_.missing());
   }
 
  private:
-  void read_statement() {
-    using Read = void (*)(ObjReader&);
-    constexpr auto skip = [](ObjReader& r) { r.tokens_.skip_line(); };
-    constexpr std::pair<std::string_view, Read> STATEMENTS[] = {
-        {"v", [](ObjReader& r) { r.read_point(); }},
-        {"vt", [](ObjReader& r) { r.read_coordinates(); }},
-        {"vn", [](ObjReader& r) { r.read_normal(); }},
+  struct Statement {
+    std::string_view name;
+    void (*read)(ObjReader&);
+    const char* left_out = nullptr;  // kind for LeftOut
+  };
+
+  static std::span<const Statement> statements() {
+    constexpr auto skip = [](ObjReader& r) { r.tokens_.take_rest(); };
+    constexpr auto leave_out_if_on = [](ObjReader& r) {
+      const auto value = base::to_lower(cut_comment(r.tokens_.take_rest()));
+      if (value != "off" && value != "0") r.left_out_.add(r.statement_->left_out);
+    };
+    constexpr const char* CURVES = "curves and curved surfaces";
+    static constexpr Statement STATEMENTS[] = {
+        {"v", [](ObjReader& r) { r.count(r.points_.above); }},
+        {"vt", [](ObjReader& r) { r.count(r.coordinates_.above); }},
+        {"vn", [](ObjReader& r) { r.count(r.normals_.above); }},
         {"f", [](ObjReader& r) { r.read_face(); }},
+        {"fo", [](ObjReader& r) { r.read_face(); }},  // name of a face in old files
         {"usemtl", [](ObjReader& r) { r.use_material(); }},
-        {"mtllib", [](ObjReader& r) { r.read_libraries(); }},
         {"#", [](ObjReader& r) { r.read_comment(); }},
-        {"p", [](ObjReader& r) { r.leave_out("points"); }},
-        {"l", [](ObjReader& r) { r.leave_out("lines"); }},
+        {"p", &leave_out, "points"},
+        {"l", &leave_out, "lines"},
+        {"curv", &leave_out, CURVES},
+        {"curv2", &leave_out, CURVES},
+        {"surf", &leave_out, CURVES},
+        {"bsp", &leave_out, CURVES},
+        {"bzp", &leave_out, CURVES},
+        {"cdc", &leave_out, CURVES},
+        {"cdp", &leave_out, CURVES},
+        {"call", &leave_out, "calls of other files"},
+        {"csh", &leave_out, "commands of the shell"},
+        {"shadow_obj", &leave_out, "objects for shadows"},
+        {"trace_obj", &leave_out, "objects for reflections"},
+        {"usemap", leave_out_if_on, "texture maps of faces"},
+        {"lod", leave_out_if_on, "levels of detail"},
+        {"bevel", leave_out_if_on, "bevels"},
+        {"mtllib", skip},  // already read by ObjMaterials
         {"g", skip},
         {"o", skip},
-        {"s", skip}};
-    const Read read =
-        tokens_.take_choice(STATEMENTS, "a statement: v, vt, vn, f, g, o, s, usemtl or mtllib");
+        {"s", skip},
+        {"mg", skip},
+        {"vp", skip},
+        {"cstype", skip},
+        {"deg", skip},
+        {"bmat", skip},
+        {"step", skip},
+        {"parm", skip},
+        {"trim", skip},
+        {"hole", skip},
+        {"scrv", skip},
+        {"sp", skip},
+        {"end", skip},
+        {"con", skip},
+        {"res", skip},
+        {"c_interp", skip},
+        {"d_interp", skip},
+        {"ctech", skip},
+        {"stech", skip},
+        {"maplib", skip}};
+    return STATEMENTS;
+  }
+
+  void read_statement() {
+    const auto word = tokens_.take();
     target_.line = tokens_.line();
-    read(*this);
+    const auto known = std::ranges::find(statements(), base::to_lower(word), &Statement::name);
+    if (known == statements().end()) return read_unknown(word);
+    statement_ = &*known;
+    statement_->read(*this);
+  }
+
+  void read_unknown(std::string_view word) {
+    const auto remark = at_line(
+        fmt::format("found {}, expected a statement: v, vt, vn, f, g, o, s, usemtl, mtllib or "
+                    "another of OBJ",
+                    base::quote(word)));
+    left_out_.add("unknown statements", remark);
+    if (unknown_.empty()) unknown_ = remark;
+    tokens_.take_rest();
+  }
+
+  static void leave_out(ObjReader& r) {
+    r.left_out_.add(r.statement_->left_out);
+    r.tokens_.skip_line();
+  }
+
+  void count(std::size_t& items) {
+    ++items;
+    tokens_.skip_line();
+  }
+
+  std::string at_line(std::string_view message) const {
+    return fmt::format("{}:{}: {}", tokens_.name(), target_.line, message);
   }
 
   template <class Action>
@@ -145,66 +217,23 @@ class ObjReader {
     tokens_.at_line(target_.line, action);
   }
 
-  void leave_out(const char* kind) {
-    target_.leave_out(kind);
-    tokens_.skip_line();
-  }
-
-  // Reads a vertex. A weight (one number) or a colour may follow its coordinates.
-  void read_point() {
-    points_.push_back(tokens_.take_vec("a vertex"));
-    if (tokens_.continues()) tokens_.take();
-    if (tokens_.continues()) target_.leave_out("colours of corners");
-    tokens_.skip_line();
-  }
-
-  void read_normal() {
-    normals_.push_back(tokens_.take_vec("a normal"));
-    tokens_.end_line();
-  }
-
-  void read_coordinates() {
-    const auto take = [&] {
-      return tokens_.take_number("a texture coordinate", -MAX_COORDINATE, MAX_COORDINATE);
-    };
-    const double u = take();
-    coordinates_.push_back({u, tokens_.continues() ? take() : 0});
-    tokens_.skip_line();  // skip a third coordinate
-  }
-
   void use_material() {
-    const auto known = std::ranges::find(names_, tokens_.peek());
-    if (known == names_.end())
-      tokens_.fail_next(
-          fmt::format("a material of the files above: {}",
-                      names_.empty() ? "none yet" : fmt::format("{}", fmt::join(names_, ", "))));
-    tokens_.skip_line();
-    tell([&] { target_.use_material(static_cast<std::size_t>(known - names_.begin())); });
+    const auto text = tokens_.take_rest();
+    material_ = materials_.find(text);
+    is_told_ = false;
+    if (!material_ && why_grey_.empty())
+      why_grey_ = at_line(fmt::format("found the material {}, expected one of the libraries: {}",
+                                      base::quote(text), materials_.describe()));
   }
 
-  void read_libraries() {
-    do {
-      const auto path = find_beside(tokens_.name(), tokens_.take_word("a file"));
-      if (std::ranges::find(libraries_, path) != libraries_.end()) continue;
-      libraries_.push_back(path);
-      tell([&] { target_.add_library(path); });
-      std::string text;
-      tell([&] { text = base::read_text(path); });
-      read_library(text, path);
-    } while (!tokens_.peek().empty());
-  }
-
-  void read_library(const std::string& text, const std::string& path) {
-    MtlReader reader(text, path);
-    for (const auto& draft : reader.read()) {
-      const auto& name = draft.material.name;
-      reader.tokens().at_line(draft.line, [&] {
-        target_.add_material(draft.material);
-        require(std::ranges::find(names_, name) == names_.end(),
-                fmt::format("a second material {}", base::quote(name)), "another name");
-      });
-      names_.push_back(name);
-    }
+  // Selects the material of the next face unless the target already uses it.
+  void tell_material() {
+    if (!material_ && why_grey_.empty())
+      why_grey_ = at_line("found 'f', expected 'usemtl' before it");
+    if (std::exchange(is_told_, true)) return;
+    const auto index = material_ ? *material_ : materials_.find_grey();
+    map_ = materials_.map(index);
+    tell([&] { target_.use_material(index); });
   }
 
   void read_comment() {
@@ -225,60 +254,109 @@ class ObjReader {
     tokens_.end_line();
   }
 
-  // Reads a face, whose corners have the form v, v/vt, v//vn or v/vt/vn.
   void read_face() {
-    std::vector<Vec> corners, normals;
-    std::vector<Corner> coordinates;
-    while (!tokens_.peek().empty()) {
-      const std::string_view word = tokens_.peek();
-      const auto slash = std::min(word.find('/'), word.size());
-      const auto second = std::min(word.find('/', slash + 1), word.size());
-      corners.push_back(find(points_, word.substr(0, slash), "vertex (v)"));
-      if (second > slash + 1)
-        coordinates.push_back(
-            find(coordinates_, word.substr(slash + 1, second - slash - 1), "coordinate (vt)"));
-      if (second < word.size())
-        normals.push_back(find(normals_, word.substr(second + 1), "normal (vn)"));
-      tokens_.take();
+    try {
+      ObjFace face = drop_repeated(take_face());
+      tell([&] {
+        require(face.corners.size() >= 3, fmt::format("{} different corners", face.corners.size()),
+                "3 or more");
+      });
+      tell_material();
+      face.coordinates = map_coordinates(std::move(face.coordinates));
+      tell([&] {
+        target_.add_face(std::move(face.corners), std::move(face.normals),
+                         std::move(face.coordinates));
+      });
+      ++faces_;
+      if (!material_) ++grey_;
+    } catch (const base::BadInput& bad) {
+      left_out_.add("faces", bad.what());
+      if (bad_face_.empty()) bad_face_ = bad.what();
+      tokens_.skip_line();
     }
-    tell([&] {
-      const auto count = corners.size();
-      const auto require_all = [&](std::size_t found, const char* what) {
-        require(found == 0 || found == count, fmt::format("{} {}", found, what),
-                fmt::format("one for each of the {} corners", count));
-      };
-      require(count >= 3, fmt::format("{} corners", count), "3 or more");
-      require_all(normals.size(), "normals");
-      require_all(coordinates.size(), "texture coordinates");
-      target_.add_face(std::move(corners), std::move(normals), std::move(coordinates));
-    });
   }
 
-  // The item that a corner refers to: counted from 1, or backwards from -1.
+  ObjFace take_face() {
+    ObjFace face;
+    Attributes<Vec> normals;
+    Attributes<Corner> coordinates;
+    while (!tokens_.peek().empty()) {
+      const auto words = split_corner(tokens_.peek());
+      const Vec* point = words ? points_.find(words->v) : nullptr;
+      if (!point)
+        tokens_.fail_next(
+            fmt::format("the number of a vertex (v) in each corner, of the {} in the file, 1 the "
+                        "first and -1 the last above, that can be read",
+                        points_.all.size()));
+      face.corners.push_back(*point);
+      coordinates.add(coordinates_, words->vt);
+      normals.add(normals_, words->vn);
+      tokens_.take();
+    }
+    face.normals = take_all(normals, face.corners.size(), "normals of faces");
+    face.coordinates = take_all(coordinates, face.corners.size(), "texture coordinates of faces");
+    return face;
+  }
+
+  // Returns the items if each corner has one. Otherwise returns none and counts the loss.
   template <class Item>
-  const Item& find(const std::vector<Item>& list, std::string_view text, const char* what) {
-    const auto count = static_cast<long long>(list.size());
-    const long long n = base::parse_number<long long>(text).value_or(0);
-    if (n == 0 || n > count || n < -count)
-      tokens_.fail_next(
-          fmt::format("the number of a {} in each corner, of the {} so far, 1 the first and "
-                      "-1 the last",
-                      what, count));
-    return list[static_cast<std::size_t>(n > 0 ? n - 1 : count + n)];
+  std::vector<Item> take_all(Attributes<Item>& found, std::size_t count, const char* kind) {
+    auto& [items, problem] = found;
+    if (items.size() == count) return std::move(items);
+    if (items.empty() && problem.empty()) return {};
+    if (problem.empty())
+      problem = fmt::format("found {} {}, expected one for each of the {} corners", items.size(),
+                            kind, count);
+    left_out_.add(kind, at_line(problem));
+    return {};
+  }
+
+  std::vector<Corner> map_coordinates(std::vector<Corner> coordinates) {
+    if (map_ == PictureMap{}) return coordinates;
+    for (auto& [u, v] : coordinates) {
+      u = map_.u_scale * u + map_.u_offset, v = map_.v_scale * v + map_.v_offset;
+      if (std::abs(u) <= MAX_COORDINATE && std::abs(v) <= MAX_COORDINATE) continue;
+      left_out_.add("texture coordinates of faces",
+                    at_line(fmt::format("found a scaled coordinate {:g} {:g}, expected up to {:g}",
+                                        u, v, MAX_COORDINATE)));
+      return {};
+    }
+    return coordinates;
   }
 
   Tokens tokens_;
   ObjTarget& target_;
-  std::vector<Vec> points_, normals_;
-  std::vector<Corner> coordinates_;
-  std::vector<std::string> names_, libraries_;  // names of materials, and paths of the MTL files
-  bool has_view_ = false;
+  LeftOut& left_out_;
+  const ObjItems items_;
+  ObjMaterials materials_;
+  Items<Vec> points_{items_.points, "vertex (v)"}, normals_{items_.normals, "normal (vn)"};
+  Items<Corner> coordinates_{items_.coordinates, "coordinate (vt)"};
+  const Statement* statement_ = nullptr;
+  std::optional<std::size_t> material_;  // material of the next faces; none for light grey
+  PictureMap map_;
+  bool is_told_ = false, has_view_ = false;
+  std::size_t faces_ = 0, grey_ = 0;
+  std::string unknown_, bad_face_, why_grey_;  // messages about the first of each
 };
 
 }  // namespace
 
-void read_obj(std::string_view text, const std::string& name, ObjTarget& target) {
-  ObjReader(text, name, target).read();
+void read_obj(std::string_view text, const std::string& name, ObjTarget& target,
+              LeftOut& left_out) {
+  ObjReader(text, name, target, left_out).read();
+}
+
+std::vector<ObjFace> cut_into_triangles(const ObjFace& face) {
+  std::vector<ObjFace> parts;
+  for (const auto& triangle : triangulate(face.corners)) {
+    ObjFace part = pick(face, triangle);
+    const auto& [a, b, c] = std::tie(part.corners[0], part.corners[1], part.corners[2]);
+    const double longest = std::max({length(b - a), length(c - b), length(a - c)});
+    if (length(cross(b - a, c - a)) > LEAST_HEIGHT * longest * longest)
+      parts.push_back(std::move(part));
+  }
+  require(!parts.empty(), "a polygon without area", "vertices that are not all on one line");
+  return parts;
 }
 
 View look_from_outside(const Bounds& bounds) {

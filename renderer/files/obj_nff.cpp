@@ -2,25 +2,22 @@
 
 #include <algorithm>
 
+#include "renderer/scene/triangulate.hpp"
+
 namespace renderer {
 
 namespace {
 
-constexpr int ILLUM_DIFFUSE = 1, ILLUM_GLOSSY = 5, ILLUM_REFRACTS = 6;
+constexpr int ILLUM_DIFFUSE = 1, ILLUM_GLOSSY = 5;
 
 Surface make_surface(const MtlMaterial& m) {
-  const auto& [r, g, b] = m.colour;
-  require(std::min({r, g, b}) >= 0 && max_component(m.colour) <= MAX_COLOUR, "Kd",
-          fmt::format("{} {} {}", r, g, b), fmt::format("0 to {}", MAX_COLOUR));
   Surface s;
   s.colour = m.colour;
   s.kd = m.kd;
   s.shine = m.shine;
   s.t = m.transparency;
   if (m.illum >= ILLUM_REFLECTS) s.ks = max_component(m.specular);
-  require(s.ks >= 0 && s.ks <= 1, "Ks", s.ks, "0 to 1");
-  if (m.ior > 0) s.ior = m.ior;
-  require(m.ior > 0 || s.t == 0, "Ni", m.ior, "above 0 where light passes");
+  s.ior = m.ior;
   return s;
 }
 
@@ -29,31 +26,47 @@ Surface make_surface(const MtlMaterial& m) {
 void ObjAsNff::add_material(const MtlMaterial& material) {
   Look look{make_surface(material), material.emission};
   const auto& [r, g, b] = material.specular;
-  if (look.surface.ks > 0 && (r != g || g != b)) leave_out("colours of mirrors");
+  if (look.surface.ks > 0 && (r != g || g != b)) left_out_.add("colours of mirrors");
   if (look.surface.ks == 0 && material.specular != Rgb{})
-    leave_out("highlights without mirror images");
-  if (!material.picture.empty()) {
-    target_.add_file(material.picture);
-    look.surface.texture = target_.add_texture(material.picture, make_mesh_mapping());
-  }
+    left_out_.add("highlights without mirror images");
+  if (!material.picture.empty()) try {
+      look.surface.texture = target_.add_texture(material.picture, make_mesh_mapping());
+      target_.add_file(material.picture);
+    } catch (const base::BadInput& bad) {
+      left_out_.add("pictures", bad.what());
+    }
   looks_.push_back(look);
 }
 
-void ObjAsNff::use_material(std::size_t material) {
-  const Look& look = looks_[material];
-  target_.line = line;
-  target_.set_surface(look.surface);
-  if (look.emission != Rgb{}) target_.set_emission(look.emission);
-  has_surface_ = true;
+// Selects the surface of the next polygon. A picture needs texture coordinates.
+void ObjAsNff::use_look(bool has_coordinates) {
+  auto [surface, emission] = looks_[material_];
+  const bool has_picture = surface.texture != NO_TEXTURE;
+  if (has_picture && !has_coordinates) {
+    left_out_.add("pictures on faces without coordinates");
+    surface.texture = NO_TEXTURE;
+  }
+  const Use use{material_, has_picture && has_coordinates};
+  if (used_ == use) return;
+  used_ = use;
+  target_.set_surface(surface);
+  if (emission != Rgb{}) target_.set_emission(emission);
+}
+
+void ObjAsNff::add_polygon(ObjFace face) {
+  check_polygon(face.corners, face.normals);
+  use_look(!face.coordinates.empty());
+  bounds_ = join(bounds_, make_bounds(face.corners));
+  target_.set_coordinates(std::move(face.coordinates));
+  target_.add_polygon(std::move(face.corners), std::move(face.normals));
 }
 
 void ObjAsNff::add_face(std::vector<Vec> corners, std::vector<Vec> normals,
                         std::vector<Corner> coordinates) {
   target_.line = line;
-  if (!std::exchange(has_surface_, true)) target_.set_surface({.colour = {0.8, 0.8, 0.8}});
-  bounds_ = join(bounds_, make_bounds(corners));
-  target_.set_coordinates(std::move(coordinates));
-  target_.add_polygon(std::move(corners), std::move(normals));
+  ObjFace face{std::move(corners), std::move(normals), std::move(coordinates)};
+  if (is_flat(face.corners)) return add_polygon(std::move(face));
+  for (ObjFace& part : cut_into_triangles(face)) add_polygon(std::move(part));
 }
 
 void ObjAsNff::set_view(const View& view) {
@@ -75,7 +88,7 @@ void ObjAsNff::add_light(const Light& light, const std::optional<Rgb>& colour) {
 
 void ObjAsNff::finish() {
   if (has_view_) return;
-  require(has_surface_ && !(bounds_ == Bounds{}), "no face", "one or more");
+  require(!(bounds_ == Bounds{}), "no face", "one or more");
   const View view = look_from_outside(bounds_);
   set_view(view);
   if (!has_light_) target_.add_light({.at = view.from}, {});

@@ -14,39 +14,47 @@
 
 namespace renderer {
 
-/// Adapter that forwards an OBJ file to an NffTarget. Faces before any material are light grey.
+/// Adapter that forwards an OBJ file to an NffTarget. Faces that are not flat become triangles.
 class ObjAsNff : public ObjTarget {
  public:
-  /// `left_out`, if given, counts what NFF cannot express, such as coloured mirrors.
-  explicit ObjAsNff(NffTarget& target, LeftOut* left_out = nullptr)
-      : target_(target), left_out_(left_out) {}
+  /// `left_out` counts what NFF cannot express, such as coloured mirrors.
+  ObjAsNff(NffTarget& target, LeftOut& left_out) : target_(target), left_out_(left_out) {}
   /// Completes the scene after the last statement. If the file has no view, adds one from outside,
   /// and without lights also a light at its eye. Files with a view get no extra light.
   void finish();
 
   void add_library(const std::string& path) override { target_.add_file(path); }
   void add_material(const MtlMaterial& material) override;
-  void use_material(std::size_t material) override;
+  void use_material(std::size_t material) override { material_ = material; }
+  /// Throws BadInput if no part of the face is a valid polygon.
   void add_face(std::vector<Vec> corners, std::vector<Vec> normals,
                 std::vector<Corner> coordinates) override;
   void set_view(const View& view) override;
   void set_background(const Rgb& colour) override;
   void add_light(const Light& light, const std::optional<Rgb>& colour) override;
-  void leave_out(const std::string& kind) override {
-    if (left_out_) left_out_->add(kind);
-  }
 
  private:
   struct Look {
     Surface surface;
     Rgb emission;
   };
+  // A material with or without its picture.
+  struct Use {
+    std::size_t material;
+    bool has_picture;
+    bool operator==(const Use&) const = default;
+  };
+
+  void add_polygon(ObjFace face);
+  void use_look(bool has_coordinates);
 
   NffTarget& target_;
-  LeftOut* left_out_;
-  std::vector<Look> looks_;  // appearance of each material
+  LeftOut& left_out_;
+  std::vector<Look> looks_;   // appearance of each material
+  std::size_t material_ = 0;  // material of the next faces
+  std::optional<Use> used_;   // current surface of the target
   Bounds bounds_;
-  bool has_view_ = false, has_light_ = false, has_surface_ = false;
+  bool has_view_ = false, has_light_ = false;
 };
 
 /// Adapter that forwards an NFF file to an ObjTarget. Counts what OBJ cannot express: spheres,

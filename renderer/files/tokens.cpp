@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::string_view BLANKS = " \t\v\f", LINE_ENDS = "\r\n", BYTE_ORDER_MARK = "\xEF\xBB\xBF";
 
-// The same number with the exponent of C: Fortran writes 1.0D+00. Empty if it has no such exponent.
+// Converts a number of Fortran, such as 1.0D+00, to the notation of C. Empty for other words.
 std::string from_fortran(std::string_view word) {
   if (word.find_first_not_of("0123456789.+-dD") != word.npos) return "";
   const auto exponent = word.find_first_of("dD");
@@ -44,13 +44,13 @@ Tokens::Tokens(std::string_view text, std::string name, IsStatement is_statement
   while (text_.ends_with('\x1A') || text_.ends_with('\0')) text_.remove_suffix(1);
 }
 
-// The position after the end of a line that starts at `at`, or `at` if no line ends there.
+// Returns the position after a line end at `at`, or `at` without one.
 std::size_t Tokens::skip_line_end(std::size_t at) const {
   if (at >= text_.size() || LINE_ENDS.find(text_[at]) == LINE_ENDS.npos) return at;
   return at + (text_.substr(at, 2) == "\r\n" ? 2 : 1);
 }
 
-// The position after a backslash at `at` and the line end behind it; 0 without them.
+// Returns the position after a backslash at `at` and the line end after it; 0 without them.
 std::size_t Tokens::find_join(std::size_t at) const {
   if (lines_ != Lines::joined || text_[at] != '\\') return 0;
   const auto end = std::min(text_.find_first_not_of(BLANKS, at + 1), text_.size());
@@ -64,7 +64,7 @@ void Tokens::join_line(std::size_t next) {
   ++line_;
 }
 
-// The end of the word at `at_`. Microsoft's library writes 1.#INF and 1.#QNAN: no comments.
+// Returns the end of the word at `at_`. The '#' in Microsoft's 1.#INF starts no comment.
 std::size_t Tokens::find_word_end() const {
   constexpr std::string_view ENDS = " \t\r\v\f\n#";
   std::size_t end = at_;

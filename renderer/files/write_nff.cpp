@@ -1,5 +1,6 @@
 #include "renderer/files/write_nff.hpp"
 
+#include <cctype>
 #include <filesystem>
 
 #include "base/text.hpp"
@@ -30,6 +31,18 @@ std::string describe_light(const Light& light, const std::optional<Rgb>& colour)
 void check_word(const std::string& name) {
   require(name.find_first_of(" \t\n\r\f\v#") == name.npos, base::quote(name),
           "a name without blanks and #");
+}
+
+std::string WordNames::make(std::string name) {
+  for (char& c : name) {
+    const bool is_ascii = static_cast<unsigned char>(c) < 0x80;
+    const bool is_kept = std::isalnum(static_cast<unsigned char>(c)) || c == '.' || c == '-';
+    if (is_ascii && !is_kept) c = '_';
+  }
+  if (name.empty()) name = "material";
+  const std::string first = name;
+  for (int n = 2; !made_.insert(name).second; ++n) name = fmt::format("{}_{}", first, n);
+  return name;
 }
 
 std::string find_from(const std::string& folder, const std::string& file) {
@@ -65,10 +78,7 @@ std::uint32_t NffText::add_texture(const std::string& file, const Mapping&) {
 }
 
 void NffText::set_coordinates(std::vector<Corner> coordinates) {
-  if (coordinates.empty()) return;
-  body_ += "# uv";
-  for (const auto& [u, v] : coordinates) body_ += fmt::format(" {} {}", u, v);
-  body_ += "\n";
+  coordinates_ = std::move(coordinates);
 }
 
 void NffText::add_sphere(const Vec& centre, double radius) {
@@ -77,6 +87,11 @@ void NffText::add_sphere(const Vec& centre, double radius) {
 
 void NffText::add_polygon(std::vector<Vec> corners, std::vector<Vec> normals) {
   check_polygon(corners, normals);
+  if (!coordinates_.empty()) {
+    body_ += "# uv";
+    for (const auto& [u, v] : coordinates_) body_ += fmt::format(" {} {}", u, v);
+    body_ += "\n";
+  }
   body_ += fmt::format("{} {}\n", normals.empty() ? "p" : "pp", corners.size());
   for (std::size_t i = 0; i < corners.size(); ++i) {
     body_ += describe(corners[i]);

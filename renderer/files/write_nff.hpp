@@ -1,11 +1,21 @@
 #pragma once
 // Writes NFF that `read_nff` restores bit for bit.
 
+#include <set>
 #include <string>
 
 #include "renderer/files/nff.hpp"
 
 namespace renderer {
+
+/// Makes names single words, each different from the earlier ones.
+class WordNames {
+ public:
+  std::string make(std::string name);
+
+ private:
+  std::set<std::string> made_;
+};
 
 class NffText : public NffTarget {
  public:
@@ -32,6 +42,7 @@ class NffText : public NffTarget {
  private:
   std::string folder_, head_, body_;
   std::vector<std::string> pictures_;  // picture path of each texture
+  std::vector<Corner> coordinates_;    // texture coordinates of the next polygon
 };
 
 // Formats a view or light as the words of an NFF statement, without '#'.

@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
-#include <cctype>
 #include <filesystem>
-#include <set>
 
 #include "base/text.hpp"
 #include "renderer/files/statements.hpp"
 #include "renderer/files/tokens.hpp"
+#include "renderer/files/write_nff.hpp"
 #include "renderer/scene/primitives.hpp"
 
 namespace renderer {
@@ -30,25 +29,14 @@ class Teller {
     for (unsigned i = 0; i < scene_.mNumMeshes; ++i) tell_mesh(*scene_.mMeshes[i]);
     if (told_ == 0)
       throw base::BadInput(path_ + ": found no triangle with an area, expected one or more");
-    for (unsigned i = 0; i < scene_.mNumLights; ++i) left_out_.add("lights");
-    for (unsigned i = 0; i < scene_.mNumCameras; ++i) left_out_.add("cameras");
-    for (unsigned i = 0; i < scene_.mNumAnimations; ++i) left_out_.add("animations");
+    left_out_.add("lights", "", scene_.mNumLights);
+    left_out_.add("cameras", "", scene_.mNumCameras);
+    left_out_.add("animations", "", scene_.mNumAnimations);
   }
 
  private:
-  // Makes a one-word name that differs from those of all other materials.
-  std::string make_name(const aiMaterial& material) {
-    std::string name = material.GetName().C_Str();
-    for (char& c : name)
-      if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-    if (name.empty()) name = "material";
-    const std::string first = name;
-    for (int n = 2; !names_.insert(name).second; ++n) name = fmt::format("{}_{}", first, n);
-    return name;
-  }
-
   void tell_material(const aiMaterial& material) {
-    MtlMaterial m{.name = make_name(material)};
+    MtlMaterial m{.name = names_.make(material.GetName().C_Str())};
     const auto colour = [&](const char* key, unsigned type, unsigned index, const Rgb& otherwise) {
       aiColor3D c;
       if (material.Get(key, type, index, c) != aiReturn_SUCCESS) return otherwise;
@@ -69,8 +57,8 @@ class Teller {
     m.ior = number(AI_MATKEY_REFRACTI, 1e-3, MAX_IOR, 1);
     for (int type = 0; type <= AI_TEXTURE_TYPE_MAX; ++type)
       if (type != aiTextureType_DIFFUSE && type != aiTextureType_BASE_COLOR)
-        leave_out("pictures of other things than colours",
-                  material.GetTextureCount(static_cast<aiTextureType>(type)));
+        left_out_.add("pictures of other things than colours", "",
+                      material.GetTextureCount(static_cast<aiTextureType>(type)));
     aiString picture;
     if (material.GetTexture(aiTextureType_DIFFUSE, 0, &picture) == aiReturn_SUCCESS)
       tell_picture(picture.C_Str(), m);
@@ -88,9 +76,9 @@ class Teller {
   void tell_mesh(const aiMesh& mesh) {
     if (!(mesh.mPrimitiveTypes & aiPrimitiveType_TRIANGLE)) {
       const bool is_lines = mesh.mPrimitiveTypes & aiPrimitiveType_LINE;
-      return leave_out(is_lines ? "lines" : "points", mesh.mNumFaces);
+      return left_out_.add(is_lines ? "lines" : "points", "", mesh.mNumFaces);
     }
-    if (mesh.HasVertexColors(0)) leave_out("colours of corners", mesh.mNumVertices);
+    if (mesh.HasVertexColors(0)) left_out_.add("colours of corners", "", mesh.mNumVertices);
     target_.use_material(mesh.mMaterialIndex);
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) tell_face(mesh, mesh.mFaces[i]);
   }
@@ -110,18 +98,14 @@ class Teller {
                     "found a corner at {:g} {:g} {:g}, expected coordinates up to {:g}", corner.x,
                     corner.y, corner.z, MAX_NUMBER);
     if (!std::ranges::all_of(coordinates, can_be_read)) {
-      leave_out("coordinates beyond a million", coordinates.size());
+      left_out_.add("coordinates beyond a million", "", coordinates.size());
       coordinates.clear();
     }
     if (!can_be_polygon(corners, normals)) normals.clear();
     if (can_be_polygon(corners, {}) && ++told_)
       target_.add_face(std::move(corners), std::move(normals), std::move(coordinates));
     else
-      leave_out("triangles without an area", 1);
-  }
-
-  void leave_out(const char* kind, std::size_t times) {
-    for (std::size_t i = 0; i < times; ++i) left_out_.add(kind);
+      left_out_.add("triangles without an area");
   }
 
   static bool can_be_read(const Corner& c) {
@@ -141,8 +125,8 @@ class Teller {
   const std::string& path_;
   ObjTarget& target_;
   LeftOut& left_out_;
-  std::set<std::string> names_;  // names of materials
-  std::size_t told_ = 0;         // number of faces sent
+  WordNames names_;       // names of materials
+  std::size_t told_ = 0;  // number of faces sent
 };
 
 }  // namespace

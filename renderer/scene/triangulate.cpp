@@ -6,7 +6,7 @@ namespace renderer {
 
 namespace {
 
-constexpr double OFF_PLANE = 1e-6, NO_AREA = 1e-12;  // relative to the polygon's size, its square
+constexpr double OFF_PLANE = 1e-6, NO_AREA = 1e-12;  // relative to the size and its square
 constexpr const char* CROSSED = "a polygon whose edges cross";
 constexpr std::size_t MOST_CORNERS = 1000;
 
@@ -20,7 +20,7 @@ double eval_size(std::span<const Vec> corners) {
   return length(bounds.hi - bounds.lo);
 }
 
-// Twice the area, > 0 counter-clockwise.
+// Returns twice the signed area, positive if counter-clockwise.
 double eval_turn(const Point& a, const Point& b, const Point& c) {
   return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
 }
@@ -108,7 +108,7 @@ class EarClipper {
   }
 
   std::vector<Point> points_;
-  std::vector<Link> links_;  // of the corners that are left
+  std::vector<Link> links_;  // neighbours of the remaining corners
   std::vector<std::uint32_t> reflex_;
   std::vector<Triangle> triangles_;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// Triangulation of polygons, for those that are not flat or not convex.
+// Triangulation of polygons that are not flat or not convex.
 
 #include <array>
 #include <cstdint>
@@ -17,13 +17,13 @@ Vec eval_area_normal(std::span<const Vec> corners);
 /// through the mean of the corners, across their area normal.
 bool is_flat(std::span<const Vec> corners);
 
-/// Corners of a triangle, as indices.
+/// Indices of a triangle's corners.
 using Triangle = std::array<std::uint32_t, 3>;
 
 /// Cuts a polygon into triangles with its winding, by ear clipping (G. Meisters, 1975) in the
-/// projection along its area normal. A convex quadrilateral is cut from its
-/// first corner to its third. Triangles can be without an area. BadInput if the polygon has no
-/// area, if edges cross in the projection, or if it has more than 1000 corners and is not convex.
+/// projection along its area normal. The first cut of a convex quadrilateral goes from its first
+/// corner to its third. Triangles can have no area. Throws BadInput if the polygon has no area, if
+/// edges cross in the projection, or if it has more than 1000 corners and is not convex.
 std::vector<Triangle> triangulate(std::span<const Vec> corners);
 
 }  // namespace renderer

@@ -59,5 +59,9 @@ TEST(Text, FirstCommentIsASentence) {
   EXPECT_EQ(first_comment(""), "");
 }
 
+TEST(Text, LowerCaseIsOfAsciiLettersOnly) {
+  EXPECT_EQ(to_lower("PART.Stl 9_[`{\xC3\x84"), "part.stl 9_[`{\xC3\x84");
+}
+
 }  // namespace
 }  // namespace base

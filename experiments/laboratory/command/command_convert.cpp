@@ -4,7 +4,6 @@
 #include <sys/resource.h>
 
 #include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -16,12 +15,11 @@
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/host/elapsed_time.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
-#include "renderer/files/load_scene.hpp"
+#include "experiments/laboratory/setup/open_scene.hpp"
 #include "renderer/files/obj_nff.hpp"
 #include "renderer/files/write_nff.hpp"
 #include "renderer/files/write_obj.hpp"
 #include "renderer/meshes/read_mesh.hpp"
-#include "renderer/radiosity/files/load_room.hpp"
 #include "renderer/radiosity/files/write_room.hpp"
 
 namespace laboratory {
@@ -34,9 +32,8 @@ std::string ending_of(const std::string& path) { return fs::path(path).extension
 
 // Recognises a mesh by its file extension, in upper or lower case.
 bool is_mesh(const std::string& source) {
-  auto ending = ending_of(source);
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return std::ranges::find(renderer::mesh_endings(), ending) != renderer::mesh_endings().end();
+  return std::ranges::find(renderer::mesh_endings(), base::to_lower(ending_of(source))) !=
+         renderer::mesh_endings().end();
 }
 
 std::string list_sources() {
@@ -57,6 +54,7 @@ using Texts = std::vector<Text>;
 struct Converted {
   Texts texts;
   std::string left_out;
+  std::vector<std::string> remarks;
 };
 
 Texts write_room(const std::string& source, const std::string& output, LeftOut& left_out) {
@@ -71,11 +69,9 @@ Texts write_nff(const std::string& source, const std::string& output, LeftOut& l
   if (ending_of(source) == ".room") {
     radiosity::tell(read_room(source, left_out), nff, left_out);
   } else if (ending_of(source) == ".obj") {
-    renderer::ObjAsNff obj(nff, &left_out);
-    renderer::read_obj(base::read_text(source), source, obj);
-    renderer::at_place(source, [&] { obj.finish(); });
+    renderer::read_scene(base::read_text(source), source, nff, &left_out);
   } else if (is_mesh(source)) {
-    renderer::ObjAsNff obj(nff, &left_out);
+    renderer::ObjAsNff obj(nff, left_out);
     renderer::read_mesh(source, obj, left_out);
     renderer::at_place(source, [&] { obj.finish(); });
   } else {
@@ -122,8 +118,8 @@ Converted convert_apart(const std::string& source, const std::function<Converted
     const rlimit limit{limit_s, limit_s + 1};
     setrlimit(RLIMIT_CPU, &limit);
     if (!std::freopen("/dev/null", "w", stderr)) throw std::runtime_error("/dev/null");
-    const auto [texts, left_out] = convert();
-    nlohmann::json json = {{"left_out", left_out}};
+    const auto [texts, left_out, remarks] = convert();
+    nlohmann::json json = {{"left_out", left_out}, {"remarks", remarks}};
     for (const auto& [path, text] : texts) json["texts"].push_back({path, text});
     std::string bytes;  // file name, perhaps invalid UTF-8
     nlohmann::json::to_cbor(json, bytes);
@@ -136,6 +132,7 @@ Converted convert_apart(const std::string& source, const std::function<Converted
                   end.died);
     const auto json = nlohmann::json::from_cbor(end.result);
     converted.left_out = json["left_out"];
+    converted.remarks = json["remarks"];
     for (const auto& text : json["texts"]) converted.texts.push_back({text[0], text[1]});
   });
   if (was_interrupted()) throw Interrupted();
@@ -160,12 +157,13 @@ void convert(const std::string& source, const std::string& output) {
   const auto convert_here = [&] {
     LeftOut left_out;
     auto texts = writer->second(source, output, left_out);
-    return Converted{std::move(texts), left_out.describe()};
+    return Converted{std::move(texts), left_out.describe(), left_out.describe_remarks()};
   };
-  const auto [texts, left_out] = [&] {
+  const auto [texts, left_out, remarks] = [&] {
     const ElapsedTime elapsed_time("convert " + source);
     return is_mesh(source) ? convert_apart(source, convert_here) : convert_here();
   }();
+  warn(remarks);
   for (const auto& [path, text] : texts) {
     if (text.empty()) continue;  // no material file for an OBJ without materials
     base::save_whole(path, text);

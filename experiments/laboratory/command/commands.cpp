@@ -14,6 +14,7 @@
 #include "base/early_end.hpp"
 #include "base/errors.hpp"
 #include "base/message.hpp"
+#include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/completion.hpp"
 #include "experiments/laboratory/command/run.hpp"
@@ -40,8 +41,7 @@ namespace {
 std::string choose_format(const std::string& asked, const std::string& file) {
   static const std::map<std::string, std::string> ENDINGS = {
       {".dot", "dot"}, {".gv", "dot"}, {".graphml", "graphml"}, {".svg", "svg"}, {".csv", "csv"}};
-  auto ending = std::filesystem::path(file).extension().string();
-  for (char& c : ending) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  const auto ending = base::to_lower(std::filesystem::path(file).extension().string());
   const auto said = ENDINGS.find(ending);
   if (said == ENDINGS.end()) {
     base::require(

@@ -22,6 +22,7 @@
 #include "experiments/laboratory/points/results.hpp"
 #include "experiments/laboratory/points/single_worker.hpp"
 #include "experiments/laboratory/report/run_report.hpp"
+#include "experiments/laboratory/setup/open_scene.hpp"
 #include "experiments/laboratory/uncertain/confidence.hpp"
 #include "experiments/laboratory/uncertain/draw.hpp"
 
@@ -96,6 +97,7 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
   check_recordings(options, file,
                    (static_cast<std::size_t>(file.uncertain.machines) + 1) * file.points.size());
   check_points(options, file);
+  warn_of_scenes(file);
   const auto results = results_folder(options);
   check_same_experiment(results, file);
   ResultsFolder folder(results);

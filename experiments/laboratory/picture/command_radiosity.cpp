@@ -8,8 +8,8 @@
 #include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/options/options.hpp"
 #include "experiments/laboratory/picture/picture_commands.hpp"
+#include "experiments/laboratory/setup/open_scene.hpp"
 #include "renderer/radiosity/creases/creases.hpp"
-#include "renderer/radiosity/files/load_room.hpp"
 #include "renderer/radiosity/light/solve.hpp"
 #include "renderer/radiosity/show/adapt.hpp"
 #include "renderer/radiosity/show/display.hpp"
@@ -85,7 +85,7 @@ radiosity::Step make_step(const RadiosityOptions& o, Progress& bar) {
 Outcome light(RadiosityOptions& o) {
   Outcome made;
   Clock clock;
-  auto room = radiosity::load_room(o.room);
+  auto room = open_room(o.room);
   choose_creases(room, o.creases);
   const auto picture = fit(o.picture, room.view);
   Progress bar("radiosity");

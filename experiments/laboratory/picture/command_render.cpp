@@ -9,7 +9,7 @@
 #include "experiments/laboratory/picture/render_frames.hpp"
 #include "experiments/laboratory/picture/render_preview.hpp"
 #include "experiments/laboratory/picture/render_refined.hpp"
-#include "renderer/files/load_scene.hpp"
+#include "experiments/laboratory/setup/open_scene.hpp"
 #include "renderer/trace/params.hpp"
 #include "renderer/trace/render.hpp"
 #include "renderer/trace/sampling.hpp"
@@ -60,7 +60,7 @@ void check_samples_map(const RenderOptions& o) {
 }
 
 void render_at_once(const RenderOptions& o) {
-  const auto scene = renderer::load_scene(o.scene);
+  const auto scene = open_scene(o.scene);
   const InterruptGuard guard;  // holds interrupts until all files are written
   Progress bar("rendering");
   Clock clock;
@@ -83,7 +83,7 @@ void render_at_once(const RenderOptions& o) {
 }
 
 void render_in_order(const RenderOptions& o) {
-  const auto scene = renderer::load_scene(o.scene);
+  const auto scene = open_scene(o.scene);
   const InterruptGuard guard;  // holds interrupts until all files are written
   Clock clock;
   const auto refined = render_refined(o.refined, o, scene);

@@ -6,7 +6,7 @@
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/options/options.hpp"
-#include "renderer/files/load_scene.hpp"
+#include "experiments/laboratory/setup/open_scene.hpp"
 #include "renderer/progressive/progressive.hpp"
 
 namespace laboratory {
@@ -74,7 +74,7 @@ void render_progressively(const ProgressiveOptions& o, const RenderTask& task) {
   last.depth = task.params.limits.depth;
   last.area = task.params.area;
   check(last, task.params, o.max_cell);
-  const auto scene = renderer::load_scene(task.scene);
+  const auto scene = open_scene(task.scene);
   if (!task.key_images.empty()) make_folder("--key-images", task.key_images);
   const auto steps = make_steps(o.kind, o.max_cell, last);
   const InterruptGuard guard;  // holds interrupts until all files are written

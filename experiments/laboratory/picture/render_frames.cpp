@@ -8,7 +8,7 @@
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/options/options.hpp"
-#include "renderer/files/load_scene.hpp"
+#include "experiments/laboratory/setup/open_scene.hpp"
 #include "renderer/image/animation.hpp"
 
 namespace laboratory {
@@ -86,7 +86,8 @@ void render_frames(const FramesOptions& o, const RenderTask& task) {
     base::check_can_save(output);
   }
   base::check_can_save(name_of(range.first));
-  for (int frame = range.first; frame <= range.last; ++frame)
+  open_scene(task.scene, range.first);
+  for (int frame = range.first + 1; frame <= range.last; ++frame)
     renderer::load_scene(task.scene, frame);
 
   const InterruptGuard guard;  // holds interrupts until all files are written

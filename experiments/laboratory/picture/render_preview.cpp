@@ -5,7 +5,7 @@
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/options/options.hpp"
-#include "renderer/files/load_scene.hpp"
+#include "experiments/laboratory/setup/open_scene.hpp"
 
 namespace laboratory {
 
@@ -28,7 +28,7 @@ void add_preview_option(CLI::App& command, std::optional<renderer::PreviewStep>&
 
 void save_preview(const std::string& scene, const renderer::Params& params,
                   renderer::PreviewStep step, const std::string& output, const std::string& stats) {
-  const auto loaded = renderer::load_scene(scene);
+  const auto loaded = open_scene(scene);
   Clock clock;
   const auto preview = renderer::make_preview(loaded, params, step);
   const double seconds = clock.lap();

@@ -53,10 +53,13 @@ renderer::Params read_params(const py::dict& options) {
 py::array render(const std::string& source, const py::dict& options, int threads, bool is_linear) {
   const auto params = read_params(options);
   renderer::Rendering image;
+  renderer::LeftOut left_out;
   {
     const py::gil_scoped_release others_may_run;
-    image = renderer::render(renderer::load_scene(source), params, threads);
+    image = renderer::render(renderer::load_scene(source, 0, &left_out), params, threads);
   }
+  for (const auto& sentence : left_out.describe_all(source))
+    if (PyErr_WarnEx(PyExc_UserWarning, sentence.c_str(), 1) != 0) throw py::error_already_set();
   if (!is_linear) return to_array(params.width, params.height, make_rgb8(image.samples));
   auto array = make_array<double>(params.height, params.width);
   auto* at = array.mutable_data();

@@ -243,7 +243,7 @@ struct ObjRoom : renderer::ObjTarget {
   std::string name;  // name of the file
   LeftOut& left_out;
   Room room;
-  std::optional<std::uint32_t> material;  // material of the next faces
+  std::uint32_t material = 0;  // material of the next faces
   std::optional<renderer::View> view;
 
   void add_material(const renderer::MtlMaterial& m) override {
@@ -263,24 +263,46 @@ struct ObjRoom : renderer::ObjTarget {
   void add_light(const renderer::Light&, const std::optional<Rgb>&) override {
     left_out.add("lights");
   }
-  void leave_out(const std::string& kind) override { left_out.add(kind); }
 
   void add_face(std::vector<Vec> corners, std::vector<Vec> normals,
                 std::vector<renderer::Corner>) override {
-    if (!material) throw BadInput("found 'f', expected 'usemtl' before the first face");
+    const renderer::ObjFace whole{std::move(corners), std::move(normals), {}};
+    std::vector<renderer::ObjFace> parts{whole};
+    if (whole.corners.size() > 3 && !is_valid(make_face(whole.corners, {})))
+      parts = cut_into_triangles(whole);
+    std::vector<Face> faces;
+    for (const auto& part : parts) {
+      faces.push_back(make_face(part.corners, part.normals));
+      if (!is_valid(faces.back()) && !faces.back().normals.empty()) {
+        left_out.add("normals of faces");
+        faces.back().normals.clear();
+      }
+      check_face(faces.back(), room.materials.size());
+    }
+    std::ranges::move(faces, std::back_inserter(room.faces));
+  }
+
+  Face make_face(const std::vector<Vec>& corners, const std::vector<Vec>& normals) const {
     Face face;
-    face.corners = std::move(corners);
-    face.normals = std::move(normals);
-    face.material = *material;
+    face.corners = corners;
+    face.normals = normals;
+    face.material = material;
     face.where = fmt::format("{}:{}", name, line);
-    check_face(face, room.materials.size());
-    room.faces.push_back(std::move(face));
+    return face;
+  }
+  bool is_valid(const Face& face) const {
+    try {
+      check_face(face, room.materials.size());
+      return true;
+    } catch (const BadInput&) {
+      return false;
+    }
   }
 };
 
 Room read_obj_room(std::string_view text, const std::string& name, LeftOut& left_out) {
   ObjRoom target(name, left_out);
-  read_obj(text, name, target);
+  read_obj(text, name, target, left_out);
   at_place(name, [&] {
     Room& room = target.room;
     check_light(room);
@@ -331,10 +353,9 @@ Room read_room(std::string_view text, const std::string& name, LeftOut* left_out
   return find_reader(name)(text, name, left_out ? *left_out : uncounted);
 }
 
-Room load_room(const std::string& path) {
-  const Read read = find_reader(path);  // throws for other extensions before reading the file
-  LeftOut left_out;
-  return bring_near(read(base::read_text(path), path, left_out));
+Room load_room(const std::string& path, LeftOut* left_out) {
+  find_reader(path);  // throws for other extensions before reading the file
+  return bring_near(read_room(base::read_text(path), path, left_out));
 }
 
 }  // namespace radiosity

@@ -19,9 +19,11 @@
 // cones, which are not flat, and T above 0 are errors.
 //
 // .obj, with its MTL files (renderer/files/obj.hpp): every face is one patch before
-// MeshParams::refine; texture coordinates and pictures are ignored. Kd is the reflectance and Ke
-// the emission. `illum 3`, which requests mirror images by ray tracing, makes the material a mirror
-// that reflects Ks and ignores Kd. Lights and the background are ignored, too.
+// MeshParams::refine. A face that is not flat or not convex becomes triangles; normals that are not
+// on the side of its front are ignored. Texture coordinates and pictures are ignored. Kd is the
+// reflectance and Ke the emission. `illum 3`, which requests mirror images by ray tracing, makes
+// the material a mirror that reflects Ks and ignores Kd. Lights and the background are ignored,
+// too.
 
 #include <string>
 #include <string_view>
@@ -33,11 +35,11 @@ namespace radiosity {
 
 /// Loads a room from a file. It has passed check(), and its view has its image plane. A room a
 /// thousand times as far from the origin as it is wide is moved there, so that computations are as
-/// exact as its coordinates. Throws BadInput "file:line: found ..., expected ...".
-Room load_room(const std::string& path);
+/// exact as its coordinates. `left_out`, if given, counts the parts of a file that cannot be read
+/// or that rooms do not have, such as lights. Throws BadInput "file:line: found ..., expected ...".
+Room load_room(const std::string& path, renderer::LeftOut* left_out = nullptr);
 
-/// Reads a room from a text, without moving it. `name` replaces the path in errors. `left_out`, if
-/// given, counts the parts of a scene that rooms do not have, such as lights.
+/// Reads a room from a text, without moving it. `name` replaces the path in errors.
 Room read_room(std::string_view text, const std::string& name,
                renderer::LeftOut* left_out = nullptr);
 

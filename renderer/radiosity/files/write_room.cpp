@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "renderer/files/write_nff.hpp"
 
 namespace radiosity {
@@ -13,10 +11,12 @@ namespace {
 using renderer::describe;
 using renderer::LeftOut;
 
-// Makes a name a single word.
-std::string make_word(std::string name) {
-  std::ranges::replace(name, ' ', '_');
-  return name;
+// Names of materials as single words.
+std::vector<std::string> name_materials(const Room& room) {
+  renderer::WordNames names;
+  std::vector<std::string> words;
+  for (const Material& m : room.materials) words.push_back(names.make(m.name));
+  return words;
 }
 
 void leave_out(const Room& room, LeftOut& left_out) {
@@ -42,15 +42,16 @@ std::string to_text(const Room& room, LeftOut& left_out) {
   const auto& v = room.view;
   std::string text = fmt::format("view from {} at {} up {} angle {} size {} {}\n", describe(v.from),
                                  describe(v.at), describe(v.up), v.angle, v.width, v.height);
-  for (const Material& m : room.materials) {
-    text += fmt::format("{} {} reflect {}", m.mirror ? "mirror" : "material", make_word(m.name),
+  const auto names = name_materials(room);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Material& m = room.materials[i];
+    text += fmt::format("{} {} reflect {}", m.mirror ? "mirror" : "material", names[i],
                         describe(m.reflectance));
     text += m.emission == Rgb{} ? "\n" : fmt::format(" emit {}\n", describe(m.emission));
   }
   for (const Face& face : room.faces) {
     const bool is_quad = face.corners.size() == 4;
-    text += fmt::format("{} {}", is_quad ? "quad" : "polygon",
-                        make_word(room.materials[face.material].name));
+    text += fmt::format("{} {}", is_quad ? "quad" : "polygon", names[face.material]);
     for (const Vec& corner : face.corners) text += "  " + describe(corner);
     if (face.along > 1 || face.across > 1) {
       text += fmt::format("  divide {}", face.along);
@@ -67,8 +68,10 @@ std::string to_text(const Room& room, LeftOut& left_out) {
 void tell(const Room& room, renderer::ObjTarget& target, LeftOut& left_out) {
   leave_out(room, left_out);
   target.set_view(room.view);
-  for (const Material& m : room.materials) {
-    renderer::MtlMaterial material{.name = make_word(m.name), .emission = m.emission};
+  const auto names = name_materials(room);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const Material& m = room.materials[i];
+    renderer::MtlMaterial material{.name = names[i], .emission = m.emission};
     material.set_diffuse(m.mirror ? Rgb{} : m.reflectance);
     if (m.mirror) material.specular = m.reflectance;
     material.illum = m.mirror ? renderer::ILLUM_REFLECTS : 1;

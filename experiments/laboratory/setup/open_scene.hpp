@@ -1,0 +1,25 @@
+#pragma once
+// Loading of scenes and rooms with warnings on standard error.
+#include <string>
+#include <vector>
+
+#include "experiments/laboratory/file/experiment.hpp"
+#include "renderer/files/load_scene.hpp"
+#include "renderer/radiosity/files/load_room.hpp"
+
+namespace laboratory {
+
+/// Prints each sentence as "tlab: warning: ...".
+void warn(const std::vector<std::string>& sentences);
+
+/// Loads a scene as renderer::load_scene() does, and warns of all losses.
+renderer::Scene open_scene(const std::string& source, int frame = 0);
+
+/// Loads a room as radiosity::load_room() does, and warns of all losses.
+radiosity::Room open_room(const std::string& path);
+
+/// Warns of losses in the OBJ files of an experiment's points, once for each file. Ignores errors
+/// in them, because programs report these.
+void warn_of_scenes(const ExperimentFile& file);
+
+}  // namespace laboratory
