@@ -7,7 +7,6 @@
 #include <csignal>
 #include <filesystem>
 #include <map>
-#include <regex>
 #include <sstream>
 #include <system_error>
 
@@ -17,6 +16,7 @@
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/completion.hpp"
+#include "experiments/laboratory/command/help.hpp"
 #include "experiments/laboratory/command/run.hpp"
 #include "experiments/laboratory/guide/keys.hpp"
 #include "experiments/laboratory/host/elapsed_time.hpp"
@@ -145,26 +145,6 @@ void check_command(const CLI::App& app, int argc, char** argv) {
   throw base::BadInput(fmt::format("unknown command \"{}\", expected one of {}{}", argv[1],
                                    fmt::join(known, ", "), base::did_you_mean(argv[1], known)));
 }
-
-// Help texts in a fixed order. CLI11 sorts the options excluded by another option by their
-// addresses, which change between runs.
-class Help : public CLI::Formatter {
-  // Prints several words of one kind as "DIR ..." instead of "DIR(1x)".
-  std::string make_option_usage(const CLI::Option* option) const override {
-    const auto text = Formatter::make_option_usage(option);
-    return std::regex_replace(text, std::regex("\\(\\d+x\\)(\\.\\.\\.)?"), " ...");
-  }
-
-  std::string make_option_opts(const CLI::Option* option) const override {
-    std::string text = Formatter::make_option_opts(option);
-    const std::string excludes = "Excludes:";
-    const auto at = text.find(excludes);
-    if (at == text.npos) return text;
-    auto names = CLI::detail::split(text.substr(at + excludes.size() + 1), ' ');
-    std::ranges::sort(names);
-    return fmt::format("{}{} {}", text.substr(0, at), excludes, fmt::join(names, " "));
-  }
-};
 
 void add_report_command(CLI::App& app) {
   auto* command = app.add_subcommand("report", "make plots and report.html of results again");
