@@ -9,10 +9,11 @@
 
 #include "renderer/scene/vec.hpp"
 
-// Makes GCC compile a function twice: for wide registers, and for other processors. The program
-// selects a version when it starts, which is too early for sanitizers. (Without fused multiply-add,
-// results are the same.)
-#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && !defined(__clang__) && \
+// Compiles a function twice: for wide registers, and for other processors. The program selects a
+// version when it starts, which is too early for sanitizers. (Without fused multiply-add, results
+// are the same.) clang requires that the function is private to its source and only calls an
+// inlined one, without Lanes passed by value.
+#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && \
     !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define TLAB_WIDE_REGISTERS __attribute__((target_clones("avx2", "default")))
 #else

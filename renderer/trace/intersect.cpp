@@ -27,7 +27,7 @@ struct Walk {
   std::uint32_t tests[4] = {};  // number of tests by Kind
 };
 
-[[gnu::always_inline]] inline void count(Walk& walk, Work& work) {
+[[gnu::always_inline]] inline void take_counts(Walk& walk, Work& work) {
   constexpr Op TESTS[] = {Op::sphere_test, Op::polygon_test, Op::patch_test, Op::cone_test};
   work[Op::box_test] += std::exchange(walk.boxes, 0);
   for (int kind = 0; kind < 4; ++kind) work[TESTS[kind]] += std::exchange(walk.tests[kind], 0);
@@ -47,11 +47,11 @@ struct AccessListener {
   Work& work;
 
   void box(Walk& walk, std::uint32_t index) const {
-    count(walk, work);
+    take_counts(walk, work);
     access.box(index, work);
   }
   void object(Walk& walk, Place place) const {
-    count(walk, work);
+    take_counts(walk, work);
     access.object(place, work);
   }
 };
@@ -187,7 +187,7 @@ template <bool MOVES>
 // The result of the traversal.
 template <bool MOVES>
 [[gnu::always_inline]] inline std::optional<Hit> conclude(Walk& walk, Work& work) {
-  count(walk, work);
+  take_counts(walk, work);
   std::optional<Hit> hit;
   if (walk.best.object == NO_OBJECT) return hit;
   work[Op::hit_made] += walk.ray.kind != RayKind::shadow;

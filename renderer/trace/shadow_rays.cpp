@@ -69,12 +69,9 @@ struct Slabs {
   Vecs inverse;
 };
 
-}  // namespace
-
 // Traverses the boxes. Each lane has its own next box, and waits at boxes that only other lanes
 // need. A blocked feeler needs no further boxes.
-TLAB_WIDE_REGISTERS
-void find_blocked(const Scene& scene, ShadowRays& rays, Work& work) {
+[[gnu::always_inline]] inline void block_lanes(const Scene& scene, ShadowRays& rays, Work& work) {
   constexpr std::int64_t NEVER = std::numeric_limits<std::int64_t>::max();
   const Box* boxes = scene.hierarchy.boxes.data();
   const auto end = static_cast<std::int64_t>(scene.hierarchy.boxes.size());
@@ -104,6 +101,17 @@ void find_blocked(const Scene& scene, ShadowRays& rays, Work& work) {
   work[Op::box_test] += count(counts.boxes);
   work[Op::polygon_test] += count(counts.tests);
   work[Op::polygon_edges] += count(counts.edges);
+}
+
+TLAB_WIDE_REGISTERS
+void block_wide(const Scene& scene, ShadowRays& rays, Work& work) {
+  block_lanes(scene, rays, work);
+}
+
+}  // namespace
+
+void find_blocked(const Scene& scene, ShadowRays& rays, Work& work) {
+  block_wide(scene, rays, work);
 }
 
 }  // namespace renderer

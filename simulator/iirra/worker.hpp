@@ -7,7 +7,7 @@
 
 namespace iirra {
 
-class Worker : private TaskGiver {
+class Worker final : private TaskGiver {
  public:
   Worker(Shared& shared, shared_memory::DataManager& manager, Peers peers);
   /// Works until stopped, then only serves data.

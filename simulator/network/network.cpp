@@ -70,7 +70,7 @@ Network::Network(machine::Machine& machine, Routing routing, const Params& param
     }
   }
   // When a link fails, an ideal service outside the machine updates all routers instantly.
-  machine.on_failure([this, &machine, first](const machine::Failure& failure) {
+  machine.on_failure([this, first](const machine::Failure& failure) {
     const auto number = [first](const machine::Processor* p) { return p->id() - first; };
     if (failure.b) return routing_.cut(number(failure.a), number(failure.b));
     for (const auto& link : topologies::Topology(routing_.topology()).links)

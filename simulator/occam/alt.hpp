@@ -91,9 +91,12 @@ inline std::size_t select(std::span<const Guard> guards) {
 using Guards = boost::container::small_vector<Guard, 16>;
 
 // Each argument of an ALT contains guards and two functions. begin(i, input) starts the input of
-// guard i, if it has one. Later, end(i, input) executes the guard's body. The input is stored as
-// the base class Exchange, without the await_resume() of derived classes.
-using MaybeInput = std::optional<ChannelBase::Exchange>;
+// guard i, if it has one. Later, end(i, input) executes the guard's body. The input is stored
+// without the await_resume() of the classes derived from Exchange.
+struct GuardedInput final : ChannelBase::Exchange {
+  using Exchange::Exchange;
+};
+using MaybeInput = std::optional<GuardedInput>;
 
 inline void begin_input(ChannelBase& from, bool may_fail, MaybeInput& input) {
   from.take_input(this_process());

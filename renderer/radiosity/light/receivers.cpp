@@ -125,9 +125,9 @@ template <class Share, class Receiver>
 
 // Adds the direct light at receivers that see the patch as a single delta area that is not wide.
 // Sets `near` for all other receivers.
-TLAB_WIDE_REGISTERS
-void add_far_lights(const Eye& eye, const Receivers& receivers, const Sender& sender, Sum& sum,
-                    Mask& near, Work& work) {
+[[gnu::always_inline]] inline void add_far_lanes(const Eye& eye, const Receivers& receivers,
+                                                 const Sender& sender, Sum& sum, Mask& near,
+                                                 Work& work) {
   const auto& quad = sender.quad;
   const Points points(receivers);
   const Mask facing = find_facing(points, sender.patch);
@@ -156,6 +156,12 @@ void add_far_lights(const Eye& eye, const Receivers& receivers, const Sender& se
         eye, sender, points, looks, [](std::size_t k) { return k; }, sum, work);
 }
 
+TLAB_WIDE_REGISTERS
+void add_far_lights(const Eye& eye, const Receivers& receivers, const Sender& sender, Sum& sum,
+                    Mask& near, Work& work) {
+  add_far_lanes(eye, receivers, sender, sum, near, work);
+}
+
 // A delta area seen by a receiver.
 struct Seen {
   const Vertex* vertex;
@@ -165,9 +171,8 @@ struct Seen {
 };
 using SeenLanes = std::array<Seen, LANES>;
 
-TLAB_WIDE_REGISTERS
-void add_near_lights(const Eye& eye, const SeenLanes& seen, const Sender& sender, Sum& sum,
-                     Work& work) {
+[[gnu::always_inline]] inline void add_near_lanes(const Eye& eye, const SeenLanes& seen,
+                                                  const Sender& sender, Sum& sum, Work& work) {
   const Points points({seen[0].vertex, seen[1].vertex, seen[2].vertex, seen[3].vertex});
   const auto gather = [&](const auto& of) __attribute__((always_inline)) {
     return Lanes{of(seen[0]), of(seen[1]), of(seen[2]), of(seen[3])};
@@ -186,6 +191,12 @@ void add_near_lights(const Eye& eye, const SeenLanes& seen, const Sender& sender
   looks.looking = points.present;
   add_terms(
       eye, sender, points, looks, [&](std::size_t k) { return seen[k].receiver; }, sum, work);
+}
+
+TLAB_WIDE_REGISTERS
+void add_near_lights(const Eye& eye, const SeenLanes& seen, const Sender& sender, Sum& sum,
+                     Work& work) {
+  add_near_lanes(eye, seen, sender, sum, work);
 }
 
 // Batch of delta areas seen by receivers. It is evaluated when all lanes are full.
