@@ -1,5 +1,6 @@
 #pragma once
 // Reads and writes TOML. Only this module calls the parser and the formatter of toml++.
+#define TOML_HEADER_ONLY 0  // the shared library has the functions
 #include <toml++/toml.h>
 
 #include <string>

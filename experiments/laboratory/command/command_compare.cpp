@@ -1,6 +1,8 @@
 // tlab compare: compares two or more runs, point by point.
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
+
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/commands.hpp"

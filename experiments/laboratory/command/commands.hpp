@@ -1,7 +1,9 @@
 #pragma once
 // The subcommands of tlab. Each declares its options and the action that uses them. Small commands
 // are in commands.cpp.
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace laboratory {
 

@@ -1,7 +1,10 @@
 #pragma once
 // Shell completion for the commands, options and names of tlab.
-#include <CLI/CLI.hpp>
 #include <string>
+
+namespace CLI {
+class App;
+}
 
 namespace laboratory {
 

@@ -1,8 +1,8 @@
 #pragma once
 // Declaration of every key of the experiment file, bound to its field. All functions throw BadInput
 // with the file and the line or key.
-#include <toml++/toml.h>
 
+#include "base/toml.hpp"
 #include "experiments/laboratory/file/experiment.hpp"
 
 namespace laboratory {

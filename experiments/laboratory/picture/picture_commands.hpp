@@ -1,6 +1,8 @@
 #pragma once
 // The subcommands of tlab that render one picture without a simulated machine.
-#include <CLI/CLI.hpp>
+namespace CLI {
+class App;
+}
 
 namespace laboratory {
 

@@ -1,9 +1,12 @@
 #pragma once
 // The options of tlab render --progressive, and their execution.
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "renderer/progressive/params.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace laboratory {
 

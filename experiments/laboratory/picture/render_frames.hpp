@@ -1,6 +1,5 @@
 #pragma once
 // The options of tlab render --frames, and their execution.
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "experiments/laboratory/picture/progressive_options.hpp"

@@ -1,10 +1,13 @@
 #pragma once
 // The option --preview of tlab render.
-#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 
 #include "renderer/preview/preview.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace laboratory {
 
