@@ -1,13 +1,12 @@
 #include "experiments/laboratory/table/laws.hpp"
 
-#include <gsl/gsl_fit.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "base/errors.hpp"
 #include "experiments/laboratory/table/least_squares.hpp"
+#include "experiments/laboratory/table/linear_fit.hpp"
 #include "experiments/laboratory/table/statistics.hpp"
 
 namespace laboratory {
@@ -65,9 +64,8 @@ std::optional<Fit> fit_share(const std::string& law, const std::string& minimise
     shared.push_back(1 - 1 / points.n[i]);
     measured.push_back(y(points.n[i], points.speedup[i]));
   }
-  double serial = 0, variance = 0, squares = 0;
-  gsl_fit_mul(shared.data(), 1, measured.data(), 1, count, &serial, &variance, &squares);
-  return make_share_fit(law, minimised, count, serial, variance, squares);
+  const auto fit = fit_linear({shared}, measured);
+  return make_share_fit(law, minimised, count, fit.factors[0], fit.variance(0), fit.squares);
 }
 
 }  // namespace
@@ -138,15 +136,13 @@ std::optional<Fit> fit_log(const std::vector<double>& x, const std::vector<doubl
   const auto count = logarithms.size();
   if (count < 3 || std::ranges::max(logarithms) == std::ranges::min(logarithms))
     return std::nullopt;
-  double a = 0, k = 0, a_variance = 0, covariance = 0, k_variance = 0, squares = 0;
-  gsl_fit_linear(logarithms.data(), 1, values.data(), 1, count, &a, &k, &a_variance, &covariance,
-                 &k_variance, &squares);
-  return Fit{
-      "log",
-      {make_estimate("a", a, a_variance, count - 2), make_estimate("k", k, k_variance, count - 2)},
-      "y",
-      root_mean(squares, count),
-      count};
+  const auto fit = fit_linear({std::vector<double>(count, 1), logarithms}, values);
+  return Fit{"log",
+             {make_estimate("a", fit.factors[0], fit.variance(0), count - 2),
+              make_estimate("k", fit.factors[1], fit.variance(1), count - 2)},
+             "y",
+             root_mean(fit.squares, count),
+             count};
 }
 
 }  // namespace laboratory

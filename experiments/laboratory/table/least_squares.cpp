@@ -1,143 +1,132 @@
 #include "experiments/laboratory/table/least_squares.hpp"
 
-#include <gsl/gsl_blas.h>
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_multifit_nlinear.h>
-
 #include <algorithm>
 #include <cmath>
-#include <exception>
-#include <memory>
+
+#include "experiments/laboratory/table/linear_fit.hpp"
 
 namespace laboratory {
 namespace {
 
-constexpr std::size_t MOST_STEPS = 200;
+constexpr int MOST_MOVES = 200;
 constexpr double TOLERANCE = 1e-10;
 
-// Disables GSL's default error handler, which ends the program, while this object lives.
-struct QuietErrors {
-  gsl_error_handler_t* before = gsl_set_error_handler_off();
-  ~QuietErrors() { gsl_set_error_handler(before); }
-};
+using Columns = std::vector<std::vector<double>>;  // one for each parameter
 
-using Matrix = std::unique_ptr<gsl_matrix, void (*)(gsl_matrix*)>;
-using Workspace =
-    std::unique_ptr<gsl_multifit_nlinear_workspace, void (*)(gsl_multifit_nlinear_workspace*)>;
-
-std::vector<double> to_values(const gsl_vector& vector) {
-  std::vector<double> values;
-  for (std::size_t i = 0; i < vector.size; ++i) values.push_back(gsl_vector_get(&vector, i));
-  return values;
+bool are_finite(const std::vector<double>& values) {
+  return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
 }
 
-// Callback data for GSL. Stores an exception thrown in the callback, since exceptions must not pass
-// through C code.
-struct Problem {
-  const Residuals& residuals;
-  const Step& step;
-  std::exception_ptr thrown = {};
-
-  void rethrow() const {
-    if (thrown) std::rethrow_exception(thrown);
+Columns eval_jacobian(const Residuals& residuals, const std::vector<double>& at, const Step& step) {
+  Columns jacobian;
+  for (std::size_t p = 0; p < at.size(); ++p) {
+    auto below = at, above = at;
+    const double half_width = step(p, at[p]);
+    above[p] += half_width;
+    below[p] -= half_width;
+    const auto low = residuals(below), high = residuals(above);
+    auto& column = jacobian.emplace_back();
+    for (std::size_t i = 0; i < low.size(); ++i)
+      column.push_back((high[i] - low[i]) / (above[p] - below[p]));
+    if (!are_finite(column)) throw Unsettled();
   }
-};
-
-int eval_residuals(const gsl_vector* at, void* problem_of, gsl_vector* into) {
-  auto& problem = *static_cast<Problem*>(problem_of);
-  try {
-    const auto values = problem.residuals(to_values(*at));
-    if (!std::ranges::all_of(values, [](double value) { return std::isfinite(value); }))
-      return GSL_EDOM;
-    for (std::size_t i = 0; i < values.size(); ++i) gsl_vector_set(into, i, values[i]);
-    return GSL_SUCCESS;
-  } catch (...) {
-    problem.thrown = std::current_exception();
-    return GSL_EBADFUNC;
-  }
-}
-
-int eval_jacobian(const gsl_vector* at, void* problem_of, gsl_matrix* into) {
-  auto& problem = *static_cast<Problem*>(problem_of);
-  try {
-    for (std::size_t p = 0; p < at->size; ++p) {
-      auto below = to_values(*at), above = below;
-      const double step = problem.step(p, above[p]);
-      above[p] += step;
-      below[p] -= step;
-      const auto low = problem.residuals(below), high = problem.residuals(above);
-      for (std::size_t i = 0; i < low.size(); ++i)
-        gsl_matrix_set(into, i, p, (high[i] - low[i]) / (above[p] - below[p]));
-    }
-    return GSL_SUCCESS;
-  } catch (...) {
-    problem.thrown = std::current_exception();
-    return GSL_EBADFUNC;
-  }
+  return jacobian;
 }
 
 // Throws if a column is zero or two columns are parallel.
-void require_determined(const gsl_matrix& jacobian) {
+void require_determined(const Columns& jacobian) {
   constexpr double NOTHING = 1e-7, ALIKE = 0.99999;
   std::vector<double> lengths;
-  for (std::size_t a = 0; a < jacobian.size2; ++a) {
-    const auto own = gsl_matrix_const_column(&jacobian, a);
-    lengths.push_back(gsl_blas_dnrm2(&own.vector));
+  for (std::size_t a = 0; a < jacobian.size(); ++a) {
+    lengths.push_back(std::sqrt(dot(jacobian[a], jacobian[a])));
     if (lengths[a] < NOTHING) throw Undetermined({a});
     for (std::size_t b = 0; b < a; ++b) {
-      const auto other = gsl_matrix_const_column(&jacobian, b);
-      double product = 0;
-      gsl_blas_ddot(&own.vector, &other.vector, &product);
+      const double product = dot(jacobian[a], jacobian[b]);
       if (std::abs(product) > ALIKE * lengths[a] * lengths[b]) throw Undetermined({b, a});
     }
   }
+}
+
+// Levenberg's and Marquardt's iteration. Each parameter is measured in units of the greatest length
+// that its column of the Jacobian has had.
+struct Descent {
+  const Residuals& residuals;
+  const Step& step;
+  std::vector<double> at, left, scales;
+  Columns jacobian = {};
+  double squares = 0, damping = 1e-3, growth = 2;
+};
+
+void differentiate(Descent& d) {
+  d.jacobian = eval_jacobian(d.residuals, d.at, d.step);
+  require_determined(d.jacobian);
+  for (std::size_t p = 0; p < d.at.size(); ++p)
+    d.scales[p] = std::max(d.scales[p], std::sqrt(dot(d.jacobian[p], d.jacobian[p])));
+}
+
+// Whether the gradient is zero, for the precision wanted.
+bool is_level(const Descent& d) {
+  for (std::size_t p = 0; p < d.at.size(); ++p)
+    if (std::abs(dot(d.jacobian[p], d.left) * std::max(d.at[p], 1.0)) >
+        TOLERANCE * std::max(d.squares / 2, 1.0))
+      return false;
+  return true;
+}
+
+// The move that minimises |left + jacobian move|^2 + damping |scales move|^2.
+LinearFit find_move(const Descent& d) {
+  auto terms = d.jacobian;
+  std::vector<double> values;
+  for (const double residual : d.left) values.push_back(-residual);
+  values.resize(d.left.size() + d.at.size());
+  for (std::size_t p = 0; p < d.at.size(); ++p) {
+    terms[p].resize(values.size());
+    terms[p][d.left.size() + p] = std::sqrt(d.damping) * d.scales[p];
+  }
+  return fit_linear(std::move(terms), std::move(values));
+}
+
+// Tries a move and takes it if it reduces the squares. Returns false for a move too small to
+// matter.
+bool try_move(Descent& d) {
+  const auto move = find_move(d);
+  auto next = d.at;
+  bool matters = false;
+  for (std::size_t p = 0; p < next.size(); ++p) {
+    next[p] += move.factors[p];
+    matters |= std::abs(move.factors[p]) >= TOLERANCE * (std::abs(d.at[p]) + TOLERANCE);
+  }
+  auto there = d.residuals(next);
+  const double reached = dot(there, there);
+  if (reached < d.squares) {
+    const double gain = (d.squares - reached) / (d.squares - move.squares);
+    d.damping *= std::max(1.0 / 3, 1 - std::pow(2 * gain - 1, 3));  // Nielsen's rule
+    d.growth = 2;
+    d.at = std::move(next), d.left = std::move(there), d.squares = reached;
+    differentiate(d);
+  } else {
+    d.damping *= d.growth;
+    d.growth *= 2;
+  }
+  return matters;
 }
 
 }  // namespace
 
 LeastSquares fit_least_squares(const Residuals& residuals, const std::vector<double>& start,
                                const Step& step) {
-  const auto first = residuals(start);
-  const std::size_t count = first.size();
-  if (start.empty() || count <= start.size())
+  Descent d{residuals, step, start, residuals(start), std::vector<double>(start.size())};
+  if (start.empty() || d.left.size() <= start.size())
     throw std::invalid_argument("expected more residuals than parameters");
-  const QuietErrors quiet;
-  const auto how = gsl_multifit_nlinear_default_parameters();
-  const Workspace work(
-      gsl_multifit_nlinear_alloc(gsl_multifit_nlinear_trust, &how, count, start.size()),
-      gsl_multifit_nlinear_free);
-  Problem problem{residuals, step};
-  gsl_multifit_nlinear_fdf function{};
-  function.f = eval_residuals;
-  function.df = eval_jacobian;
-  function.n = count;
-  function.p = start.size();
-  function.params = &problem;
-  const auto at = gsl_vector_const_view_array(start.data(), start.size());
-  int status = gsl_multifit_nlinear_init(&at.vector, &function, work.get());
-  problem.rethrow();
-  const gsl_matrix* jacobian = gsl_multifit_nlinear_jac(work.get());
-  if (status == GSL_SUCCESS) require_determined(*jacobian);
-  const bool is_met = std::ranges::all_of(first, [](double value) { return value == 0; });
-  if (status == GSL_SUCCESS && !is_met) {
-    int why = 0;
-    status = gsl_multifit_nlinear_driver(MOST_STEPS, TOLERANCE, TOLERANCE, 0, nullptr, nullptr,
-                                         &why, work.get());
-    problem.rethrow();
-    require_determined(*jacobian);
-  }
-  // GSL reports no progress if the start or an intermediate step was already optimal.
-  if (status != GSL_SUCCESS && status != GSL_ENOPROG) throw Unsettled();
-  const Matrix covariances(gsl_matrix_alloc(start.size(), start.size()), gsl_matrix_free);
-  gsl_multifit_nlinear_covar(jacobian, 0, covariances.get());
-
-  LeastSquares fit;
-  fit.parameters = to_values(*gsl_multifit_nlinear_position(work.get()));
-  fit.residuals = to_values(*gsl_multifit_nlinear_residual(work.get()));
-  for (const double residual : fit.residuals) fit.squares += residual * residual;
-  const double variance = fit.squares / static_cast<double>(count - start.size());
-  for (std::size_t i = 0; i < start.size(); ++i)
-    fit.errors.push_back(std::sqrt(gsl_matrix_get(covariances.get(), i, i) * variance));
+  if (!are_finite(d.left)) throw Unsettled();
+  d.squares = dot(d.left, d.left);
+  differentiate(d);
+  for (int moves = 0; d.squares > 0 && !is_level(d) && try_move(d);)
+    if (++moves == MOST_MOVES) throw Unsettled();
+  LeastSquares fit{d.at, {}, d.left, d.squares};
+  const double variance = d.squares / static_cast<double>(d.left.size() - d.at.size());
+  for (const double spread : fit_linear(d.jacobian, d.left).spreads)
+    fit.errors.push_back(std::sqrt(spread * variance));
   return fit;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Nonlinear least squares, the only interface to GSL's nonlinear fits.
+// Nonlinear least squares.
 #include <cstddef>
 #include <functional>
 #include <stdexcept>

@@ -1,14 +1,11 @@
 #include "experiments/laboratory/table/power_law.hpp"
 
-#include <gsl/gsl_fit.h>
-#include <gsl/gsl_multifit.h>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <memory>
 
 #include "base/errors.hpp"
+#include "experiments/laboratory/table/linear_fit.hpp"
 
 namespace laboratory {
 namespace {
@@ -21,9 +18,6 @@ struct Line {
   double before, after, squares;
 };
 
-template <class T>
-using Owned = std::unique_ptr<T, void (*)(T*)>;
-
 // The logarithms of the numbers; empty unless all are positive.
 std::vector<double> logs_of(const std::vector<double>& values) {
   std::vector<double> logs;
@@ -35,29 +29,16 @@ std::vector<double> logs_of(const std::vector<double>& values) {
 }
 
 Line fit_straight(const std::vector<double>& t, const std::vector<double>& v) {
-  double a = 0, slope = 0, aa = 0, ab = 0, bb = 0, squares = 0;
-  gsl_fit_linear(t.data(), 1, v.data(), 1, t.size(), &a, &slope, &aa, &ab, &bb, &squares);
-  return {slope, slope, squares};
+  const auto fit = fit_linear({std::vector<double>(t.size(), 1), t}, v);
+  return {fit.factors[1], fit.factors[1], fit.squares};
 }
 
 // Fits v = a + b t + c max(0, t - at), a line that bends at t = at.
 Line fit_broken(const std::vector<double>& t, const std::vector<double>& v, double at) {
-  const Owned<gsl_matrix> terms(gsl_matrix_alloc(t.size(), 3), gsl_matrix_free);
-  const Owned<gsl_matrix> covariance(gsl_matrix_alloc(3, 3), gsl_matrix_free);
-  const Owned<gsl_vector> factors(gsl_vector_alloc(3), gsl_vector_free);
-  const Owned<gsl_multifit_linear_workspace> space(gsl_multifit_linear_alloc(t.size(), 3),
-                                                   gsl_multifit_linear_free);
-  for (std::size_t i = 0; i < t.size(); ++i) {
-    gsl_matrix_set(terms.get(), i, 0, 1);
-    gsl_matrix_set(terms.get(), i, 1, t[i]);
-    gsl_matrix_set(terms.get(), i, 2, std::max(0.0, t[i] - at));
-  }
-  const auto values = gsl_vector_const_view_array(v.data(), v.size());
-  double squares = 0;
-  gsl_multifit_linear(terms.get(), &values.vector, factors.get(), covariance.get(), &squares,
-                      space.get());
-  const double before = gsl_vector_get(factors.get(), 1);
-  return {before, before + gsl_vector_get(factors.get(), 2), squares};
+  std::vector<double> beyond;
+  for (const double x : t) beyond.push_back(std::max(0.0, x - at));
+  const auto fit = fit_linear({std::vector<double>(t.size(), 1), t, beyond}, v);
+  return {fit.factors[1], fit.factors[1] + fit.factors[2], fit.squares};
 }
 
 }  // namespace

@@ -1,14 +1,11 @@
 #include "experiments/laboratory/uncertain/intervals.hpp"
 
-#include <gsl/gsl_cdf.h>
-#include <gsl/gsl_multifit.h>
-#include <gsl/gsl_statistics_double.h>
-
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "base/errors.hpp"
+#include "experiments/laboratory/table/linear_fit.hpp"
+#include "experiments/laboratory/table/statistics.hpp"
 
 namespace laboratory {
 
@@ -54,51 +51,19 @@ struct Plane {
 Plane fit_plane(const std::vector<double>& results,
                 const std::vector<std::vector<double>>& quantiles,
                 const std::vector<std::size_t>& chosen) {
-  const std::size_t n = results.size(), terms = chosen.size() + 1;
-  const auto row = [&](std::size_t machine, std::size_t term) {
-    return term == 0 ? 1 : quantiles[chosen[term - 1]][machine];
-  };
-  const auto free = [](auto* what) {
-    if constexpr (std::is_same_v<decltype(what), gsl_matrix*>)
-      gsl_matrix_free(what);
-    else if constexpr (std::is_same_v<decltype(what), gsl_vector*>)
-      gsl_vector_free(what);
-    else
-      gsl_multifit_linear_free(what);
-  };
-  const auto own = [&](auto* what) {
-    return std::unique_ptr<std::remove_pointer_t<decltype(what)>, decltype(free)>(what, free);
-  };
-  const auto x = own(gsl_matrix_alloc(n, terms)), covariances = own(gsl_matrix_alloc(terms, terms));
-  const auto y = own(gsl_vector_alloc(n)), slopes = own(gsl_vector_alloc(terms));
-  const auto left = own(gsl_vector_alloc(n));
-  const auto work = own(gsl_multifit_linear_alloc(n, terms));
-  for (std::size_t machine = 0; machine < n; ++machine) {
-    gsl_vector_set(y.get(), machine, results[machine]);
-    for (std::size_t term = 0; term < terms; ++term)
-      gsl_matrix_set(x.get(), machine, term, row(machine, term));
-  }
-  double squares = 0;
-  gsl_multifit_linear(x.get(), y.get(), slopes.get(), covariances.get(), &squares, work.get());
-  gsl_multifit_linear_residuals(x.get(), y.get(), slopes.get(), left.get());
+  std::vector<std::vector<double>> terms{std::vector<double>(results.size(), 1)};
+  for (const std::size_t entry : chosen) terms.push_back(quantiles[entry]);
+  const auto fit = fit_linear(std::move(terms), results);
   Plane plane;
-  for (std::size_t term = 1; term < terms; ++term) {
-    plane.slopes.push_back(gsl_vector_get(slopes.get(), term));
-    plane.errors.push_back(std::sqrt(gsl_matrix_get(covariances.get(), term, term)));
+  for (std::size_t term = 1; term < fit.factors.size(); ++term) {
+    plane.slopes.push_back(fit.factors[term]);
+    plane.errors.push_back(std::sqrt(fit.variance(term)));
   }
   // Residuals that are only rounding errors count as zero.
   const double size = *std::ranges::max_element(results, {}, [](double r) { return std::abs(r); });
-  for (std::size_t machine = 0; machine < n; ++machine) {
-    const double rest = gsl_vector_get(left.get(), machine);
+  for (const double rest : fit.residuals)
     plane.left.push_back(std::abs(rest) > 1e-12 * std::abs(size) ? rest : 0);
-  }
   return plane;
-}
-
-// Spearman's rank correlation; NaN if either sample is constant.
-double correlate_ranks(const std::vector<double>& a, const std::vector<double>& b) {
-  std::vector<double> work(2 * a.size());
-  return gsl_stats_spearman(a.data(), 1, b.data(), 1, a.size(), work.data());
 }
 
 }  // namespace
@@ -118,7 +83,7 @@ std::vector<Interval> find_intervals(const Table& table, const std::vector<Table
       const auto at = [&](double share) {
         const auto n = static_cast<double>(sorted.size());
         const double place = std::clamp((share * (n + 1) - 1) / (n - 1), 0.0, 1.0);
-        return gsl_stats_quantile_from_sorted_data(sorted.data(), 1, sorted.size(), place);
+        return find_quantile(sorted, place);
       };
       intervals.push_back({row, column, *value, at(LOW), at(0.5), at(HIGH), std::move(all)});
     }
@@ -130,8 +95,8 @@ std::vector<Influence> find_influences(const std::vector<double>& results,
                                        const std::vector<std::vector<double>>& quantiles) {
   const std::size_t n = results.size();
   base::require(n >= 3, "uncertain.machines", "found {}, expected at least 3 for influences", n);
-  const double least = gsl_cdf_ugaussian_Qinv(
-      CHANCE / 2 / static_cast<double>(std::max<std::size_t>(1, entries.size())));
+  const double least =
+      -normal_quantile(CHANCE / 2 / static_cast<double>(std::max<std::size_t>(1, entries.size())));
   std::vector<Influence> influences;
   std::vector<std::size_t> chosen;
   Plane plane = fit_plane(results, quantiles, chosen);
