@@ -77,7 +77,7 @@ Edges load_rooms() {
       const std::string next = w->str();
       if (name.empty())
         knows[name = next];
-      else if (next == "KNOWS" || next == "LINKS" || next == "USES")
+      else if (next == "WITH" || next == "KNOWS" || next == "LINKS" || next == "USES")
         section = next;
       else if (section == "KNOWS")
         knows[name].insert(next);
