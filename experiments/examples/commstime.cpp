@@ -33,7 +33,7 @@ struct Int {
 };
 using Ints = Channel<Int>;
 
-// WHILE TRUE loops back by a jump, SEQ i = 0 FOR n by lend.
+// WHILE TRUE repeats by a jump, SEQ i = 0 FOR n by lend.
 void again() {
   for (auto instruction : {"prefix", "j"}) charge(instruction);
 }
@@ -57,12 +57,13 @@ void delta(Ints& a, Ints& c, Ints& d) {
 void succ(Ints& c, Ints& b) {
   for (Int x;; again()) {
     in(c, x);
-    charge("ldc");  // adc takes the same; `out` includes the loads of x and of b's address
+    charge("ldc");  // adc takes the same time; `out` includes the loads of x and of b's address
     out(b, Int{x.value + 1});
   }
 }
 
-// Measures the time of a loop over the last thousand. Reading the simulator's clock is free.
+// Measures the time of a loop, averaged over the last thousand. Reading the simulator's clock costs
+// no simulated time.
 void consume(Ints& d, Seconds& loop) {
   for (Int x;;) {
     const Seconds start = this_process().now();
@@ -86,7 +87,7 @@ int main() {
   t800.start("delta", Priority::low, [&] { delta(a, c, d); });
   t800.start("succ", Priority::low, [&] { succ(c, b); });
   t800.start("consume", Priority::low, [&] { consume(d, loop); });
-  machine.run({0.1});  // seconds: the program never ends by itself
+  machine.run({0.1});  // time limit in seconds, since the program never ends by itself
 
   const double us = 1e6 * loop.value;
   fmt::print("a loop: {:.3f} us, {:.0f} cycles\n", us, loop.value * model.cpu.clock.value);

@@ -15,12 +15,13 @@
 using namespace occam;
 using machine::Priority;
 
-// To be replaced: a task, which carries its result back, with its computation and cost.
+// A task, its computation and its cost: replace these by your own. A task also carries its result
+// back.
 constexpr int TASKS = 200;
 struct Task {
   int number = -1, terms = 0, sum = 0;
   static constexpr std::uint64_t bytes() { return 12; }
-  bool stop() const { return number < 0; }  // marks the end of the tasks
+  bool stop() const { return number < 0; }  // a negative number marks the end of the tasks
 };
 Task make_task(int i) { return {i < TASKS ? i : -1, 100 + i * 37 % 200}; }
 Cycles work(Task& task, const machine::Model& model) {
@@ -42,8 +43,8 @@ void sender(Readies& ready, Tasks& tasks, Tasks& way) {
 
 void router(Tasks& parent, std::span<Readies* const> ready, std::span<Tasks* const> tasks) {
   Signal signal;
-  for (Task task; in(parent, task), !task.stop();)  // PRI ALT: its own worker first
-    out(*tasks[fair_alt(0, ready, signal)], task);
+  // PRI ALT: its own worker has priority over its children
+  for (Task task; in(parent, task), !task.stop();) out(*tasks[fair_alt(0, ready, signal)], task);
   for (std::size_t i = 0; i < ready.size(); ++i) in(*ready[i]), out(*tasks[i], Task{});
 }
 
@@ -85,7 +86,7 @@ int main(int argc, char** argv) {
     cpus[i]->start("merger", Priority::high, [=, &to = up[i]] { merger(inputs, to); });
   }
   std::vector<int> returns(TASKS);
-  Cycles alone{};  // time of the tasks without a farm
+  Cycles alone{};  // time of all tasks on a single processor, without a farm
   cpus[topology.root]->start("feed", Priority::high, [&] {
     for (int i = 0; i <= TASKS; ++i) out(down[topology.root], make_task(i));
   });

@@ -29,7 +29,7 @@ struct Block {
 void ping(Channel<Block>& there, Channel<Block>& back, const Model& model) {
   for (const std::uint64_t length : LENGTHS) {
     Block block{length};
-    out(there, block);  // unmeasured round, so that pong waits afterwards
+    out(there, block);  // first round, not measured, after which pong waits
     in(back, block);
     const Seconds start = this_process().now();
     out(there, block);

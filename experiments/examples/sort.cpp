@@ -44,11 +44,12 @@ void cell(Items& left, Items& right) {
     for (auto instruction : {"load", "load", "compare", "cj"}) charge(instruction);
     if (next.number > largest.number) {
       std::swap(next, largest);
-      for (int i = 0; i < 3; ++i)  // three assignments of two words
+      for (int i = 0; i < 3; ++i)  // charges three assignments of two words
         for (auto instruction : {"ldl", "stl", "ldl", "stl"}) charge(instruction);
     }
     out(right, next);
-    for (auto instruction : {"ldl", "cj", "prefix", "j"}) charge(instruction);  // WHILE NOT end
+    // charges WHILE NOT end
+    for (auto instruction : {"ldl", "cj", "prefix", "j"}) charge(instruction);
   }
   out(right, largest);
   out(right, next);
@@ -75,7 +76,7 @@ int main(int argc, char** argv) try {
   std::vector<float> numbers, sorted;
   for (std::size_t i = 0; i < n; ++i) numbers.push_back(static_cast<float>((i + 1) * 7919 % 1009));
 
-  std::deque<Items> channels;  // [i] leads to cell i, the last to the sink
+  std::deque<Items> channels;  // channels[i] leads to cell i, the last one to the sink
   for (std::size_t i = 0; i <= n; ++i) {
     const std::size_t from = i == 0 ? 0 : (i - 1) * processors / n;
     const std::size_t to = i == n ? from : i * processors / n;

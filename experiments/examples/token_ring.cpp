@@ -23,7 +23,7 @@ using namespace occam;
 namespace {
 
 constexpr int STATIONS = 4, ROUNDS = 5;
-constexpr std::int64_t HOLD = 100, TIMEOUT = 1000;  // ticks
+constexpr std::int64_t HOLD = 100, TIMEOUT = 1000;  // in ticks
 constexpr int LOSER = 2, LOST_ROUND = 3;
 
 struct Token {
@@ -62,7 +62,7 @@ void monitor(Tokens& from_left, Tokens& to_right) {
     out(to_right, latest);
     bool waits = true;
     auto back = [&] {
-      if (token.number != latest.number) return;  // a lost token, found again
+      if (token.number != latest.number) return;  // drops a lost token that reappears
       report("back", token);
       ++latest.round;
       waits = false;

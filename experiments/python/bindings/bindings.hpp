@@ -1,6 +1,6 @@
 #pragma once
 // Python bindings of the libraries: the module tlab._native, in three parts. Users see only the
-// package's own modules, in ../tlab.
+// modules of the package in ../tlab.
 #include <pybind11/pybind11.h>
 
 namespace bindings {

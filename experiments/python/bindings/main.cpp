@@ -3,7 +3,7 @@
 
 namespace py = pybind11;
 
-// Translates BadInput to the package's own exception, the same as for the command's exit code.
+// Translates BadInput to the exception of the Python package that represents exit code 2.
 void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);

@@ -24,7 +24,8 @@ py::array_t<std::uint8_t> to_array(int width, int height, const std::vector<std:
   return array;
 }
 
-// A faster traversal than the thesis's, which experiments count; the picture is the same.
+// Default parameters, with a traversal that yields the same picture faster than the thesis's, which
+// experiments count.
 renderer::Params standard_params() {
   renderer::Params params;
   params.traversal = renderer::Traversal::nearest;
@@ -49,7 +50,7 @@ renderer::Params read_params(const py::dict& options) {
   return params;
 }
 
-// The picture in 8 bits, or linear sums of light: 1 is white, and values may exceed it.
+// Renders the picture in 8 bits, or as linear light: 1 is white, and values may exceed it.
 py::array render(const std::string& source, const py::dict& options, int threads, bool is_linear) {
   const auto params = read_params(options);
   renderer::Rendering image;

@@ -6,14 +6,14 @@
 
 namespace bindings {
 
-/// Converts a value; None if no value was given. A source becomes its text, or None without one.
+/// Converts a value; None if no value was given. A source becomes its text, or None if it is empty.
 pybind11::object to_python(const base::Scalar& value);
 
-/// Converts a bool, int, float, str, or sequence of numbers. Throws BadInput, beginning with
-/// `name`, for other values.
+/// Converts a bool, int, float, str, or sequence of numbers. Throws BadInput with the prefix `name`
+/// for other values.
 base::Scalar from_python(const std::string& name, const pybind11::handle& value);
 
-/// A field's name, unit, help, kind ("whole", "choice", ...), range, choices and default.
+/// Lists a field's name, unit, help, kind ("whole", "choice", ...), range, choices and default.
 template <class P>
 pybind11::dict describe(const base::Field<P>& field, const P& defaults) {
   static constexpr const char* KINDS[] = {"flag", "whole", "number", "choice",

@@ -9,19 +9,20 @@ import subprocess
 
 from tlab.errors import OF_EXIT_CODE, BadInput, Error, NotFound
 
-INTERRUPTED = 130  # exit code
+INTERRUPTED = 130  # exit code after an interrupt
 
 
 def find():
     """The program's path: from $TLAB, else in the same build tree or installation, else on PATH."""
-    given = os.environ.get("TLAB")  # first, so that it overrides an installed program
+    given = os.environ.get("TLAB")  # takes precedence, so that it overrides an installed program
     if given:
         found = shutil.which(given)
         if not found:
             raise NotFound(f"TLAB is {given}, expected the path of the program tlab")
         return pathlib.Path(found)
     package = pathlib.Path(__file__).parent
-    beside = (package / "../../tlab", package / "../../../../bin/tlab")  # in a build tree, in an installation
+    # in a build tree; in an installation
+    beside = (package / "../../tlab", package / "../../../../bin/tlab")
     found = next(filter(None, map(shutil.which, (*beside, "tlab"))), None)
     if not found:
         raise NotFound("found no program tlab, neither beside this package nor on PATH; set TLAB to its path")
@@ -65,7 +66,7 @@ def start(arguments):
         try:
             process.communicate()
         finally:
-            process.kill()  # in case of a second interrupt
+            process.kill()  # after a second interrupt
         raise
     if process.returncode == INTERRUPTED:
         raise KeyboardInterrupt

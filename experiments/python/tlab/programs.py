@@ -12,7 +12,7 @@ from tlab import _native
 from tlab.running import run as _run
 from tlab.spelling import plain
 
-# Short names of keys that most programs have, with their defaults.
+# Short names of keys that most programs share, each with its key and default.
 _COMMON = {"model": ("machine.model", "t805-25")}
 _NETWORK = {"topology": ("network.topology", "tree"), "workers": ("network.workers", 7)}
 
@@ -21,7 +21,8 @@ def _common_of(program):
     return {**_COMMON, **(_NETWORK if program["network"] else {})}
 
 
-# Short names of a program's parameters; the whole key, with _ for its dots, if the short name is not unique.
+# Maps short names to a program's parameters. If a short name is not unique, the whole key is used
+# instead, with _ for its dots.
 def _names_of(program):
     keys = [parameter["key"] for parameter in program["parameters"]]
     short = [key.rpartition(".")[2] for key in keys]

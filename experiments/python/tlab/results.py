@@ -11,13 +11,13 @@ import pandas
 from tlab.pictures import read_image
 
 
-# Numbers as tlab writes them. Labels of processors may look similar: 007, 1_2.
+# Integers as tlab writes them. Labels of processors such as 007 or 1_2 do not match.
 WHOLE = re.compile(r"-?(0|[1-9][0-9]*)")
 NUMBER = re.compile(r"-?(0|[1-9][0-9]*)(\.[0-9]+)?(e[-+]?[0-9]+)?")
 FLAGS = {"0": False, "1": True, "false": False, "true": True}
 
-# For each type of results.schema.json: a test of a cell's text, its conversion, and the column's dtype without and
-# with missing values.
+# For each type of results.schema.json: a test of a cell's text, its conversion, and the column's
+# dtype without and with missing values.
 TYPES = {"boolean": (FLAGS.__contains__, FLAGS.get, "bool", "boolean"),
          "integer": (WHOLE.fullmatch, int, "int64", "Int64"),
          "number": (NUMBER.fullmatch, float, "float64", "float64"),

@@ -46,18 +46,18 @@ class _Files:
         return text
 
 
-# The name if it is free, else the name with the lowest number that makes it free.
+# Returns the name if it is free, else the name followed by the lowest number that makes it free.
 def _find_free(name, is_taken):
     names = itertools.chain([name], (f"{name}-{number}" for number in itertools.count(2)))
     return next(free for free in names if not is_taken(free))
 
 
-# True for TOML text: it has a line end or a =, a path has neither.
+# True for TOML text, which contains a line end or =. Paths contain neither.
 def _is_text(experiment):
     return isinstance(experiment, str) and ("\n" in experiment or "=" in experiment)
 
 
-# The path of the experiment's file; writes a new file unless it is one already.
+# The path of the experiment's file. Text is written to a new file.
 def _file_of(experiment, files):
     if isinstance(experiment, dict):
         text = spell_file(files.put_networks(experiment, absolute=False))
@@ -70,7 +70,7 @@ def _file_of(experiment, files):
     return path
 
 
-# Identifies a file, to detect that another one has replaced it.
+# Identifies a file, to detect that another file has replaced it.
 def _identity(path):
     try:
         status = path.stat()
