@@ -1,4 +1,5 @@
-// Permitted includes: tests architecture.md on the #include lines of the sources.
+// Dependencies between rooms: the #include lines of all sources are compared with the permitted
+// ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,11 +18,11 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Source {
-  std::string path, room;             // from the root of the repository
-  std::vector<std::string> includes;  // as written
+  std::string path, room;  // path from the root of the repository, and the room it belongs to
+  std::vector<std::string> includes;  // as written in the source
 };
 
-// The folder of a file: every folder with sources is a room.
+// The room of a file: the folder that contains it.
 std::string room_of(const std::string& path) {
   return fs::path(path).parent_path().generic_string();
 }
@@ -64,7 +65,8 @@ void close_over(const Edges& knows, const std::string& room, std::set<std::strin
     if (known.insert(other).second) close_over(knows, other, known);
 }
 
-// The rooms and their permitted includes: the transitive closure of CMakeLists.txt's add_room().
+// Loads the rooms and their permitted includes: the transitive closure of add_room() in
+// CMakeLists.txt.
 Edges load_rooms() {
   std::ifstream in(::test::in_sources("CMakeLists.txt"));
   const std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -109,8 +111,8 @@ TEST(IncludeGraph, RoomsIncludeOnlyWhatTheyKnow) {
   }
 }
 
-// Rooms that the tests of a folder below tests/ may include: the room of the same name and its
-// dependencies. Shared code stands in tests/support and needs at most the vocabulary of occam.
+// The rooms that the tests of a folder below tests/ may include: the room of the same name and its
+// dependencies. Shared code in tests/support needs at most the vocabulary of occam.
 std::set<std::string> rooms_tested_in(const std::string& folder) {
   const std::map<std::string, std::string> others{{"laboratory", "experiments/laboratory"},
                                                   {"support", "simulator/occam"},
@@ -130,7 +132,7 @@ std::set<std::string> rooms_tested_in(const std::string& folder) {
   return rooms;
 }
 
-// Adds the includes of a file, and those of the test headers among them.
+// Adds the includes of a file, and those of the test headers that it includes.
 void add_includes(const std::string& path, std::set<std::string>& all) {
   const auto found = std::ranges::find(sources(), path, &Source::path);
   if (found == sources().end()) return;
@@ -176,7 +178,7 @@ TEST(IncludeGraph, IncludesAreFromTheRoot) {
       }
 }
 
-// True if a walk along the edges from `at` returns to a node on its own way.
+// True if a walk along the edges from `at` returns to a node on its own path.
 bool has_cycle(const Edges& edges, const std::string& at, std::vector<std::string>& way,
                std::set<std::string>& done) {
   if (std::ranges::find(way, at) != way.end()) return true;
@@ -222,7 +224,7 @@ struct Door {
 
 TEST(IncludeGraph, DependenciesEnterThroughTheirDoors) {
   const Door doors[] = {
-      // (tests/benchmarks/raw_simgrid.cpp is plain SimGrid, for comparison; forecast_test.cpp gives
+      // (tests/benchmarks/raw_simgrid.cpp is plain SimGrid, for comparison. forecast_test.cpp gives
       // SimGrid wrong forecasts.)
       {{"simgrid/", "xbt/"},
        std::regex("simulator/machine/carriers/simgrid\\.cpp|tests/simulator/machine/carriers/"

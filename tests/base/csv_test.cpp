@@ -25,14 +25,14 @@ TEST(Csv, QuotedCellsComeBack) {
   CsvReader reader(text, "x.csv");
   EXPECT_EQ(texts_of(reader.take()), awkward);
   EXPECT_EQ(texts_of(reader.take()), awkward);
-  EXPECT_EQ(reader.line(), 4);  // two cells of the first record hold a line end
+  EXPECT_EQ(reader.line(), 4);  // two cells of the first record contain line ends
   EXPECT_TRUE(reader.take().empty());
 }
 
 TEST(Csv, QuotesOnlyWhatNeedsThem) {
   EXPECT_EQ(quote_csv("a b's-1.5"), "a b's-1.5");
   EXPECT_EQ(quote_csv("a,\"b\""), "\"a,\"\"b\"\"\"");
-  // Many readers take \r or \n for the end of a line, ours only \n.
+  // Quotes \r as well, which many readers take for a line end although ours does not.
   EXPECT_EQ(quote_csv("a\rb"), "\"a\rb\"");
   EXPECT_EQ(quote_csv("a\nb"), "\"a\nb\"");
   EXPECT_EQ(join_csv({"a", "", "b"}), "a,,b\n");

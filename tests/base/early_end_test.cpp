@@ -30,7 +30,8 @@ bool becomes_gone(pid_t process) {
 TEST(EarlyEnd, UndoesTheLatestFirstAndNothingThatHasGone) {
   const auto done = test::isolated([] {
     std::string text;
-    new Undo([&] { text += "first"; });  // leaked: its destructor would wait for the end
+    // leaked, since its destructor would wait for the program's end
+    new Undo([&] { text += "first"; });
     {
       const Undo gone([&] { text += "gone "; });
     }
@@ -42,7 +43,8 @@ TEST(EarlyEnd, UndoesTheLatestFirstAndNothingThatHasGone) {
   EXPECT_EQ(done, "second first");
 }
 
-// A thread inside nested sections ends the process; no thread can enter a section after that.
+// A thread ends the process inside nested critical sections. After that, no thread can enter a
+// section.
 TEST(EarlyEnd, WaitsForSectionsAndLetsNoThreadIntoAnother) {
   const auto done = test::isolated([] {
     std::atomic<bool> is_inside = false, is_left = false, is_inside_again = false;
@@ -87,7 +89,7 @@ TEST(EarlyEnd, AFileThatIsBeingWrittenLeavesNothing) {
   EXPECT_EQ(read_text(folder.path / "a"), "old");
 }
 
-// Starts a thread that waits for a sleeping program; returns the program's process id.
+// Starts a thread that waits for a sleeping program. Returns the process id of the program.
 pid_t start_sleeper(const fs::path& folder) {
   const auto number = folder / "number";
   std::thread([=] {
@@ -97,7 +99,7 @@ pid_t start_sleeper(const fs::path& folder) {
                                  number.string()},
                    .purpose = "sleep",
                    .remedy = "none"});
-    } catch (const std::runtime_error&) {  // the program was killed
+    } catch (const std::runtime_error&) {  // the sleeping program was killed
     }
   }).detach();
   while (!fs::exists(number)) usleep(1000);
@@ -137,7 +139,8 @@ TEST(PartialName, TellsWhoMadeIt) {
   EXPECT_FALSE(is_dead(getpid()));
 }
 
-// Process 12 of host "node" may have made "node-12-345": 345 is then the number of the file.
+// The names of two hosts must not be confused. A file "node-12-345" may belong to process 345 of
+// host "node-12", or to process 12 of host "node" as its file number 345.
 TEST(PartialName, IsNotTakenForAnotherHosts) {
   const std::string hosts[] = {"node", "node-12", "node--12",    "node-",
                                "12",   "a-12",    "node-12-345", ""};

@@ -1,4 +1,4 @@
-// Values of formulas, and messages about mistakes in them.
+// Values of formulas, and error messages for invalid ones.
 #include "base/formula.hpp"
 
 #include <gtest/gtest.h>

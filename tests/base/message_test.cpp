@@ -1,4 +1,4 @@
-// Messages: quoted input, and suggestions for unknown names.
+// Quoted input in messages, and suggestions for unknown names.
 #include "base/message.hpp"
 
 #include <gtest/gtest.h>

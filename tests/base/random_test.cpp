@@ -5,9 +5,9 @@
 namespace base {
 namespace {
 
-// Published results depend on these numbers: another stream would change the results.
+// Random numbers must not change, since published results depend on them.
 TEST(Random, StreamsStayTheSame) {
-  EXPECT_EQ(random_at(0, 0), 16294208416658607535u);  // SplitMix64's first from the seed 0
+  EXPECT_EQ(random_at(0, 0), 16294208416658607535u);  // first number of SplitMix64 for the seed 0
   EXPECT_EQ(Random(5489).uniform(),
             (static_cast<double>(14514284786278117030u >> 11) + 0.5) * 0x1p-53);
 }

@@ -40,7 +40,8 @@ TEST(Text, Utf8IsWhatTheStandardSays) {
   for (const auto* text : {"", "a\n", "\x7f", "\xc2\x80", "\xc3\xa4", "\xed\x9f\xbf",
                            "\xee\x80\x80", "\xf4\x8f\xbf\xbf", "\xf0\x90\x80\x80"})
     EXPECT_TRUE(is_utf8(text)) << quote(text);
-  // Stray or missing continuation bytes, overlong forms, surrogates, code points above U+10FFFF.
+  // Invalid UTF-8: stray or missing continuation bytes, overlong forms, surrogates, code points
+  // above U+10FFFF.
   for (const auto* text :
        {"\x80", "\xff", "\xc3", "\xc3(", "\xe2\x80", "\xc0\x80", "\xc1\xbf", "\xe0\x9f\xbf",
         "\xf0\x8f\xbf\xbf", "\xed\xa0\x80", "\xf4\x90\x80\x80", "\xf5\x80\x80\x80"}) {

@@ -1,4 +1,4 @@
-// TOML files: the limit on the depth of keys.
+// Limit on the depth of keys in TOML files.
 #include "base/toml.hpp"
 
 #include <gtest/gtest.h>

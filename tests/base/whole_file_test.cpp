@@ -113,7 +113,8 @@ TEST(WholeFile, ANewFileReplacesNone) {
   EXPECT_EQ(folder.names(), Names{"a"});
 }
 
-// Filters this process's system calls from now on. Returns false if the kernel refuses the filter.
+// Filters the system calls of this process from now on. Returns false if the kernel refuses the
+// filter.
 bool install(const std::vector<sock_filter>& filter) {
   auto copy = filter;
   const sock_fprog program{static_cast<unsigned short>(copy.size()), copy.data()};
@@ -121,8 +122,8 @@ bool install(const std::vector<sock_filter>& filter) {
          prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
-// Simulates a file system that knows no flags of renames, such as NFS, and optionally no hard
-// links, for the rest of this process. Returns false if the kernel refuses the filter.
+// Simulates, for the rest of this process, a file system that does not support flags of renames,
+// such as NFS, and optionally no hard links. Returns false if the kernel refuses the filter.
 bool forget_renames_with_flags(bool links_too) {
   std::vector<sock_filter> filter;
   const auto load = [&](std::size_t at) {
@@ -149,7 +150,7 @@ bool forget_renames_with_flags(bool links_too) {
   return install(filter);
 }
 
-// Some file systems report a full disk only in fsync(); others do not support fsync() at all.
+// Some file systems report a full disk only in fsync(). Others do not support fsync() at all.
 TEST(WholeFile, WhatIsNotStoredAtLastIsAnError) {
   const auto told = [](unsigned error) {
     return test::isolated([&]() -> std::string {

@@ -12,7 +12,7 @@ using renderer::Scene;
 
 namespace {
 
-constexpr float EPSILON = 1e-4F;  // in scene units; keeps a ray from meeting its own origin
+constexpr float EPSILON = 1e-4F;  // in scene units; prevents a hit at the ray's own origin
 
 void attach(RTCDevice device, RTCScene scene, RTCGeometry geometry) {
   rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
@@ -22,7 +22,7 @@ void attach(RTCDevice device, RTCScene scene, RTCGeometry geometry) {
   if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::runtime_error("Embree: bad scene");
 }
 
-// Spheres, and quadrilaterals.
+// Adds the spheres, and the polygons as quadrilaterals.
 void add_primitives(RTCDevice device, RTCScene target, const Scene& scene) {
   const RTCGeometry spheres = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
   auto* ball = static_cast<float*>(rtcSetNewGeometryBuffer(spheres, RTC_BUFFER_TYPE_VERTEX, 0,
@@ -96,7 +96,7 @@ std::uint64_t trace(RTCScene scene, const std::vector<Query>& queries) {
 }  // namespace
 
 HitSample run_embree(const Scene& scene, const std::vector<Ray>& rays) {
-  _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);  // as its manual recommends
+  _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);  // as the manual of Embree recommends
   _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
   const RTCDevice device = rtcNewDevice("threads=1");
   const RTCScene target = rtcNewScene(device);

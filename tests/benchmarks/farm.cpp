@@ -25,8 +25,8 @@ farm::Result run_farm(observe::RunMonitor* monitor, bool profile, machine::Engin
   return farm::run_farm(model(), workers, scene, params);
 }
 
-// All times when a process had a CPU, and all messages on links. Each processor's activities are in
-// the order of their start.
+// Records all times when a process has a CPU, and all messages on links. The activities of each
+// processor are in the order of their start.
 std::vector<Activity> record() {
   observe::Trace trace;
   observe::RunMonitor monitor;
@@ -49,14 +49,14 @@ std::vector<Activity> record() {
   return activities;
 }
 
-// Excludes the intersections that the host computes meanwhile.
+// Replays recorded activities, without the intersections that the host computes in a real run.
 Sample simulate(std::uint64_t activities, machine::EngineParams engine) {
   farm::Result result;
   const double cpu_s = time_of([&] { result = run_farm(nullptr, true, engine); });
   return {activities, cpu_s - result.kernel_host_s, result.time_s + result.setup_s, 0};
 }
 
-// Recorded on first use.
+// The recorded activities; the first call records them.
 const std::vector<Activity>& activities() {
   static const auto recorded = list_of_child(record);
   return recorded;

@@ -1,5 +1,5 @@
-// Form-factor rays a second in a room of 14,000 patches like figure 3.8's: a window in a wall, with
-// a polygon in front of it. Shooting should reach at least 3 million on one core.
+// Rays per second of form factors in a room of 14,000 patches, like that of figure 3.8: a window in
+// a wall, with a polygon in front of it. The target is at least 3 million on one core.
 #include "renderer/radiosity/light/solve.hpp"
 #include "tests/benchmarks/machine.hpp"
 #include "tests/benchmarks/renderers.hpp"
@@ -13,7 +13,7 @@ namespace {
 constexpr int SHOTS = 100;
 
 Room make_room() {
-  constexpr int N = 48, THIRD = N / 3;  // patches a side of a wall
+  constexpr int N = 48, THIRD = N / 3;  // number of patches along a wall
   Room room;
   room.materials = {{"wall", {0.7, 0.7, 0.6}, {}},
                     {"window", {0, 0, 0}, {10, 10, 12}},
@@ -42,7 +42,7 @@ Room make_room() {
   return room;
 }
 
-// Rays of the first shots, as the kernel casts them if delta areas are whole patches.
+// Collects the rays of the first shots, as the kernel casts them if delta areas are whole patches.
 std::vector<renderer::Ray> collect_rays(const Mesh& mesh, int shots) {
   std::vector<renderer::Ray> rays;
   for (std::size_t i = 0; i < mesh.patches.size(); ++i) {
@@ -54,7 +54,7 @@ std::vector<renderer::Ray> collect_rays(const Mesh& mesh, int shots) {
       renderer::Ray ray;
       ray.origin = to.lit;
       ray.direction = normalize(way);
-      ray.reach = length(way) * (1 - 1e-4);  // short of the patch, in single precision too
+      ray.reach = length(way) * (1 - 1e-4);  // ends before the patch, in single precision too
       ray.from = to.object;
       ray.kind = renderer::RayKind::shadow;
       rays.push_back(ray);
@@ -98,7 +98,7 @@ HitSample run_queries() {
 }  // namespace
 
 void add_form_factors() {
-  // The whole kernel, compared with its rays alone.
+  // Compares the whole kernel with its rays alone.
   const std::string what = "form-factor rays, 14,000 patches";
   const auto add_queries = [&](const char* who, std::function<HitSample()> run) {
     add(what, who, [run](benchmark::State& state) {

@@ -1,6 +1,6 @@
 #pragma once
-// Quantities that benchmarks measure: host CPU time of one thread, and memory. Speeds are
-// meaningful only as ratios within one run.
+// Measurement of host CPU time of one thread, and of memory. Speeds are meaningful only as ratios
+// within one run.
 #include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,16 +17,17 @@
 namespace benchmarks {
 
 struct Sample {
-  std::uint64_t count = 0;   // work done: rays, hops, ...
-  double cpu_s = 0;          // host CPU time it took
-  double simulated_s = 0;    // of a simulation: its end
+  std::uint64_t count = 0;   // amount of work done, such as rays or hops
+  double cpu_s = 0;          // host CPU time for the work
+  double simulated_s = 0;    // simulated time at the end, for a simulation
   double memory_kb = 0;      // increase of the resident memory, if measured
-  std::uint64_t events = 0;  // handled by the machine; 0: not counted
-  // For a machine in parts: windows of its threads, and events on links between parts.
+  std::uint64_t events = 0;  // events handled by the machine; 0: not counted
+  // For a machine simulated in parts: time windows of its threads, and events on links between
+  // parts.
   std::uint64_t windows = 0, events_between = 0;
 };
 
-// Host CPU time of this process, in seconds; time spent waiting for the CPU does not count.
+// Host CPU time of this process in s, without time spent waiting for the CPU.
 inline double cpu_time_s() {
   timespec t{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
@@ -40,7 +41,7 @@ double time_of(Body&& body) {
   return cpu_time_s() - start;
 }
 
-// The same in wall-clock time, for work by several threads.
+// Measures wall-clock time instead, for work by several threads.
 template <class Body>
 double wall_time_of(Body&& body) {
   const auto start = std::chrono::steady_clock::now();
@@ -55,7 +56,8 @@ inline double memory_kb() {
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1024;
 }
 
-// A vector that `run` returns in a child process: SimGrid allows one simulation a process.
+// Runs `run` in a child process and returns its vector. SimGrid allows only one simulation per
+// process.
 template <class Run>
 auto list_of_child(Run&& run) {
   using List = std::invoke_result_t<Run>;
@@ -63,7 +65,7 @@ auto list_of_child(Run&& run) {
   static_assert(std::is_trivially_copyable_v<Item>);
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("no pipe for a child process");
-  std::fflush(nullptr);  // else the child would print it again
+  std::fflush(nullptr);  // prevents the child from printing buffered output again
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("no child process");
   if (child == 0) {

@@ -21,10 +21,10 @@ using occam::Signal;
 namespace {
 
 constexpr int ROUNDS = 20;
-constexpr int USUAL_WORK = 2000;  // cycles a round
+constexpr int USUAL_WORK = 2000;  // cycles of computation per round
 
-// Three processes of a processor beside its router. In every round one sends to all neighbours, one
-// receives as many messages from them, and one computes.
+// Three processes of a processor, beside its router. In every round, one sends to all neighbours,
+// one receives as many messages from them, and one computes.
 struct Exchange {
   explicit Exchange(machine::Cycles work) : work(work) {}
   machine::Cycles work;
@@ -52,10 +52,11 @@ struct Exchange {
   }
 };
 
-// Runs on `threads` threads of the host, in wall-clock time; 0: one thread, in CPU time. Memory
-// includes the whole machine: its construction, and its growth during the run.
+// Measures wall-clock time on `threads` threads of the host, or CPU time on one thread if `threads`
+// is 0. Memory includes the construction of the machine and its growth during the run.
 Sample exchange(int side, int work, machine::EngineParams engine, int threads = 0) {
-  // Starts as if nothing had been allocated: memory freed by the parent would not be counted.
+  // Returns free memory to the system. Otherwise the machine would reuse memory that the parent has
+  // freed, and it would not be counted.
   malloc_trim(0);
   mallopt(M_MMAP_THRESHOLD, 128 * 1024);
   const double before_kb = memory_kb();
@@ -117,9 +118,9 @@ void add_neighbours() {
     if (engine.params.processes == machine::Processes::actors) continue;
     const bool is_direct = engine.params.links == machine::Links::direct;
     for (const int side : {4, 8, 16, 32, 64, 128, 256}) {
-      if (side > 32 && !is_direct) continue;  // takes SimGrid minutes
+      if (side > 32 && !is_direct) continue;  // SimGrid would take minutes
       auto* one = add_one(engine, side, USUAL_WORK);
-      if (side > 64) one->Repetitions(1);  // five take minutes
+      if (side > 64) one->Repetitions(1);  // five repetitions would take minutes
     }
     for (const int work : {200, 20'000, 200'000})
       if (is_direct) add_one(engine, 16, work);

@@ -15,8 +15,8 @@ using namespace renderer;
 namespace {
 
 constexpr int SIZE = 96;
-constexpr int OURS = 16;        // samples a pixel; their error is the target for both programs
-constexpr int REFERENCE = 256;  // samples a pixel
+constexpr int OURS = 16;        // samples per pixel, whose error is the target for both programs
+constexpr int REFERENCE = 256;  // samples per pixel of the converged pictures
 
 Scene make_scene() {
   Scene scene = make_spheres(800);
@@ -46,13 +46,14 @@ Params make_params(int samples, std::uint64_t seed) {
   return params;
 }
 
-// The target error, and the samples that POV-Ray needs for it. Each program is compared with its
-// own limit, because POV-Ray's camera rays go through the middles of pixels.
+// The target error, and the samples that POV-Ray needs to reach it. The error of each program is
+// relative to its own converged picture, because POV-Ray's camera rays go through the middles of
+// pixels.
 class Contest {
  public:
   const Scene scene = make_scene();
-  double error = 0;        // of OURS
-  double apart = 0;        // between the limits of both
+  double error = 0;        // error of tlab's picture with OURS samples
+  double apart = 0;        // difference of the converged pictures of both programs
   PovraySamples theirs;    // the fastest samples that reach the error
   double their_error = 0;  // error of these samples
 
@@ -85,7 +86,7 @@ class Contest {
     return {samples, rms_difference(made.image, reference_), made.sample.cpu_s};
   }
   // Finds the number of camera rays that reaches the error, with `side` x `side` feelers. Doubles
-  // it until the error is reached, then interpolates between the last two.
+  // the number until it does, then interpolates between the last two.
   std::optional<Tried> find_samples(int side) const {
     Tried before = attempt({4, side});
     while (before.samples.lens < REFERENCE / 2) {

@@ -8,7 +8,7 @@ namespace benchmarks {
 
 namespace {
 
-// Prints like Google Benchmark, and keeps the medians.
+// Reporter that prints like Google Benchmark, and keeps the medians.
 class Reporter : public benchmark::ConsoleReporter {
  public:
   Reporter() : ConsoleReporter(isatty(STDOUT_FILENO) ? OO_ColorTabular : OO_Tabular) {}
@@ -48,11 +48,11 @@ class Reporter : public benchmark::ConsoleReporter {
   }
 
   struct Cost {
-    double memory_kb, event_ns;  // per transputer, per event
+    double memory_kb, event_ns;  // per transputer; per event
   };
 
   std::map<std::string, std::map<std::string, double>> rates_;  // by benchmark, then by program
-  std::map<std::string, Cost> costs_;                           // by both
+  std::map<std::string, Cost> costs_;                           // by benchmark and program
 };
 
 }  // namespace
@@ -81,7 +81,7 @@ benchmark::internal::Benchmark* add_simulation(const std::string& what, const st
 }
 
 int run_all(int argc, char** argv) {
-  // Options of the command line come later and take precedence.
+  // Options of the command line follow these defaults, and so take precedence.
   std::vector<std::string> words = {argv[0], "--benchmark_repetitions=5",
                                     "--benchmark_enable_random_interleaving=true",
                                     "--benchmark_report_aggregates_only=true"};

@@ -9,17 +9,17 @@
 
 namespace benchmarks {
 
-// Adds a benchmark "what/who". Its samples give the time; it reports items a second. `run` is
-// called in this process.
+// Adds a benchmark "what/who". Its samples determine the time, and it reports items per second.
+// `run` is called in this process.
 benchmark::internal::Benchmark* add(const std::string& what, const std::string& who,
                                     std::function<Sample(benchmark::State&)> run);
 
-// The same for a simulation, which runs in its own process.
+// Adds a benchmark of a simulation, which runs in its own process.
 benchmark::internal::Benchmark* add_simulation(const std::string& what, const std::string& who,
                                                std::function<Sample()> run);
 
-// Runs all benchmarks, repeated and interleaved. Ends with a table: for each "what" the medians of
-// "what/tlab" and of every other "what/who", and their ratio.
+// Runs all benchmarks, repeated and interleaved. Then prints a table. For each "what" it has the
+// medians of "what/tlab" and of every other "what/who", and their ratio.
 int run_all(int argc, char** argv);
 
 }  // namespace benchmarks

@@ -40,7 +40,8 @@ std::string area(const renderer::Light& light, int side) {
                      side, side);
 }
 
-// Our axes are right-handed, POV-Ray's are left-handed: hence `right -x`.
+// Writes the scene for POV-Ray. Its axes are left-handed, tlab's are right-handed, hence `right
+// -x`.
 void save_scene(const Scene& scene, const renderer::Params& params, const PovraySamples& samples,
                 const std::string& path) {
   std::ofstream out(path);
@@ -90,7 +91,7 @@ std::string read_file(const std::string& path) {
   return all.str();
 }
 
-// A PPM file with 16 bits a channel.
+// Loads a PPM file with 16 bits per channel.
 renderer::Samples load_image(const std::string& path, const renderer::Params& params) {
   renderer::Samples image(params.width, params.height);
   const std::string file = read_file(path);

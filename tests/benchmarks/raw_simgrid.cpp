@@ -10,7 +10,8 @@ namespace s4u = simgrid::s4u;
 
 namespace {
 
-// Hosts joined as in the machine layer: a link has a different rate for two messages.
+// Hosts joined as in the machine layer: the rate of a link with two messages differs from that with
+// one.
 class Platform {
  public:
   explicit Platform(const machine::Model& model) : model_(model), engine_(&argc_, argv_) {
@@ -77,7 +78,7 @@ Sample raw_line(const machine::Model& model) {
   return platform.run(std::uint64_t{LINE_MESSAGES} * LINE_HOPS);
 }
 
-// One receiver for each incoming link; messages for an outgoing link queue in its mailbox.
+// One receiver for each incoming link. Messages for an outgoing link queue in its mailbox.
 Sample raw_mesh(const machine::Model& model, const Traffic& traffic) {
   Platform platform(model);
   for (int node = 0; node < NODES; ++node) platform.add_host(node);
@@ -140,7 +141,7 @@ Sample raw_preemptions(const machine::Model& model, int times, double period_s, 
 Sample raw_activities(const machine::Model& model, const std::vector<Activity>& activities) {
   Platform platform(model);
   std::vector<std::vector<Activity>> of_processor;
-  std::map<std::pair<int, int>, int> messages;  // by direction
+  std::map<std::pair<int, int>, int> messages;  // number of messages by direction
   for (const Activity& activity : activities) {
     const auto last = static_cast<std::size_t>(std::max(activity.processor, activity.to));
     of_processor.resize(std::max(of_processor.size(), last + 1));

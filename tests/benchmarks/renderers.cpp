@@ -1,4 +1,4 @@
-// Rays a second of the sequential renderer, compared with POV-Ray and Embree on the same scenes.
+// Rays per second of the sequential renderer, compared with POV-Ray and Embree on the same scenes.
 #include "tests/benchmarks/renderers.hpp"
 
 #include <memory>
@@ -25,7 +25,7 @@ Params make_params(int depth) {
   return params;
 }
 
-// Every ray of the picture, in the renderer's order.
+// Collects every ray of the picture, in the order of the renderer.
 std::vector<Ray> collect_rays(const Scene& scene, const Params& params) {
   std::vector<Ray> rays;
   Children stack;
@@ -42,7 +42,7 @@ std::vector<Ray> collect_rays(const Scene& scene, const Params& params) {
   return rays;
 }
 
-// A view, its image and its rays; made on first use.
+// A view with its image and rays, made on first use.
 struct View {
   View(int spheres, int depth) : View(make_spheres(spheres), depth) {}
   View(Scene made, int depth)
@@ -65,8 +65,8 @@ Sample run_ours(const View& view, Traversal traversal) {
   return {rays, cpu_s};
 }
 
-// Spheres that move by up to their diameter while the shutter is open, each in its own direction;
-// or, with `stop`, at rest halfway.
+// Makes spheres that move by up to their diameter while the shutter is open, each in its own
+// direction. With `stop`, they rest halfway.
 Scene make_moving_spheres(int spheres, bool stop) {
   Scene scene = make_spheres(spheres);
   scene.moves.resize(object_count(scene));
@@ -83,7 +83,7 @@ Scene make_moving_spheres(int spheres, bool stop) {
   return scene;
 }
 
-// The queries alone, without shading: the same queries go to Embree.
+// Runs the intersection queries alone, without shading. Embree gets the same queries.
 HitSample run_queries(const View& view) {
   HitSample result;
   Work work;
@@ -104,8 +104,9 @@ void compare(const Samples& ours, const Samples& theirs, benchmark::State& state
     differing += apart > 8 ? 1 : 0;
   }
   const auto count = static_cast<double>(a.size());
-  state.counters["image_difference"] = sum / count;       // mean of 0..255
-  state.counters["image_differing"] = differing / count;  // colour values more than 8 apart
+  state.counters["image_difference"] = sum / count;  // mean over 0..255
+  // colour values that differ by more than 8
+  state.counters["image_differing"] = differing / count;
 }
 
 void add_view(const std::string& name, GetView view) {

@@ -1,6 +1,7 @@
 #pragma once
-// Messages of the benchmarks, equal for all simulators: along a line; and between pseudo-random
-// nodes of an 8 x 8 mesh, along the row first, then along the column (dimension order).
+// Messages of the benchmarks, equal for all simulators: along a line, and between pseudo-random
+// nodes of an 8 x 8 mesh. In the mesh they go along the row first, then along the column (dimension
+// order).
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -22,17 +23,19 @@ inline int neighbour(int node, int direction) {
 }
 inline int opposite(int direction) { return direction ^ 1; }
 
-// The direction of a message for `destination` as it leaves `node`.
+// The direction in which a message for `destination` leaves `node`.
 inline int route(int node, int destination) {
   const int dx = destination % SIDE - node % SIDE, dy = destination / SIDE - node / SIDE;
   return dx != 0 ? (dx > 0 ? 0 : 1) : (dy > 0 ? 2 : 3);
 }
 
 struct Traffic {
-  std::vector<std::vector<int>> destinations{NODES};  // of each node's messages, in order
-  // Messages that leave a node in a direction: each process knows when its part is done.
+  // destinations of each node's messages, in order
+  std::vector<std::vector<int>> destinations{NODES};
+  // Number of messages that leave each node in each direction, so that a process knows when it is
+  // done.
   std::vector<std::array<int, DIRECTIONS>> leaving{NODES};
-  std::vector<int> arriving = std::vector<int>(NODES);  // messages for each node
+  std::vector<int> arriving = std::vector<int>(NODES);  // number of messages for each node
   std::uint64_t hops = 0;
 };
 

@@ -23,12 +23,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Cases a child runs.
+// Number of cases that a child process runs.
 constexpr std::uint64_t BATCH = 500;
 
-// Progress of a child in shared memory: it survives a crash of the child.
+// Progress of a child process in shared memory, which survives a crash of the child.
 struct Progress {
-  std::uint64_t next = 0;  // the case being read, or the first that has not run
+  std::uint64_t next = 0;  // number of the case being read, or of the first that has not run
   std::uint64_t accepted = 0, refused = 0;
   char what[2000] = "";
 };
@@ -66,7 +66,7 @@ void set_timer(__itimer_which kind, double seconds) {
   setitimer(kind, &timer, nullptr);
 }
 
-// A signal ends the child if a case takes longer.
+// Starts timers whose signals end the child if a case takes too long.
 void begin_time(const Limits& limits) {
   set_timer(ITIMER_PROF, limits.cpu_s);
   set_timer(ITIMER_REAL, limits.wall_s);

@@ -1,5 +1,5 @@
 #pragma once
-// Tests readers with many texts in child processes, and reports the texts that make them fail.
+// Fuzzing of readers in child processes, with a report of the texts that make them fail.
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -8,15 +8,15 @@
 
 namespace fuzz {
 
-/// Limits of a case.
+/// Limits for one case.
 struct Limits {
   double cpu_s = 5;                         ///< CPU time
-  double wall_s = 120;                      ///< for a reader that waits
-  std::uint64_t memory_bytes = 2ull << 30;  ///< without sanitizers, which need far more
+  double wall_s = 120;                      ///< wall-clock time, for a reader that blocks
+  std::uint64_t memory_bytes = 2ull << 30;  ///< not with sanitizers, which need far more
 };
 
 struct Finding {
-  std::uint64_t number = 0;  ///< of the case
+  std::uint64_t number = 0;  ///< number of the case
   std::string what;
 };
 
@@ -39,23 +39,24 @@ struct Campaign {
 
   std::uint64_t seed = 1;
   Limits limits = {};
-  Tell tell;  ///< called immediately for each finding
+  Tell tell;  ///< called for each finding as soon as it occurs
 };
 
-/// A trial stops after this many findings: they are likely to be of few kinds.
+/// Limit on the findings of a trial, since more are likely to be of the same kinds.
 constexpr std::uint64_t MOST_FINDINGS = 20;
 
-/// The text of a case; depends on the reader's name, its corpus, the seed and the number.
+/// Makes the text of a case. It depends only on the reader's name, its corpus, the seed and the
+/// number.
 std::string make_case(const Trial& trial, std::uint64_t seed, std::uint64_t number);
 
-/// Runs the next cases, at most `cases`, in a child process, up to the first failure: the reader
-/// crashes, throws something other than base::BadInput, or exceeds the limits.
+/// Runs the next cases, at most `cases`, in a child process, up to the first failure. A reader
+/// fails if it crashes, throws something other than base::BadInput, or exceeds the limits.
 void run_batch(Trial& trial, std::uint64_t cases, const Campaign& campaign);
 
-/// Runs each trial up to case number `cases`, or to MOST_FINDINGS.
+/// Runs each trial up to case number `cases`, or up to MOST_FINDINGS findings.
 void run_number(std::vector<Trial>& trials, std::uint64_t cases, const Campaign& campaign);
 
-/// Shares `hours` equally among all trials.
+/// Divides `hours` equally among all trials.
 void run_hours(std::vector<Trial>& trials, double hours, const Campaign& campaign);
 
 }  // namespace fuzz

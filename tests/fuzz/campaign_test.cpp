@@ -1,4 +1,5 @@
-// Findings of a campaign: each reader here fails at every fourth text that a child reads.
+// Findings of a fuzzing campaign. The reader of each test fails at every fourth text of a child
+// process.
 #include "tests/fuzz/campaign.hpp"
 
 #include <gtest/gtest.h>
@@ -39,7 +40,7 @@ auto fail_at_fourth(const Fail& fail) {
   };
 }
 
-// `cases` is 10, of which cases 3 and 7 fail, or 5.
+// Runs 5 or 10 cases. Of 10, cases 3 and 7 fail.
 template <class Fail>
 void expect_told(const Fail& fail, const std::string& sentence, std::uint64_t cases = 10,
                  const Limits& limits = {}) {
@@ -87,7 +88,7 @@ TEST(FuzzCampaign, CountsWhatIsRefused) {
   const auto told = run(fail_at_fourth([] { throw base::BadInput("line 1"); }), 10);
   EXPECT_TRUE(told.numbers.empty());
   EXPECT_EQ(told.counts.cases, 10u);
-  EXPECT_EQ(told.counts.refused, 1u);  // of one child
+  EXPECT_EQ(told.counts.refused, 1u);  // a single child refuses one text
   EXPECT_EQ(told.counts.accepted, 9u);
 }
 

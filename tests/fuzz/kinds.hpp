@@ -1,5 +1,5 @@
 #pragma once
-// The readers by kind, and their shared code.
+// Readers by kind, and the code that they share.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -21,18 +21,18 @@ void save_two_records(const std::filesystem::path& folder);
 /// The path of a file of the project.
 std::string place_of(const std::string& path);
 
-/// Throws Broken, naming `what`, unless the two are equal.
+/// Throws Broken with `what` unless the two are equal.
 template <class A, class B>
 void expect_same(std::string_view what, const A& found, const B& expected) {
   if (!(found == expected)) throw Broken(fmt::format("{} differs", what));
 }
 
-/// Throws Broken, naming `what`, unless `holds`.
+/// Throws Broken with `what` unless `holds`.
 inline void expect(bool holds, std::string_view what) {
   if (!holds) throw Broken(fmt::format("{}: does not hold", what));
 }
 
-/// The result of `read` on a text that tlab wrote; `read` must accept it.
+/// The result of `read` on a text that tlab wrote, which it must accept.
 template <class Read>
 auto read_again(std::string_view what, const Read& read) {
   try {

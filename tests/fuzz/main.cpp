@@ -1,4 +1,4 @@
-// Tests the readers of files with texts that are nearly right: tests/fuzz/run.
+// Fuzzes the readers of files with almost valid texts. tests/fuzz/run starts it.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -30,7 +30,7 @@ struct Options {
   Limits limits;
 };
 
-// After this many cases, a reader that accepted none or refused none proves nothing.
+// Number of cases after which a reader should have accepted some and refused some.
 constexpr std::uint64_t MANY = 100;
 
 std::vector<Reader> find_readers(const Options& o) {
@@ -60,7 +60,8 @@ void keep_finding(const Trial& trial, const Finding& finding, const Options& o,
   std::fflush(stdout);
 }
 
-// True if no reader failed, and each accepted some cases: a reader that refuses all proves nothing.
+// True if no reader failed and each accepted some cases. A reader that refuses everything proves
+// nothing.
 bool print_counts(const std::vector<Trial>& trials, const Options& o) {
   fmt::print("seed {}{}\n{:>17} {:>10} {:>10} {:>10} {:>9} {:>8}\n", o.seed,
              test::IS_SANITIZED ? ", with sanitizers" : "", "reader", "cases", "accepted",
@@ -97,7 +98,7 @@ void add_options(CLI::App& app, Options& o) {
 
 int run(const Options& o) {
   const fs::path folder = fs::absolute(o.keep);
-  // Files would wait for the disk; memory is faster.
+  // Uses memory for temporary files, since the disk is slower.
   if (fs::is_directory("/dev/shm")) setenv("TMPDIR", "/dev/shm", 0);
   const test::TemporaryFolder working;
   fs::current_path(working.path);

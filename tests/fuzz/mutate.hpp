@@ -1,5 +1,5 @@
 #pragma once
-// Inputs that are nearly right: valid texts with a few changes.
+// Mutation of texts: valid inputs with a few changes.
 #include <string>
 #include <vector>
 
@@ -13,15 +13,16 @@ struct Corpus {
   std::vector<std::string> words;
 };
 
-/// Longest text that is generated, bytes.
+/// Limit on the length of a generated text, bytes.
 inline constexpr std::size_t MAX_BYTES = 1 << 16;
 
-/// `texts` must not be empty, nor any text in it.
+/// Neither `texts` nor any text in it may be empty.
 Corpus make_corpus(std::vector<std::string> texts);
 
-/// One of the texts with zero to a dozen changes: bits flipped, bytes set, parts removed, doubled,
-/// repeated or inserted from another text, the end of another text, lines exchanged, numbers and
-/// words replaced. The same stream gives the same text.
+/// Applies zero to a dozen changes to one of the texts. Bits are flipped, bytes set; parts are
+/// removed, doubled, repeated or inserted from another text; the end is taken from another text;
+/// lines are exchanged; numbers and words are replaced. The same random stream yields the same
+/// text.
 std::string mutate(const Corpus& corpus, base::Random& random);
 
 }  // namespace fuzz

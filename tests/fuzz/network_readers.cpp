@@ -18,14 +18,15 @@ void expect_same_network(std::string_view what, const Topology& found, const Top
 
 void expect_round_trips(const Topology& topology) {
   topologies::check(topology);
-  const std::string graphml = to_graphml(topology), dot = to_dot(topology);  // may refuse a label
+  // throws for labels that the format cannot express
+  const std::string graphml = to_graphml(topology), dot = to_dot(topology);
   const auto from_graphml = [&] { return topologies::read_graphml(graphml, "again.graphml"); };
   const auto from_dot = [&] { return topologies::read_dot(dot, "again.dot"); };
   expect_same_network("GraphML", read_again("GraphML", from_graphml), topology);
   expect_same_network("DOT", read_again("DOT", from_dot), topology);
 }
 
-// Every hop of every route is a link and leads one nearer to the end.
+// Every hop of every route must be a link and lead one step nearer to the end.
 void expect_arrive(const Topology& topology, const topologies::RoutingTable& routes) {
   const auto around = neighbours(topology);
   for (int to = 0; to < topology.processors; ++to)

@@ -19,7 +19,7 @@ std::uint32_t get_number(const std::string& text, std::size_t at) {
   return number;
 }
 
-// Gives every chunk of a PNG its correct checksum; readers refuse a wrong one first.
+// Gives every chunk of a PNG its correct checksum, since readers check that first.
 std::string mend_checksums(std::string png) {
   constexpr std::size_t SIGNATURE = 8, LENGTH = 4, TYPE = 4, SUM = 4;
   std::size_t at = SIGNATURE;

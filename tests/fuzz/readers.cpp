@@ -11,10 +11,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Longer project files are left out: a change of one of many lines tests little.
+// Length limit on corpus files. In longer files, a change of one of many lines tests little.
 constexpr std::uintmax_t LONGEST = 4096;
 
-// Adds the files in path order, so that a case depends on their contents only.
+// Adds the files in path order, so that a case depends only on their contents.
 void add_files(const fs::path& folder, const std::string& ending, std::vector<std::string>& texts) {
   if (!fs::is_directory(folder)) return;
   std::vector<fs::path> files;

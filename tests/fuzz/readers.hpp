@@ -1,5 +1,5 @@
 #pragma once
-// The readers of files, with the properties of all that they accept.
+// The fuzzed readers of files, and properties of everything that they accept.
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -10,30 +10,30 @@
 
 namespace fuzz {
 
-/// A violated property of something that was read.
+/// A property that the result of a reader violates.
 struct Broken : std::logic_error {
   using std::logic_error::logic_error;
 };
 
 struct Reader {
-  std::string name;    ///< also the folder below tests/fuzz/corpus with its own texts
-  std::string ending;  ///< of its files
-  /// Folders below experiments/ and simulator/ whose files with this ending are also used.
+  std::string name;    ///< name, also of the folder below tests/fuzz/corpus with its own texts
+  std::string ending;  ///< extension of its files
+  /// Folders below experiments/ and simulator/ whose files with this extension are also used.
   std::vector<std::string> folders;
   /// Reads a text. Throws base::BadInput to refuse it; any other exception is a defect. May write
-  /// files in the current folder, which is its own.
+  /// files in the current folder, which no other reader uses.
   std::function<void(const std::string& text)> read;
-  std::string corpus = {};  ///< reader that provides the texts, if another
+  std::string corpus = {};  ///< reader whose texts are used, if it is another one
 };
 
-/// All readers; names differ.
+/// All readers; their names are distinct.
 std::vector<Reader> all_readers();
 
-/// The same for the program `tlab`, in its own process, with such files as arguments. These readers
-/// write files in the current folder from the start.
+/// Readers that run the program `tlab` in its own process, with the texts as files. They write
+/// files in the current folder from the start.
 std::vector<Reader> command_readers(const std::string& tlab);
 
-/// The texts for a reader: its corpus and the project's own files.
+/// Loads the texts for a reader: its corpus, and files of the project.
 Corpus load_corpus(const Reader& reader);
 
 }  // namespace fuzz

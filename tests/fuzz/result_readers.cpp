@@ -39,7 +39,7 @@ void read_experiment(const std::string& text, const std::vector<std::string>& ov
       file);
 }
 
-// Each line is one --set.
+// Takes each line as one --set.
 void read_overrides(const std::string& text) {
   std::vector<std::string> overrides;
   for (std::istringstream lines(text); std::getline(lines, overrides.emplace_back());) {
@@ -48,7 +48,7 @@ void read_overrides(const std::string& text) {
   read_experiment("[image]\nwidth = 8\n[sweep]\nworkers = [1, 2]\n", overrides);
 }
 
-// Reads a record without its seal, and then with it.
+// Reads a record without its hash, and then with the correct hash.
 void read_record(const std::string& text) {
   base::save_whole("0.json", text);
   try {
@@ -90,7 +90,7 @@ const laboratory::Results& two_results() {
   return results;
 }
 
-// A run.json whose points have the two records.
+// Reads a run.json whose points have the two records.
 void read_simulation(const std::string& text) {
   const fs::path folder = "results";
   save_two_records(folder / "points/fuzz");

@@ -1,6 +1,6 @@
-// The command in its own process, with a file that is nearly right. Most runs happen in a forked
-// child that does the work of main(): a fork takes milliseconds, the start of a program with
-// sanitizers half a second. Some runs start the program itself.
+// Fuzzing of the command in its own process, with an almost valid file. Most runs happen in a
+// forked child process that does the work of main(). A fork takes milliseconds; the start of a
+// program with sanitizers takes half a second. Some runs start the program itself.
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -31,30 +31,31 @@ namespace fs = std::filesystem;
 
 using Arguments = std::vector<std::string>;
 
-// The kind of work the program does with the file.
+// What the program does with the file.
 enum class Task {
-  read,     // time follows the size of the input
-  compute,  // may take long; is then interrupted
-  judge     // the same; may also end with a failed check or a simulated fault
+  read,     // reads it; the time depends on the size of the input
+  compute,  // also computes for a long time, and is then interrupted
+  judge     // also computes, and may end with a failed check or a simulated fault
 };
 
 struct Way {
   std::string name;
   Task task = Task::read;
-  std::string corpus;               // the reader that provides the texts
-  std::string file;                 // receives the text; "": the text takes the place of TEXT
-  fs::path beside;                  // a folder whose files are copied there too
-  std::vector<Arguments> commands;  // one is chosen; files after -o and the like are outputs
+  std::string corpus;  // name of the reader whose texts are used
+  std::string file;    // name of the file with the text; "": the text replaces the argument TEXT
+  fs::path beside;     // folder whose files are copied beside the text
+  // one of these is run; files after -o and similar options are outputs
+  std::vector<Arguments> commands;
 };
 
 constexpr const char* TEXT = "TEXT";
 constexpr const char* WRITE[] = {"-o", "--stats", "--state"};
 
-constexpr double PATIENCE_S = 1.5;  // until a computation is interrupted
+constexpr double PATIENCE_S = 1.5;  // time after which a computation is interrupted
 constexpr double WALL_S = 180;
 constexpr rlim_t CPU_S = 20, FILE_BYTES = 1 << 26;
-constexpr long MOST_KIB = 3 << 20;  // memory
-// One in so many texts goes to the program itself, the others to run_tlab() in a child.
+constexpr long MOST_KIB = 3 << 20;  // limit on the memory
+// One in this many texts goes to the program itself, all others to run_tlab() in a child process.
 constexpr std::uint64_t PROGRAM_EVERY = 256;
 
 struct Outcome {
@@ -66,10 +67,10 @@ struct Outcome {
 };
 
 struct Start {
-  fs::path folder;           // current folder
-  fs::path err;              // receives standard error
+  fs::path folder;           // current folder of the process
+  fs::path err;              // file for standard error
   fs::path temporary;        // folder for temporary files
-  std::string program = {};  // a file; "": a child of this process that calls run_tlab()
+  std::string program = {};  // executable; "": a child of this process that calls run_tlab()
 };
 
 void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
@@ -108,7 +109,7 @@ Outcome run(const Start& how, Arguments arguments, Task task) {
   std::vector<char*> argv;
   for (auto& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
-  prctl(PR_SET_CHILD_SUBREAPER, 1);  // adopts the processes that it leaves
+  prctl(PR_SET_CHILD_SUBREAPER, 1);  // adopts processes that the child leaves behind
   const pid_t pid = fork();
   if (pid < 0) throw std::runtime_error("no child process");
   if (pid == 0) start(how, std::move(argv));
@@ -132,7 +133,7 @@ Outcome run(const Start& how, Arguments arguments, Task task) {
 
 using Files = std::map<std::string, std::string>;
 
-// Contents of every file by its path, and targets of links.
+// The contents of every file and the targets of links, by path.
 Files list_files(const fs::path& folder) {
   Files files;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -163,12 +164,12 @@ void check_error(const Way& way, const std::string& err, const Files& before) {
   expect(err.find(".partial-") == err.npos, "an error names no hidden file");
 }
 
-// Files that a failed run may leave: records of points, which the next run reuses.
+// True for records of points, which a failed run may leave for the next one.
 bool is_record(const std::string& name) {
   return (name + "/").find("/points/") != name.npos || name == "out";
 }
 
-// Throws Broken if the program breaks a promise.
+// Throws Broken if the program violates a property.
 void check_outcome(const Way& way, const Arguments& arguments, const Outcome& outcome,
                    const Files& before, Files after) {
   if (WIFSIGNALED(outcome.status)) throw Broken(strsignal(WTERMSIG(outcome.status)));
@@ -227,7 +228,7 @@ void try_way(const std::string& tlab, const Way& way, const std::string& text) {
   if (!outcome.is_success()) throw base::BadInput(outcome.err);
 }
 
-// Scenes, and the files that they name.
+// Copies the scenes and the files that they name.
 fs::path prepare_scenes() {
   const fs::path folder = fs::absolute("scenes");
   fs::create_directory(folder);
@@ -246,7 +247,7 @@ fs::path prepare_scenes() {
   return folder;
 }
 
-// The folder r with the record of one point, and a reference known to the check.
+// Makes a folder r with the record of one point, and a reference for its check.
 fs::path prepare_results(const std::string& tlab) {
   const fs::path folder = fs::absolute("results");
   fs::create_directory(folder);
@@ -368,7 +369,7 @@ std::vector<Way> list_ways(const std::string& tlab) {
   };
 }
 
-// Computes once what each child would compute: the program's hash, tables of keys.
+// Computes once what every child process would compute: the program's hash and tables of keys.
 void prepare_children() {
   laboratory::records_folder();
   laboratory::read_experiment("program.name = \"message\"", "e.toml", ".", {});

@@ -26,8 +26,8 @@ double value_of(const machine::Model& model, const std::string& key) {
   return std::ranges::find(model.entries, key, &machine::Entry::key)->value;
 }
 
-// Twenty messages over a link of 1.7 MB/s; each end takes 254 cycles; 1 % noise. Computed from a
-// message's closed form, not simulated.
+// Makes twenty measurements of messages over a link of 1.7 MB/s, with 254 cycles at each end and 1
+// % noise. They follow the closed form of a message, without simulation.
 std::string make_measurements(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> noise(0, 0.01);
@@ -43,8 +43,8 @@ std::string make_measurements(std::uint64_t seed) {
   return text;
 }
 
-// The mean of sixteen measurements with 1 % noise has a standard error of 0.25 %, here that of the
-// rate. The set-up rests on four measurements: 0.5 %.
+// The rate depends on the mean of sixteen measurements with 1 % noise, so its standard error is
+// 0.25 %. The set-up depends on four measurements: 0.5 %.
 TEST(Calibration, TwentyNoisyMeasurementsGiveLinkRateAndSetUpBack) {
   constexpr int SEEDS = 4;
   const TemporaryFolder folder;
@@ -68,7 +68,7 @@ TEST(Calibration, TwentyNoisyMeasurementsGiveLinkRateAndSetUpBack) {
   EXPECT_LT(std::sqrt(squares[1]), 0.03);
 }
 
-// In any folder for temporary files.
+// No files remain in the folder for temporary files.
 TEST(Calibration, LeavesNothingBehind) {
   const TemporaryFolder folder;
   const auto file = (folder.path / "m.csv").string();
@@ -157,7 +157,7 @@ TEST(Calibration, AModelFileHasEachSectionOnceAndSaysHowWellItFits) {
   for (const auto& entry : fitted.entries) EXPECT_EQ(value_of(model, entry.key), entry.value);
 }
 
-// From any start and with any measurements, entries stay above 0 and the written file is a model.
+// From any start and with any measurements, entries stay positive and the written file is a model.
 TEST(Calibration, FarStartsAndBadMeasurements) {
   const TemporaryFolder folder;
   const auto fit = [&](const std::string& csv, const std::string& entries) {
@@ -197,7 +197,7 @@ TEST(Calibration, AModelOfOnesOwnBeginsAsItsBase) {
   EXPECT_EQ(tlab(folder.path, {"model", "mine", "--new"}).exit_code, 2) << "it is there";
   for (const std::string name : {"", "t805-25", "a\nb", "a b"})
     EXPECT_EQ(tlab(folder.path, {"model", name, "--new"}).exit_code, 2) << name;
-  // With a base in another folder.
+  // Repeats the test with a base in another folder.
   std::filesystem::create_directory(folder.path / "sub");
   ASSERT_EQ(tlab(folder.path, {"model", "sub/ours", "--new", "--base", "mine.toml"}).exit_code, 0);
   const auto read = tlab(folder.path, {"model", "sub/ours.toml"});

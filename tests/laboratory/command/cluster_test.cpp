@@ -1,4 +1,4 @@
-// experiments/cluster/Snakefile on this machine: the same bytes as from tlab run.
+// experiments/cluster/Snakefile on this host: its results equal those of tlab run byte for byte.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -23,7 +23,7 @@ TEST(Cluster, ThroughSnakemakeTheResultsAreTheSame) {
       << "[image]\nwidth = 12\nheight = 8\n[sweep]\nobjects = [20, 9]\nworkers = [1, 3, 2]\n";
   const std::string program = ::test::in_build("tlab");
   ASSERT_EQ(shell(folder.path, program + " run e.toml -o direct --set image.height=9"), 0);
-  // One point exists already.
+  // One point already has a result.
   ASSERT_EQ(shell(folder.path, program + " run e.toml -o jobs --point 2 --set image.height=9"), 0);
   const std::string snakemake = "HOME=\"$PWD\" XDG_CACHE_HOME=\"$PWD\" snakemake -s " +
                                 ::test::in_sources("experiments/cluster/Snakefile") +
@@ -35,7 +35,7 @@ TEST(Cluster, ThroughSnakemakeTheResultsAreTheSame) {
        {"results.csv", "report.html", "image-spheres-9.png", "image-spheres-20.png"})
     EXPECT_EQ(read_file(folder.path / "direct" / name), read_file(folder.path / "jobs" / name))
         << name;
-  // A change that enters no point's key causes a new merge.
+  // A change that is part of no point's key causes a new merge.
   std::ofstream(folder.path / "e.toml", std::ios::app) << "[report]\nnetworks = \"all\"\n";
   ASSERT_EQ(shell(folder.path, program + " run e.toml -o direct --set image.height=9"), 0);
   ASSERT_EQ(shell(folder.path, snakemake), 0) << read_file(folder.path / "log");

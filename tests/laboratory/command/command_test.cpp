@@ -39,7 +39,7 @@ TEST(ExperimentsCommand, RunWritesEverythingAndTheSameBytesForAnyJobs) {
     ASSERT_EQ(done.exit_code, 0) << done.err;
     EXPECT_NE(done.out.find("speedup"), std::string::npos);
     EXPECT_NE(done.out.find("report.html"), std::string::npos);
-    EXPECT_EQ(done.err, "");  // quiet in a pipe
+    EXPECT_EQ(done.err, "");  // no progress bar in a pipe
   }
   for (const char* name :
        {"results.csv", "report.html", "image-spheres-20.png", "image-spheres-60.png"})
@@ -71,7 +71,7 @@ TEST(ExperimentsCommand, AsManyJobsAsTheHostHasProcessors) {
   EXPECT_EQ(options.jobs, std::max(1u, std::thread::hardware_concurrency()));
 }
 
-// A line for each point, below the title.
+// The profile has a line for each point below the title.
 TEST(ExperimentsCommand, ProfileShowsTheHostsTimeOfEachPoint) {
   const TemporaryFolder folder;
   const auto done = tlab(folder.path, small({"-o", "r", "--profile"}));
@@ -108,7 +108,7 @@ TEST(ExperimentsCommand, PreviewsAreThereBeforeTheFirstRay) {
   const auto flat = stats("flat"), shadows = stats("shadows");
   EXPECT_EQ(flat["work"]["ray_intersected"], 0);
   EXPECT_GE(flat["preview"]["pixels_drawn"], 16 * 12 / 2);
-  // One feeler to each of three lights from each pixel with an object.
+  // Each pixel with an object has one feeler to each of three lights.
   EXPECT_EQ(shadows["work"]["ray_intersected"].get<int>() % 3, 0);
   EXPECT_GT(shadows["work"]["ray_intersected"], 0);
   EXPECT_NE(read_file(folder.path / "flat.png"), read_file(folder.path / "shadows.png"));
@@ -124,7 +124,7 @@ TEST(ExperimentsCommand, OlderResultsAreReplacedButNeverSomethingElse) {
   const auto refused = tlab(folder.path, small({"-o", "mine"}));
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_EQ(read_file(folder.path / "mine/thesis.txt"), "years of work");
-  // Foreign files beside results are safe too.
+  // A foreign file inside a results folder is protected too.
   std::ofstream(folder.path / "r/thesis.txt") << "years of work";
   EXPECT_EQ(tlab(folder.path, run).exit_code, 2);
   EXPECT_EQ(read_file(folder.path / "r/thesis.txt"), "years of work");
@@ -187,7 +187,7 @@ TEST(ExperimentsCommand, OnlyOnePointOfCountedCostsIsShownLive) {
   for (const auto& [setting, message] :
        {std::pair("sweep.workers=[1, 2]", "the experiment has 2 points, expected one"),
         std::pair("run.cost=timed", "found cost = \"timed\", expected \"counted\"")}) {
-    // The recording's name is wrong too: no page opens for any refused command.
+    // The recording's name is invalid as well. No page opens for a refused command.
     const auto refused = tlab(
         folder.path, {"live", "e.toml", "--no-browser", "--record", "e.txt", "--set", setting});
     EXPECT_EQ(refused.exit_code, 2) << setting;

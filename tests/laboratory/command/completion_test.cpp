@@ -1,4 +1,4 @@
-// Shell completion: commands, options, names.
+// Shell completion of commands, options and names.
 #include "experiments/laboratory/command/completion.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ std::string script_for(const std::string& shell) {
   return made.out;
 }
 
-// Every option of every command, compared with the command's help.
+// Compares every option of every command with the command's help.
 TEST(Completion, KnowsAllCommandsAndOptions) {
   const TemporaryFolder folder;
   const auto script = script_for("bash"), zsh = script_for("zsh"), fish = script_for("fish");
@@ -47,7 +47,7 @@ TEST(Completion, KnowsAllCommandsAndOptions) {
   EXPECT_EQ(tlab(folder.path, {"completion", "tcsh"}).exit_code, 2);
 }
 
-// Completions that bash offers for the last, unfinished word of a line.
+// The completions that bash offers for the last, unfinished word of a line.
 std::string complete(const std::filesystem::path& folder, const std::string& line) {
   std::ofstream(folder / "try.sh") << "source ./tlab.bash\nCOMP_WORDS=(" << line
                                    << ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_tlab\n"

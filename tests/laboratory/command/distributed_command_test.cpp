@@ -1,4 +1,4 @@
-// tlab render: samples a pixel, maps of samples, and frames of an animation.
+// tlab render: samples per pixel, maps of samples, and frames of an animation.
 #include <gtest/gtest.h>
 
 #include "tests/laboratory/support/tlab.hpp"
@@ -13,7 +13,7 @@ const std::string SCENE =
     "# shutter 0 0.5\n# lens 0.3 5\nv from 0 0 5 at 0 0 0 up 0 1 0 angle 40\nl 5 5 5\n"
     "f 1 0.5 0.2 0.8 0.2 9 0 0\n# path way.csv\ns 0 0 0 0.5\n# move 0 0 0\ns 1 1 0 0.4\n";
 
-// A folder with a scene of three frames: its sphere moves to the right.
+// A folder with a scene of three frames, in which a sphere moves to the right.
 struct SceneFolder : TemporaryFolder {
   SceneFolder() {
     write("s.nff", SCENE);
@@ -76,7 +76,7 @@ TEST(DistributedCommand, FramesAreImagesAndAnAnimation) {
   EXPECT_FALSE(folder.has("a-0004.png"));
   const auto animation = read_file(folder.path / "a.webp");
   EXPECT_EQ(animation.substr(0, 4), "RIFF");
-  // At 30 frames a second each duration is rounded so that the sum is right.
+  // At 30 frames per second, durations in whole ms are rounded such that their sum is right.
   ASSERT_EQ(
       folder
           .render({"-o", "c.webp", "--frames", "1-3", "--frame-rate", "30", "--pixel-samples", "2"})

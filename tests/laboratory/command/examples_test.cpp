@@ -1,4 +1,4 @@
-// The examples and their guide: programs print exactly the guide's output, in simulated times.
+// The example programs print exactly the output in the manual, with the simulated times.
 #include <sys/wait.h>
 
 #include <boost/algorithm/string/replace.hpp>
@@ -24,7 +24,7 @@ std::string load_text(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// Output of a program such as "example_sort 32 4"; checks that its exit code is `expected_code`.
+// The output of a program such as "example_sort 32 4". Expects the exit code `expected_code`.
 std::string output_of(const std::string& command, int expected_code = 0) {
   std::FILE* pipe = popen(::test::in_build(command).c_str(), "r");
   std::string text;
@@ -42,7 +42,7 @@ std::vector<double> numbers_in(const std::string& text) {
   return found;
 }
 
-// The guide's blocks between ```NAME fences.
+// The blocks of a manual page between ```NAME fences.
 std::vector<std::string> fenced(const std::string& guide, const std::string& name) {
   const std::string begin = "\n```" + name + "\n";
   std::vector<std::string> blocks;
@@ -105,7 +105,8 @@ TEST(Examples, HaveAtMost100Lines) {
   EXPECT_GE(examples, 5);
 }
 
-// Sum: out and in of a word on four soft channels, a PAR of two, four loop ends, adc.
+// The time is the sum of: out and in of a word on four soft channels, a PAR of two, four loop ends,
+// adc.
 TEST(Examples, CommstimeIsTheSumOfItsInstructions) {
   const auto model = machine::override_model("t800-20",
                                              {{"memory.data_word", "\"memory.on_chip_word\""},
@@ -122,7 +123,7 @@ TEST(Examples, CommstimeIsTheSumOfItsInstructions) {
                                cycles("ldc");
   const auto found = numbers_in(output_of("example_commstime"));
   EXPECT_EQ(found.at(1), loop.value);
-  EXPECT_NEAR(found.at(0), 15.049, 0.02 * 15.049);  // published
+  EXPECT_NEAR(found.at(0), 15.049, 0.02 * 15.049);  // published time
 }
 
 TEST(Examples, PingPongTakesItsFormula) {
@@ -144,8 +145,8 @@ TEST(Examples, SortSortsOnAnyNumberOfProcessors) {
   output_of("example_sort 3 4 2>&1", 2);
 }
 
-// A station holds the token for 100 ticks. It and its link add 8.03 us. Only whole ticks count: 8;
-// the monitor's ALT makes that 9.
+// A station holds the token for 100 ticks; it and its link add 8.03 us. Since only whole ticks
+// count, a station takes 108 ticks. The monitor's ALT makes it 109 there.
 TEST(Examples, TokenRingTurnsAtItsFormulaAndMissesTheTokenAfterItsTimeout) {
   std::istringstream lines(output_of("example_token_ring"));
   std::vector<double> back;
@@ -164,7 +165,8 @@ TEST(Examples, TokenRingTurnsAtItsFormulaAndMissesTheTokenAfterItsTimeout) {
 
 TEST(Examples, FarmReturnsEachTaskOnceOnAnyTopology) {
   for (const char* spec : {"line:2", "ring:5", "star:5", "torus:3x3", "hypercube:4", "tree:13:2"}) {
-    const auto text = output_of(std::string("example_farm ") + spec);  // other exit codes fail
+    // output_of() fails for other exit codes
+    const auto text = output_of(std::string("example_farm ") + spec);
     const double speed_up = numbers_in(text).back();
     EXPECT_GT(speed_up, 1) << text;
     EXPECT_LT(speed_up, 16) << text;
@@ -173,7 +175,7 @@ TEST(Examples, FarmReturnsEachTaskOnceOnAnyTopology) {
 
 using Body =
     std::function<void(occam::Channel<occam::Words>& there, occam::Channel<occam::Words>& back)>;
-// The machine's message about the processes ada, on left, and bob.
+// The machine's error message if the processes ada, on processor left, and bob run these bodies.
 std::string failure_of(bool bob_is_right, const Body& ada, const Body& bob) {
   using namespace occam;
   return laboratory::message_of<test::ChildThrew>([&] {

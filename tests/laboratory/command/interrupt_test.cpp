@@ -1,4 +1,4 @@
-// Signals outside a simulation: the program ends with one sentence. It leaves neither files nor
+// Signals outside a simulation. The program ends with one sentence, and leaves neither files nor
 // running programs behind.
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -22,8 +22,8 @@ bool comes_true(const Holds& holds) {
   return holds();
 }
 
-// Programs in a folder that is first on PATH. Each writes its process id into the file named by
-// STARTED, then sleeps. Each run of tlab has a file of its own, because a program of an earlier run
+// A folder that is first on PATH, with programs that write their process id into the file named by
+// STARTED, then sleep. Each run of tlab has its own such file, because a program of an earlier run
 // may write its id late.
 struct Interrupt : Sweep {
   Interrupt() {
@@ -46,7 +46,7 @@ struct Interrupt : Sweep {
     setenv("STARTED", started.c_str(), 1);
   }
 
-  // Starts tlab and sends the signal while it waits for one of the programs.
+  // Starts tlab, and sends the signal while it waits for one of these programs.
   Outcome interrupt_drawing(int signal, const Arguments& arguments) {
     next_tlab();
     const pid_t tlab = start_tlab(folder.path, arguments);
@@ -94,7 +94,7 @@ TEST_F(Interrupt, OlderResultsStay) {
   EXPECT_EQ(folder.names(), (Arguments{"bin", "e.toml", "r"}));
 }
 
-// A killed tlab cannot report or tidy; but its programs end, and the next run tidies.
+// A killed tlab cannot report or clean up. But its programs end, and the next run cleans up.
 TEST_F(Interrupt, AKilledRunLeavesNoProgramAndTheNextOneTidies) {
   EXPECT_EQ(interrupt_drawing(SIGKILL, {"run", "e.toml", "-o", "r"}).exit_code, -1);
   EXPECT_EQ(folder.names().size(), 4u);
@@ -113,7 +113,7 @@ TEST_F(Interrupt, DrawingsOfTopologiesAreNotWaitedFor) {
   }
 }
 
-// The scene comes through a pipe: once the pipe is open, tlab is reading it.
+// The scene comes through a pipe, so tlab is reading once the pipe is open.
 TEST_F(Sweep, ReadingIsInterrupted) {
   const auto pipe = folder.path / "scene.nff";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -128,7 +128,7 @@ TEST_F(Sweep, ReadingIsInterrupted) {
   }
 }
 
-// As with nohup, and with jobs that a script puts into the background.
+// Signals are ignored from the start under nohup, and in background jobs of scripts.
 TEST_F(Sweep, SignalsThatAreIgnoredFromTheStartStayIgnored) {
   const auto pipe = folder.path / "scene.nff";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -145,7 +145,7 @@ TEST_F(Sweep, SignalsThatAreIgnoredFromTheStartStayIgnored) {
   EXPECT_TRUE(fs::exists(folder.path / "x.png"));
 }
 
-// Standard error is a full pipe without a reader.
+// Standard error is a full pipe that nobody reads.
 TEST_F(Sweep, NobodyIsWaitedForWhoDoesNotReadTheLastSentence) {
   const auto pipe = folder.path / "scene.nff", err = folder.path / ".err";
   for (const auto& path : {pipe, err}) ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
@@ -165,12 +165,13 @@ TEST_F(Sweep, NobodyIsWaitedForWhoDoesNotReadTheLastSentence) {
   };
   std::ofstream scene;
   EXPECT_EQ(end_of({"render", "scene.nff", "-o", "x.png"}, [&] { scene.open(pipe); }), 130);
-  // An error message waits to be written.
+  // tlab waits to write an error message.
   EXPECT_EQ(end_of({"render", "none.nff", "-o", "x.png"}, [] { usleep(200'000); }), 130);
   close(full);
 }
 
-// Slow images. A signal before the first ray has no picture to save: the test then retries later.
+// Rendering is slow here. A signal before the first ray finds no picture to save; the test then
+// retries later.
 TEST_F(Sweep, RenderingIsInterruptedWithThePictureSoFar) {
   for (const auto& [more, told] : std::vector<std::pair<Arguments, std::string>>{
            {{"--pixel-samples", "64"}, "x.png has the picture after "},
@@ -195,7 +196,7 @@ TEST_F(Sweep, RenderingIsInterruptedWithThePictureSoFar) {
   }
 }
 
-// A second signal does not wait for the writing that the first one started.
+// A second signal ends the program without waiting for the output that the first one started.
 TEST_F(Interrupt, TheSecondOneEndsAtOnce) {
   write_file(folder.path / "e.toml",
              "[image]\nwidth = 12\n[sweep]\n\"image.height\" = [8, 50000]\n"
@@ -215,7 +216,7 @@ TEST_F(Interrupt, TheSecondOneEndsAtOnce) {
   EXPECT_EQ(folder.names(), (Arguments{"bin", "e.toml", "r"}));
 }
 
-// A signal to a simulation's process alone is not the user's request to end the run.
+// A signal to the process of a simulation alone is not the user's request to end the run.
 TEST_F(Sweep, ASimulationThatIsEndedAloneIsAFailure) {
   write_file(folder.path / "e.toml",
              "[image]\nwidth = 4000\nheight = 200\n[sweep]\nworkers = [1]\n"

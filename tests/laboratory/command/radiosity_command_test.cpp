@@ -12,7 +12,7 @@
 namespace laboratory {
 namespace {
 
-// A room with a lamp in its ceiling and a mirror as one wall.
+// A room with a lamp in its ceiling, and a mirror as one wall.
 const char* const ROOM = R"(material wall reflect 0.5 0.6 0.7
 material lamp reflect 0 0 0 emit 9 9 9
 mirror glass reflect 0.9 0.9 0.9
@@ -74,7 +74,7 @@ TEST_F(RadiosityCommand, OptionsChangeWhatTheySay) {
   const std::string picture = read("i.png");
 
   const auto refined = stats({"--refine", "2"});
-  EXPECT_GT(refined["patches"], 4 * 21);  // plus strips of the ceiling along the lamp's edges
+  EXPECT_GT(refined["patches"], 4 * 21);  // also strips of the ceiling along the lamp's edges
   const auto substructured = stats({"--refine", "2", "--senders", "1"});
   EXPECT_EQ(substructured["patches"], refined["patches"]);
   EXPECT_EQ(substructured["shots"], plain["shots"]);
@@ -160,7 +160,7 @@ TEST_F(RadiosityCommand, CreasesOfManyLampsAreLeftOutAndCounted) {
       << done.out;
 }
 
-// Two patches a side of a box are too few for the light of a lamp inside it.
+// Two patches per side of a box are too few for the light of a lamp inside it.
 TEST_F(RadiosityCommand, ABalanceThatIsOffIsAWarning) {
   std::ofstream(folder_.path / "a.room") << R"(material wall reflect 0.5 0.6 0.7
 material lamp reflect 0 0 0 emit 9 9 9

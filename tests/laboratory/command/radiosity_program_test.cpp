@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A box of 24 patches with a lit ceiling and a mirror on one side.
+// A box of 24 patches with a lit ceiling, and a mirror on one side.
 const std::string ROOM_TEXT =
     "material wall reflect 0.5 0.4 0.3\nmaterial lamp reflect 0 0 0 emit 4 5 6\n"
     "mirror glass reflect 0.9 0.9 0.9\n"

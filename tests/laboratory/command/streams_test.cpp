@@ -1,11 +1,11 @@
-// The command with unwritable standard output or error, and under a quota.
+// The command when standard output or error cannot be written, and under a quota.
 #include "tests/laboratory/support/sweep.hpp"
 #include "tests/support/places.hpp"
 
 namespace laboratory {
 namespace {
 
-// Runs a shell line with $TLAB as the program; returns the exit code.
+// Runs a shell line with $TLAB as the program. Returns the exit code.
 int run_line(const std::filesystem::path& folder, const std::string& line) {
   const auto command =
       "cd '" + folder.string() + "' && TLAB='" + ::test::in_build("tlab") + "' && " + line;
@@ -40,7 +40,7 @@ TEST_F(Sweep, ErrorsThatNobodyCanReadHaveTheirExitCodes) {
   EXPECT_EQ(folder.names(), (Arguments{"e.toml", "fails.toml", "out", "s"}));
 }
 
-// As in `tlab ... | head -1`, once head has ended: 141 is 128 + SIGPIPE.
+// The reader has closed the pipe, as in `tlab ... | head -1`: the exit code 141 is 128 + SIGPIPE.
 TEST_F(Sweep, AReaderWhoHasReadEnoughIsToldNothing) {
   EXPECT_EQ(run_line(folder.path,
                      "mkfifo p && { : < p & } && exec 4> p && wait && $TLAB columns >&4 2> told"),

@@ -39,7 +39,7 @@ TEST(ExperimentsUntil, TheLimitIsInSimulatedSecondsAndTheResultsSayThatTheyAreIn
     if (until == std::string("0.1")) {
       const double setup = *as_number(table.rows[0][*table.find("setup_s")]);
       const double time = *as_number(table.rows[0][*table.find("time_s")]);
-      EXPECT_NEAR(setup + time, 0.1, 1e-9);  // measured up to the limit
+      EXPECT_NEAR(setup + time, 0.1, 1e-9);  // values measured up to the limit
       EXPECT_GT(*as_number(table.rows[0][*table.find("rays")]), 0);
     }
   }
@@ -62,7 +62,7 @@ TEST(ExperimentsUntil, AProgramThatIsCutShortHasNoNumbersAndChecksPassItOver) {
 // Starts tlab and interrupts it.
 Outcome interrupt(const fs::path& folder, const std::vector<std::string>& arguments) {
   const pid_t pid = start_tlab(folder, arguments);
-  // Once the first point has begun: its folder exists, and some time has passed.
+  // Waits until the first point has begun: its folder exists, and some time has passed.
   for (int i = 0; i < 500 && !fs::exists(folder / (".r.partial-" + std::to_string(pid))); ++i)
     usleep(10'000);
   usleep(300'000);
@@ -70,7 +70,7 @@ Outcome interrupt(const fs::path& folder, const std::vector<std::string>& argume
   return wait_for_tlab(folder, pid);
 }
 
-// Points would take hours: those begun are kept and marked; the third does not begin.
+// Points would take hours. Those that have begun are kept and marked; the third does not begin.
 TEST(ExperimentsInterrupt, WhatWasMeasuredIsKeptAndMarked) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "e.toml")
@@ -175,7 +175,7 @@ TEST(ExperimentsTimed, TheHostsSpeedIsRecorded) {
   EXPECT_NE(done.out.find("cycles a second of host CPU"), std::string::npos);
 }
 
-// No test depends on the host's speed, except on request.
+// Runs only on request, since it depends on the host's speed.
 TEST(ExperimentsTimed, BothCostsGiveTheSameImageTimeOnAnIdleHost) {
   if (!std::getenv("TLAB_IDLE_HOST")) GTEST_SKIP() << "set TLAB_IDLE_HOST=1 on an idle host";
   const TemporaryFolder folder;

@@ -1,4 +1,4 @@
-// tlab verify, and the checks of tlab run: exit codes, output, points that run again.
+// tlab verify, and the checks of tlab run: exit codes, output, and points that run again.
 #include <fstream>
 
 #include "experiments/laboratory/table/table.hpp"
@@ -62,7 +62,7 @@ TEST(ExperimentsVerify, RunsOnlyWhatIsMissing) {
   EXPECT_FALSE(verify());
   EXPECT_TRUE(verify());
   write(MESSAGES + HOLDS + "where = \"bytes > 1\"\n");
-  EXPECT_TRUE(verify());  // another check, the same experiment
+  EXPECT_TRUE(verify());  // another check needs no new simulation
   EXPECT_FALSE(verify({"--set", "sweep.bytes=[2, 3]"}));
   EXPECT_FALSE(verify({"--set", "model.cpu.clock=20e6"}));
   EXPECT_TRUE(verify({"--set", "model.cpu.clock=20e6"}));
@@ -118,10 +118,11 @@ TEST(ExperimentsVerify, OfManyPointsTheWorstAreShown) {
     const auto out = tlab(folder.path, more).out;
     return std::ranges::count(out, '\n');
   };
-  EXPECT_EQ(lines({"--all"}) - lines({}), 25 - 10 - 1);  // a line says that there are more
+  // 10 rows, and a line that mentions the others
+  EXPECT_EQ(lines({"--all"}) - lines({}), 25 - 10 - 1);
 }
 
-// Only results show which columns exist: hence the first point's record is present and valid.
+// Columns are known only from results, so the first point runs and keeps its record.
 TEST(ExperimentsVerify, MistakesAreFoundBeforeResultsAreWritten) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "name.toml")

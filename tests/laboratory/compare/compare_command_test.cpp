@@ -59,7 +59,7 @@ TEST_F(Compare, SeedsAreSamples) {
   EXPECT_EQ(table.columns, (std::vector<std::string>{"result", "workers", "run", "value", "first",
                                                      "ratio", "low", "high"}));
   ASSERT_EQ(table.rows.size(), 4u);  // two results at two points
-  // One worker has no network: times are equal for all seeds, and the interval is a point.
+  // One worker has no network, so times are equal for all seeds, and the interval is a point.
   for (std::size_t column = 5; column < 8; ++column)
     EXPECT_EQ(as_number(table.rows[0][column]), 1.0);
 }

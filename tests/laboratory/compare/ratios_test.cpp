@@ -10,7 +10,7 @@
 namespace laboratory {
 namespace {
 
-// Values of t over workers 1 to `workers` and over `seeds` seeds, starting with seed `first`.
+// Makes a run with values of t over 1 to `workers` workers, and over `seeds` seeds from `first` on.
 NamedTable make_run(const std::string& name, int workers, int seeds, int first,
                     const std::function<double(int worker, int seed)>& t) {
   NamedTable run{name, {.columns = {"workers", "farm_seed", "t"}, .axes = 2, .rows = {}}};
@@ -137,7 +137,7 @@ TEST(Ratios, AreListedAsNumbers) {
     if (i < 2) {
       for (std::size_t column = 4; column < 7; ++column) EXPECT_EQ(to_string(row[column]), "");
     } else {
-      const double ratio = i == 2 ? 2 : 3;  // the same for all pairs, hence exact
+      const double ratio = i == 2 ? 2 : 3;  // equal for all pairs, so the interval has no width
       EXPECT_NEAR(*as_number(row[2]), ratio * std::cbrt(6), 1e-12);
       EXPECT_NEAR(*as_number(row[3]), std::cbrt(6), 1e-12);
       for (std::size_t column = 4; column < 7; ++column)
@@ -200,7 +200,7 @@ TEST(Matching, RunsOverOtherAxesAreRefused) {
             "expected some");
 }
 
-// Crossed seeds would count a sample several times; coupled ones are ordinary samples.
+// Independent seeds would count a sample several times. Coupled seeds are ordinary samples.
 TEST(Matching, OneSeedTellsSamplesApart) {
   auto run = make_run("a", 1, 2, 1, [](int, int) { return 1.0; });
   run.table.columns.insert(run.table.columns.begin(), "seed");

@@ -1,4 +1,4 @@
-// [data]: its keys, its refusals, and the columns it adds.
+// The section [data]: its keys, its refusals, and the columns that it adds.
 #include "tests/laboratory/support/sweep.hpp"
 
 namespace laboratory {
@@ -43,7 +43,8 @@ TEST_F(DataKeys, AreRefusedWithWhatIsExpected) {
   }
 }
 
-// The image is the same wherever the scene is held: different images of one scene are refused.
+// The image is the same whichever processors hold the scene. Different images of one scene are
+// refused.
 TEST_F(DataKeys, AddColumnsWhereWorkersShareTheScene) {
   const std::string blocks = BLOCKS;
   ASSERT_EQ(run(blocks).exit_code, 0);
@@ -61,7 +62,7 @@ TEST_F(DataKeys, MayBeTimed) {
   EXPECT_TRUE(contains(done.out, "timed: ")) << done.out;
 }
 
-// Workers have memory for a part of the scene.
+// Workers have memory for only a part of the scene.
 TEST_F(DataKeys, RenderAScenesThatNoWorkerHolds) {
   const std::string more =
       std::string("[machine]\nworker_memory_bytes = 134200\n") + BLOCKS + "[data]\n";

@@ -1,4 +1,4 @@
-// Experiment files: their contents, and messages about mistakes in them.
+// Experiment files: their contents, and error messages for mistakes in them.
 #include "experiments/laboratory/file/experiment.hpp"
 
 #include <fmt/format.h>
@@ -241,7 +241,7 @@ TEST(ExperimentsFile, TooManyPointsAreRefusedBeforeTheyAreMade) {
               std::string::npos);
 }
 
-// The resolved text gives the same experiment: points in the same order, exact numbers.
+// The resolved text yields the same experiment: points in the same order, exact numbers.
 TEST(ExperimentsFile, WhatIsResolvedCanBeReadAgain) {
   const auto file = load(
       "title = \"a \\\"b\\\"\"\n[sweep]\n\"model.link.one_way_rate\" = [1.7e6, 1e6]\n"

@@ -25,7 +25,7 @@ std::optional<topologies::TreeLinks> tree_of(const std::string& keys) {
   return find_tree(e, topologies::make_topology("ring:4"));
 }
 
-// The faults of a file that holds only [[fault]] tables, on a ring of four.
+// The faults of a file with only [[fault]] tables, on a ring of four.
 std::vector<programs::PlannedFault> faults_of(const std::string& text) {
   const auto file = toml::parse(text, std::string_view("e.toml"));
   Experiment experiment;
@@ -72,7 +72,7 @@ TEST(ExperimentsNetworkKeys, XyIsDimensionOrder) {
             std::string::npos);
 }
 
-// Other models for some processors: their own clocks, checked with the file and line.
+// Some processors have other models, with their own clocks. Errors name file and line.
 TEST(ExperimentsNetworkKeys, ProcessorsMayBeOfOtherModels) {
   const std::string farm = "[network]\nworkers = 3\n";
   const auto others_of = [](const std::string& text) {
@@ -175,7 +175,7 @@ TEST(ExperimentsFaults, AreOfLinksOrProcessors) {
             (std::vector<Fault>{{0.5, 3, 0}, {0, 2, -1}}));
 }
 
-// Values visited by for_each_key enter the point's key.
+// The values that for_each_key visits are part of the point's key.
 TEST(ExperimentsFaults, BelongToThePoint) {
   const auto file = toml::parse("[[fault]]\nprocessor = 1\nat_s = 0.25\n");
   std::string visited;

@@ -1,4 +1,4 @@
-// Experiments with programs other than the farm, and changes of machine constants.
+// Experiments with programs other than the farm, and with changed machine constants.
 #include <fstream>
 
 #include "base/errors.hpp"

@@ -73,7 +73,8 @@ TEST(Guide, HelpOnAProgramIsOfThatAlone) {
     EXPECT_FALSE(contains(farm.out, text)) << text;
   EXPECT_TRUE(contains(tlab(folder.path, {"help", "run", "farm"}).out, "network.topology"));
   EXPECT_TRUE(contains(tlab(folder.path, {"help", "merge"}).out, "Usage: tlab merge "));
-  const auto both = tlab(folder.path, {"help", "radiosity"}).out;  // a command and a program
+  // "radiosity" is a command and a program
+  const auto both = tlab(folder.path, {"help", "radiosity"}).out;
   for (const auto* text : {"Usage: tlab radiosity", "program.max_shots"})
     EXPECT_TRUE(contains(both, text)) << text;
   EXPECT_EQ(tlab(folder.path, {"help", "render", "farm"}).exit_code, 2);
@@ -93,7 +94,7 @@ struct PainterParams {
   base::Source wall;
 };
 
-// The permitted values of a key depend on its kind.
+// Help lists the permitted values of a key according to its kind.
 TEST(Guide, HelpOnAKeySaysWhatItMayBe) {
   using D = base::Declare<PainterParams>;
   using P = PainterParams;
@@ -123,7 +124,7 @@ TEST(Guide, HelpOnAKeySaysWhatItMayBe) {
                 line("program.wall", "what is painted; a file"));
 }
 
-// The commands in the footer after "Examples:".
+// The commands in the help's footer after "Examples:".
 TEST(Guide, EveryCommandHasExamples) {
   const TemporaryFolder folder;
   const auto help = tlab(folder.path, {"--help"}).out;
@@ -151,7 +152,7 @@ TEST_P(InitFrom, MakesAnExperimentThatRuns) {
     const auto text = read_file(folder.path / file);
     EXPECT_FALSE(contains(text, "MINE")) << file;
   }
-  if (GetParam() == "program") return;  // tests/consumer/run builds it
+  if (GetParam() == "program") return;  // tests/consumer/run builds this template
   const auto outcome = tlab(folder.path, {"run", "my-own/my-own.toml"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   EXPECT_TRUE(std::filesystem::exists(folder.path / "results/my-own/report.html"));

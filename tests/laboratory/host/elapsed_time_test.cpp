@@ -1,4 +1,4 @@
-// Signs of progress on a terminal.
+// Progress display on a terminal.
 #include "experiments/laboratory/host/elapsed_time.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace laboratory {
 namespace {
 
-// Makes standard error a terminal during its lifetime.
+// Makes standard error a terminal while the object lives.
 class Terminal {
  public:
   Terminal() : stderr_(dup(STDERR_FILENO)) {
@@ -61,7 +61,7 @@ TEST(Streams, ALineOnATerminalTakesThePlaceOfAProgressBar) {
   EXPECT_NE(shown.find("\r\x1b[Ktlab: interrupted"), std::string::npos) << shown;
 }
 
-// An earlier line could not be written: its error code is lost, and nothing is left to write.
+// An earlier line could not be written. Its error code is lost, and nothing is left to write.
 TEST(Streams, AnEarlierErrorOfStandardOutputIsTold) {
   if (access("/dev/full", W_OK) != 0) GTEST_SKIP() << "no /dev/full";
   EXPECT_EQ(test::isolated([]() -> std::string {

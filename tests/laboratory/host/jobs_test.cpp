@@ -54,11 +54,11 @@ TEST(ExperimentsJobs, AnExceptionEndsTheOthers) {
   }
 }
 
-// The main thread reads a child's message only after counting the interrupt. Therefore no other
-// thread may take the signal and count it later.
+// The main thread counts an interrupt before it reads a child's message. No other thread may
+// receive the signal, since it would be counted too late.
 TEST(ExperimentsJobs, AnInterruptIsCountedByTheMainThread) {
   test::run_isolated([] {
-    std::signal(SIGINT, SIG_DFL);  // the tests may have begun with it ignored
+    std::signal(SIGINT, SIG_DFL);  // the tests may have started with SIGINT ignored
     const InterruptWatch watch;
     const InterruptGuard guard;
     {

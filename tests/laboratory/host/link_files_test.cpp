@@ -1,4 +1,4 @@
-// Files carried over from older results.
+// Copies of files from older results.
 #include "experiments/laboratory/host/link_files.hpp"
 
 #include <sys/stat.h>
@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Pictures may be large: a hard link to the older file replaces the file in place.
+// Pictures may be large, so they are hard-linked instead of copied.
 TEST(Carry, AFileGetsASecondName) {
   const TemporaryFolder folder;
   write_file(folder.path / "a", "new");

@@ -28,7 +28,7 @@ pid_t dead_process() {
   return child;
 }
 
-// Prefix of a process's hidden folders: ".out.partial-HOST-" for "out.partial".
+// The prefix of a process's hidden folders: ".out.partial-HOST-" for "out.partial".
 std::string hidden(const std::string& what) {
   const auto dot = what.find('.');
   auto name = base::make_partial_name(what.substr(0, dot), what.substr(dot + 1), 0);
@@ -158,7 +158,7 @@ TEST(ExperimentsResultsFolder, LooksOnceMoreAtWhatItHasReplaced) {
     int looks = 0;
     const auto told = message_of<base::BadInput>([&] {
       results.commit([&](const fs::path& replaced) {
-        if (++looks == 1) {  // the other process acts now
+        if (++looks == 1) {  // the other process writes at this moment
           fs::create_directories(out);
           write_file(out / "run.json", "another's");
         } else if (read_file(replaced / "run.json") == "another's") {
@@ -172,7 +172,7 @@ TEST(ExperimentsResultsFolder, LooksOnceMoreAtWhatItHasReplaced) {
   EXPECT_EQ(folder.names(), Names{"out"});
 }
 
-// Inspects results and fails the second time, after the exchange.
+// A check of results that fails the second time, after the exchange.
 class Look {
  public:
   explicit Look(std::function<void()> before_failing = [] {})
@@ -220,7 +220,7 @@ TEST(ExperimentsResultsFolder, OlderRecordsThatCannotBePutBackAreKept) {
   EXPECT_EQ(folder.names(), (Names{"elsewhere", "out"}));
 }
 
-// A link to itself stands for a record that cannot be carried over, as on a full disk.
+// A link to itself stands for a record that cannot be copied, as on a full disk.
 TEST(ExperimentsResultsFolder, OlderRecordsThatCannotBeCarriedOverAreKept) {
   const TemporaryFolder folder;
   const auto out = folder.path / "out", points = fs::path("points/0123");
@@ -261,7 +261,8 @@ TEST(ExperimentsResultsFolder, RemovesWhatDeadProcessesLeft) {
                    ".out.partial-of-another-host-" + dead};
   fs::create_directories(folder.path / (partial + dead) / "plots");
   for (const auto& name : kept) fs::create_directories(folder.path / name / "plots");
-  const auto dead_too = hidden("out.old") + dead;  // no process makes such a file
+  // a file; processes leave only folders of such a name
+  const auto dead_too = hidden("out.old") + dead;
   write_file(folder.path / dead_too, "x");
   { ResultsFolder results(folder.path / "out"); }
   Names expected = kept;
@@ -283,7 +284,7 @@ TEST(ExperimentsResultsFolder, RecordsAreKept) {
     return fs::exists(out / "points/0123" / record) &&
            read_file(out / "points/0123" / record) == record;
   };
-  // Processes killed after putting their results in place, and before.
+  // One process was killed after it put its results in place, another before.
   put(working.string() + dead, "a.json");
   fs::create_directories(working.string() + dead + "/points/lone");
   write_file(working.string() + dead + "/points/lone/x.json", "x");
@@ -294,12 +295,12 @@ TEST(ExperimentsResultsFolder, RecordsAreKept) {
     EXPECT_FALSE(fs::exists(out / "points/lone"));
     write_file(results.working() / "run.json", "{}");
     put(results.working(), "b.json");
-    put(out, "late.json");  // by another process
+    put(out, "late.json");  // written by another process
     results.commit();
   }
   EXPECT_TRUE(has("b.json") && has("late.json"));
   EXPECT_EQ(folder.names(), Names{"out"});
-  // A folder of points that no run carries over goes with the older results.
+  // A folder of points that belongs to no run is removed with the older results.
   put(out, "old.json");
   ResultsFolder(out).commit();
   EXPECT_FALSE(fs::exists(out / "points"));
@@ -307,7 +308,7 @@ TEST(ExperimentsResultsFolder, RecordsAreKept) {
 
 TEST(ExperimentsResultsFolder, LeavesNoParentsWhereItCannotBeMade) {
   const TemporaryFolder folder;
-  const std::string name(250, 'x');  // the hidden one beside it is too long
+  const std::string name(250, 'x');  // a valid name, but that of the hidden folder is too long
   EXPECT_THROW(ResultsFolder(folder.path / "a/b" / name), std::system_error);
   EXPECT_EQ(folder.names(), Names{});
 }
@@ -333,7 +334,7 @@ TEST(ExperimentsResultsFolder, ErrorsOfTheHostNameTheUsersPath) {
             "/dev/full: cannot be written: No space left on device");
 }
 
-// Where folders cannot be exchanged in one step, a crash may leave the old results aside.
+// On file systems without an atomic exchange, a crash may leave the old results moved aside.
 TEST(ExperimentsResultsFolder, FindsOlderResultsThatWereMovedAside) {
   const TemporaryFolder folder;
   const auto aside = folder.path / (hidden("out.old") + std::to_string(dead_process()));
@@ -344,12 +345,13 @@ TEST(ExperimentsResultsFolder, FindsOlderResultsThatWereMovedAside) {
   EXPECT_EQ(folder.names(), Names{"out"});
 }
 
-// As when a signal arrives while a drawing is being written.
+// Simulates a signal that arrives while a drawing is being written.
 TEST(ExperimentsResultsFolder, IsRemovedWhileSomebodyWritesThere) {
   for (int time = 0; time < 20; ++time) {
     const TemporaryFolder folder;
     test::run_isolated([&] {
-      // Both are leaked: leaving a section would wait for the end of the program.
+      // Both objects are leaked, since leaving a critical section would wait for the end of the
+      // program.
       const auto* results = new ResultsFolder(folder.path / "out");
       new std::thread([from = results->working() / "new", to = results->working() / "renamed"] {
         for (int i = 0; i < 2000; ++i) {

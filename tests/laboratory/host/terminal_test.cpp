@@ -1,4 +1,4 @@
-// Output for terminals only: progress, and long texts in a pager.
+// Output for terminals only: progress bars, and long texts in a pager.
 #include "tests/laboratory/support/terminal.hpp"
 #include "experiments/laboratory/host/pager.hpp"
 #include "experiments/laboratory/host/progress.hpp"
@@ -11,7 +11,7 @@ TEST(Terminal, TheBarIsShownToItsEnd) {
   const auto text = on_terminal([] {
     Progress bar("drawing");
     bar.show(1, 2);
-    bar.show(2, 2);  // shown at once
+    bar.show(2, 2);  // the last value is shown at once
   });
   EXPECT_TRUE(contains(text, "drawing [===============               ] 1/2, about ")) << text;
   const auto end = text.find("drawing [==============================] 2/2");
@@ -32,7 +32,7 @@ TEST(Terminal, ARenderingShowsHowFarItIs) {
   EXPECT_EQ(folder.names(), std::vector<std::string>{"i.png"});
 }
 
-// Earlier output stands before the pager's text. Without a pager the text is still shown.
+// Earlier output precedes the pager's text. Without a pager the text is still shown.
 TEST(Terminal, APagerShowsTheTextInItsTurn) {
   for (const char* pager : {"cat", "exit 1"}) {
     const auto text = on_terminal([&] {

@@ -1,4 +1,4 @@
-// [[baseline]]: the speed ratio of each row to another row.
+// Tables [[baseline]]: the speed-up of each row over another row.
 #include "base/errors.hpp"
 #include "experiments/laboratory/table/table.hpp"
 #include "tests/laboratory/support/sweep.hpp"

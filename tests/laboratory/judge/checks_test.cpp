@@ -8,7 +8,7 @@
 namespace laboratory {
 namespace {
 
-// Three points with the results given here, in place of a program's.
+// Three points with the given results, in place of a program's.
 struct ChecksCase {
   TemporaryFolder folder;
   ExperimentFile file;
@@ -77,7 +77,7 @@ TEST(ExperimentsChecks, EveryPointIsCompared) {
   EXPECT_FALSE(result.points[1].holds);
 }
 
-// The latencies are 1, 2.2 and 4, the bytes 1, 2 and 4.
+// The latencies are 1, 2.2 and 4; the bytes are 1, 2 and 4.
 TEST(ExperimentsChecks, BoundsDecide) {
   for (const auto& [bounds, verdict] : std::vector<std::pair<std::string, Verdict>>{
            {"at_least = 1", Verdict::holds},
@@ -134,7 +134,7 @@ TEST(ExperimentsChecks, WithinABoundThePointThatIsNearestToItIsTheWorst) {
   EXPECT_EQ(summarize(result, test.table),
             "ok       c: latency_s at 3 point(s), worst 1 (at least 0.5) at topology = line, bytes "
             "= 1");
-  const auto shown = make_check_table(result, test.table, 2);  // the worst first
+  const auto shown = make_check_table(result, test.table, 2);  // sorted, the worst point first
   EXPECT_EQ(shown.columns, (std::vector<std::string>{"topology", "bytes", "simulated", "at least",
                                                      "error", "mark"}));
   EXPECT_EQ(shown.rows.at(0).back(), Value("worst"));

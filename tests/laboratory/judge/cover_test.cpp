@@ -7,7 +7,7 @@
 namespace laboratory {
 namespace {
 
-// Student's interval: it contains nine of ten further points from the errors' distribution.
+// Student's interval contains nine of ten further points from the distribution of the errors.
 TEST(Cover, OwnErrorHasNineOfTenFurtherPoints) {
   constexpr int TRIALS = 20'000;
   for (const std::size_t count : {3, 5, 18}) {
@@ -25,7 +25,7 @@ TEST(Cover, OwnErrorHasNineOfTenFurtherPoints) {
   EXPECT_FALSE(find_own_error({0.1, 0.2}));
 }
 
-// A column t over workers. On nine of ten machines t is between `low` and `high` times its value.
+// A column t over workers. On 90 % of the machines, t is between `low` and `high` times its value.
 struct Sure {
   explicit Sure(std::vector<double> expected, double low = 0.9, double high = 1.1) {
     Confidence confidence;
@@ -53,7 +53,8 @@ TEST(Cover, CountsWhatIsInItsInterval) {
   EXPECT_EQ(sure.covered().inside, 4u);
 }
 
-// References a fifth higher lie outside every interval; a point's own error comes from the others.
+// References 20 % higher lie outside every interval. The model error at a point is estimated from
+// the other points.
 TEST(Cover, OwnErrorMovesTheInterval) {
   const Sure sure({1.2, 1.2, 1.2, 1.2, 1.2, 1.2});
   EXPECT_EQ(sure.covered().inside, 0u);
@@ -72,15 +73,15 @@ TEST(Cover, OwnErrorIsAddedInSquares) {
               1e-9);
 }
 
-// All machines lie above the unchanged model: the interval is no wider than their spread.
+// All machines lie above the nominal model. The interval is no wider than their spread.
 TEST(Cover, MachinesBesideTheModelAreNoWiderThanTheyAre) {
   const Sure sure({1, 1, 1, 1}, 1.2, 1.4);
   EXPECT_EQ(sure.covered().inside, 0u);
   EXPECT_NEAR(sure.covered().with_own_error.value().half_width, 0.1, 1e-9);
 }
 
-// A point is judged by the other points alone: the one of twice the value stays outside and does
-// not widen its own interval.
+// A point is compared with the model error of the other points only. The point of twice the value
+// stays outside, and does not widen its own interval.
 TEST(Cover, APointTellsNothingOfItself) {
   const Sure sure({1.01, 0.99, 1.0, 2.0, 1.01, 0.99});
   EXPECT_EQ(sure.covered().inside, 5u);

@@ -23,7 +23,8 @@ TEST(Rankings, EachCaseOfAQuestionIsToldItsOwn) {
   add_rankings(answers, {.columns = {"question", "at", "best", "machines", "of", "others"},
                          .axes = 2,
                          .rows = {row("fastest", 0, 5), row("fastest", 1, 4),
-                                  row("busiest", 1, 3)}});  // its other case is unknown
+                                  // the second case of "busiest" has no ranking
+                                  row("busiest", 1, 3)}});
   const auto told = [&](std::size_t question, std::size_t at) {
     return to_string(answers[question].best.rows[at].back());
   };

@@ -7,7 +7,7 @@
 namespace laboratory {
 namespace {
 
-// Twelve points: axes topology, then workers and height together, then objects.
+// Twelve points. The axes are topology, then workers and height (coupled), then objects.
 struct RowsCase {
   ExperimentFile file = load(
       "[sweep]\ntopology = [\"tree\", \"mesh\"]\n\"workers, height\" = [[1, 16], [2, 16], [4, "

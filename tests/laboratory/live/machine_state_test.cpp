@@ -1,4 +1,4 @@
-// State of a machine as pages receive it: loads and activities.
+// State of a machine as live pages receive it: loads and activities.
 #include "experiments/laboratory/live/machine_state.hpp"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST_F(Portrait, LoadsAreThereFromTheBeginningAndFollowTheRun) {
   EXPECT_EQ(describe(), ended) << "no time has passed";
 }
 
-// Adjacent spans merge, unless the first has already been taken.
+// Adjacent spans are merged, unless the first one has already been taken.
 TEST_F(Portrait, SpansThatAreTakenAreToldOnce) {
   auto& first = lab.cpu();
   auto& second = lab.cpu();

@@ -27,7 +27,7 @@ using Socket = beast::websocket::stream<tcp::socket>;
 constexpr const char* SMALL_FARM =
     "[network]\nworkers = 2\n[scene]\nobjects = 10\n[image]\nwidth = 16\nheight = 12\n";
 
-// A server, and the parts of its address.
+// A server, with the parts of its address.
 struct Served {
   test::TemporaryFolder folder;
   ExperimentFile file = read(SMALL_FARM, folder.path.string());
@@ -65,7 +65,7 @@ struct Served {
     return response;
   }
 
-  // Throws beast::system_error if the server refuses.
+  // Opens a web socket. Throws beast::system_error if the server refuses.
   Socket open(const std::string& origin, const std::string& host) {
     Socket socket(connect());
     socket.set_option(
@@ -156,7 +156,7 @@ TEST(LiveServer, WithoutTheTokenNothingIsTold) {
   }
 }
 
-// The page sends commands while the run goes on in another thread.
+// The page sends commands while the run continues in another thread.
 TEST(LiveServer, APageSeesTheRunAndSteersIt) {
   test::run_isolated([] {
     Served served;
@@ -171,7 +171,8 @@ TEST(LiveServer, APageSeesTheRunAndSteersIt) {
     EXPECT_EQ(nlohmann::json::parse(enter(served, second)).at("steers"), false);
     say(second, "{\"do\": \"pause\", \"id\": 1}");
     EXPECT_NE(hear(second).find("another page steers"), std::string::npos);
-    // The command to end the interactive phase may come before the phase begins: send it again.
+    // The user's part may not have begun when the command to end it arrives, so the command is
+    // repeated.
     for (std::string reply; reply != "{\"reply\":2,\"refusal\":\"\"}";) {
       say(socket, "{\"do\": \"order\", \"order\": {\"non_interactive\": true}, \"id\": 2}");
       reply = hear(socket);
@@ -190,7 +191,7 @@ TEST(LiveServer, APageSeesTheRunAndSteersIt) {
   });
 }
 
-// The page requests control again and again, and reads nothing.
+// The page requests control repeatedly, and reads nothing.
 TEST(LiveServer, APageThatReadsNothingIsShutAndHurtsNobody) {
   test::run_isolated([] {
     Served served;
@@ -219,14 +220,15 @@ TEST(LiveServer, StrangersLeaveRoomForPages) {
     const auto bring_strangers = [&] {
       for (int i = 0; i < 150; ++i) pending.push_back(served.connect());
       for (int i = 0; i < 80; ++i) silent.push_back(served.open());
-      EXPECT_EQ(served.get("/", served.host()).result(), http::status::ok);  // accepts all
+      // the server still accepts clients
+      EXPECT_EQ(served.get("/", served.host()).result(), http::status::ok);
     };
     bring_strangers();
     auto page = served.open();
     EXPECT_NE(enter(served, page).find("outline"), std::string::npos);
     bring_strangers();
     say(page, "{\"want\": \"frame\"}");
-    hear(page);  // the picture
+    hear(page);  // receives the picture
     EXPECT_NE(hear(page).find("\"state\""), std::string::npos);
     std::vector<Socket> pages;
     for (std::size_t i = 1; i < MOST_CLIENTS; ++i) {
@@ -247,7 +249,7 @@ TEST(LiveServer, AnyTextCanBeTold) {
     auto socket = served.open();
     enter(served, socket);
     say(socket, "{\"want\": \"frame\"}");
-    hear(socket);  // the picture
+    hear(socket);  // receives the picture
     EXPECT_NE(hear(socket).find("caf"), std::string::npos);
   });
 }
@@ -258,7 +260,7 @@ std::string random_bytes(base::Random& random, int most) {
   return bytes;
 }
 
-// A request with an error in it.
+// Makes a request with an error in it.
 std::string random_request(base::Random& random, const std::string& host) {
   std::string request = "GET /live HTTP/1.1\r\nHost: " + host +
                         "\r\nConnection: Upgrade\r\nUpgrade: websocket\r\nOrigin: http://" + host +
@@ -277,7 +279,7 @@ std::string random_request(base::Random& random, const std::string& host) {
     case 3:
       return "GET /" + std::string(static_cast<std::size_t>(random.below(20'000)), 'a');
     default:
-      return request + random_bytes(random, 200);  // frames
+      return request + random_bytes(random, 200);  // random bytes as web socket frames
   }
 }
 
@@ -287,7 +289,7 @@ long memory_kb() {
   return usage.ru_maxrss;
 }
 
-// TLAB_HOSTILE=100000 sets the number of clients.
+// The environment variable TLAB_HOSTILE sets the number of clients, such as 100000.
 TEST(LiveServer, HostileClientsDoNotGetInNorStopIt) {
   const char* asked = std::getenv("TLAB_HOSTILE");
   const int clients = asked ? std::atoi(asked) : 2000;
@@ -313,7 +315,7 @@ TEST(LiveServer, HostileClientsDoNotGetInNorStopIt) {
   }
   half_open.clear();
   EXPECT_LT(memory_kb() - before_kb, 32 * 1024);
-  for (int tries = 0; tries < 100; ++tries) {  // until half-open connections are gone
+  for (int tries = 0; tries < 100; ++tries) {  // retry until the half-open connections are closed
     try {
       EXPECT_EQ(served.get("/", served.host()).result(), http::status::ok);
       return;

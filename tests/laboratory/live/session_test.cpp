@@ -17,7 +17,7 @@ const std::string IIRRA =
 
 Command order(Command what) { return {{"do", "order"}, {"order", std::move(what)}}; }
 
-// A random order that a user may give at any time.
+// Makes a random order that a user may give at any time.
 Command random_order(base::Random& random, int number) {
   const int x = random.below(16), y = random.below(8);
   switch (random.below(7)) {
@@ -46,7 +46,7 @@ std::multimap<int, Command> random_commands(base::Random& random, int calls) {
   return commands;
 }
 
-// Number of calls of the session in a run without orders.
+// Counts the calls of the session in a run without orders.
 int count_calls(const std::string& text) {
   const test::TemporaryFolder folder;
   return std::stoi(
@@ -76,7 +76,8 @@ void compare_random_sessions(const std::string& text, std::uint64_t first, int c
   }
 }
 
-// Orders in close succession, some while the previous one is still being handed over.
+// Compares sessions with orders in close succession, some of which arrive while the previous one is
+// still being delivered.
 void compare_dense_sessions(const std::string& text, std::uint64_t seed, int count) {
   const int calls = count_calls(text);
   base::Random random(seed);
@@ -105,7 +106,7 @@ TEST(LiveSession, OrdersInOneMomentAfterTheOtherAreRunAgainAsTheyWere) {
   compare_dense_sessions(IIRRA + "[[stage]]\n", 302, 8);
 }
 
-// The file's order comes long after the picture is complete.
+// The file has an order long after the picture is complete.
 TEST(LiveSession, ALateOrderOfTheFileIsWaitedFor) {
   compare_session(FARM + "[[order]]\nat_s = 100\nsave = \"late\"\n", {});
 }
@@ -120,7 +121,7 @@ TEST(LiveSession, FaultsOfRoutersAreRunAgainAsTheyWere) {
   compare_session(text, {{calls / 3, Command{{"do", "fault"}, {"processor", 4}}}});
 }
 
-// Routers have full buffers: a process throws, and leaves no wait behind.
+// Routers have full buffers, so a process throws an exception and has no wait to describe.
 TEST(LiveSession, AProcessThatThrewIsNotLookedAt) {
   const test::TemporaryFolder folder;
   const std::string text =
@@ -167,7 +168,7 @@ TEST(LiveSession, WhoWatchesChangesNothing) {
   }
 }
 
-// At a speed that lets frames follow each other immediately.
+// The speed lets frames follow each other immediately.
 TEST(LiveSession, FramesAreMadeForPagesThatWantThem) {
   const test::TemporaryFolder folder;
   run_isolated([&] {

@@ -11,8 +11,8 @@
 
 namespace laboratory {
 
-// Forwards all calls to a session, and gives each command at its number of calls, or as soon as the
-// run waits. In the end it leaves the interactive phase.
+// Forwards all calls to a session. Gives each command after a number of calls, or as soon as the
+// run waits. At the end it ends the user's part.
 struct Driven : observe::RunController {
   Driven(Session& session, std::multimap<int, Session::Command> commands)
       : session(session), commands(std::move(commands)) {}
@@ -68,7 +68,7 @@ struct Watched {
   std::string result, recording;
   std::vector<std::string> replies;
   std::optional<double> ended_by_hand_s;
-  std::shared_ptr<const Frame> frame;  // the last
+  std::shared_ptr<const Frame> frame;  // last frame
   int calls = 0;
 };
 

@@ -31,7 +31,8 @@ TEST_F(PlacesOf, ANetworkAreThoseOfItsDrawing) {
   expect_place(places[0], drawn[0].x, drawn[0].y + 1);
 }
 
-// Above, if that position is free; also if rounding makes the distance less than 1.
+// Other processors are placed above their neighbour if that position is free. Rounding may make the
+// distance slightly less than 1.
 TEST_F(PlacesOf, OthersAreBesideThoseThatTheyAreJoinedTo) {
   auto& root = lab.cpu();
   lab.neighbour(root);

@@ -1,4 +1,4 @@
-// results.schema.json, and numbers in run.json.
+// The file results.schema.json, and numbers in run.json.
 #include <nlohmann/json.hpp>
 
 #include "experiments/laboratory/table/table.hpp"

@@ -1,4 +1,4 @@
-// Images of programs: saved by content, placed once, shown; and their distinguishing names.
+// Images of programs: stored by content, placed once, and shown under distinguishing names.
 #include "experiments/laboratory/points/images.hpp"
 
 #include "experiments/laboratory/points/point_store.hpp"
@@ -31,7 +31,7 @@ TEST(ExperimentsImages, AreFilesNamedByContent) {
   EXPECT_EQ(folder.names().size(), 3u) << "and nothing else is left behind";
 }
 
-// A record with a missing image does not count: the point runs again.
+// A record with a missing image does not count, so the point runs again.
 TEST(ExperimentsImages, ARecordNeedsAllOfItsImages) {
   const TemporaryFolder folder;
   const auto records = folder.path / records_folder();
@@ -52,7 +52,7 @@ TEST(ExperimentsImages, ARecordNeedsAllOfItsImages) {
   }
 }
 
-// Images of four points that depend on x alone, except the third's: names show this.
+// Images of four points depend only on x, except that of the third point. Their names show this.
 TEST(ExperimentsImages, EqualOnesArePlacedOnceUnderWhatSetsThemApart) {
   const TemporaryFolder folder;
   const auto records = folder.path / "records", placed = folder.path / "placed";
@@ -78,8 +78,8 @@ TEST(ExperimentsImages, EqualOnesArePlacedOnceUnderWhatSetsThemApart) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(placed), {}), 4);
 }
 
-// Key images of a stage show each machine's progress. Their names contain the axes that change
-// them; an image that is the same for all keeps its own name.
+// Key images of a stage show the progress of each machine. Their names contain the axes that change
+// them. An image that is the same for all keeps its own name.
 TEST(ExperimentsImages, NamedOnesAreToldApartOnlyWhereTheyDiffer) {
   const TemporaryFolder folder;
   const auto records = folder.path / "records", placed = folder.path / "placed";

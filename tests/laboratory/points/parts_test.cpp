@@ -1,4 +1,4 @@
-// Programs with named choices, several rows a point, and notes.
+// Programs with named choices, several rows per point, and notes.
 #include <fstream>
 
 #include "base/errors.hpp"
@@ -35,7 +35,7 @@ TEST(ExperimentsChoices, AreTextsInTheFile) {
   }
 }
 
-// Three processors in a line or a ring, with pairs all or root: six rows, three a point.
+// Three processors in a line or a ring, with pairs all or root: six rows, three per point.
 struct Parts : Sweep {
   Parts() {
     std::ofstream(folder.path / "ref.csv")
@@ -86,7 +86,8 @@ TEST_F(Parts, PointsOneByOneGiveTheSameResults) {
   const auto merged = tlab(folder.path, {"merge", "s"});
   ASSERT_EQ(merged.exit_code, 0) << merged.err;
   auto expected = visible("r"), found = visible("s");
-  for (auto* files : {&expected, &found}) files->erase("report.html");  // names its folder
+  // the page contains the folder's name
+  for (auto* files : {&expected, &found}) files->erase("report.html");
   EXPECT_EQ(expected, found);
   ASSERT_EQ(tlab(folder.path, {"report", "s"}).exit_code, 0);
   EXPECT_EQ(read_file(folder.path / "s/results.csv"), read_file(folder.path / "r/results.csv"));
@@ -114,7 +115,7 @@ TEST_F(Parts, NotesNameTheirPoint) {
   EXPECT_TRUE(contains(all.out, "\n...\n")) << all.out;
 }
 
-// The second of three points failed, the third was cut short.
+// The second of three points failed, and the third was cut short.
 TEST(ExperimentsParts, APointWithoutRowsKeepsOneWithoutParts) {
   const auto file =
       load(MINIMAL + "[sweep]\nworkers = [2, 3, 4]\n[network]\ntopology = \"line\"\n" +

@@ -1,4 +1,4 @@
-// Keys of points: equal if the results are equal.
+// Keys of points, which are equal if the results are equal.
 #include "experiments/laboratory/points/point_store.hpp"
 
 #include <gtest/gtest.h>

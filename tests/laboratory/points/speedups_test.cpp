@@ -34,7 +34,7 @@ TEST(ExperimentsSpeedups, AreAgainstOneProcessorAndOtherwiseTheSame) {
   EXPECT_EQ(table.rows[5][3], Value()) << "no ring of one";
 }
 
-// The time of a run that was cut short gives no speed-up, neither as numerator nor as base.
+// The time of a run that was cut short yields no speed-up, neither as numerator nor as base.
 TEST(ExperimentsSpeedups, NeedRunsThatCameToTheirEnd) {
   for (const char* ended : {"limit", "interrupt", "deadlock"}) {
     auto table = make({{"mesh", I{1}, 8.0, {}, {}, ended},
@@ -58,7 +58,7 @@ TEST(ExperimentsSpeedups, NeedAnAxisOfProcessors) {
   EXPECT_EQ(table.rows[0][3], Value());
 }
 
-// A column of a run's results, one text a row.
+// A column of a run's results, one string per row.
 std::vector<std::string> run_column(const TemporaryFolder& folder, const std::string& network,
                                     const std::string& column) {
   std::ofstream(folder.path / "e.toml") << "[image]\nwidth = 12\nheight = 8\n[scene]\nobjects = 9\n"
@@ -70,7 +70,7 @@ std::vector<std::string> run_column(const TemporaryFolder& folder, const std::st
   return cells;
 }
 
-// A single worker runs once more only if the sweep has none.
+// A single worker is run additionally only if the sweep has none.
 TEST(ExperimentsSpeedups, OfANetworkWithASizeOfItsOwnAreAgainstASingleWorker) {
   const TemporaryFolder folder;
   const auto records = [&] {
@@ -93,7 +93,8 @@ TEST(ExperimentsSpeedups, OfANetworkWithASizeOfItsOwnAreAgainstASingleWorker) {
   EXPECT_EQ(records(), 2u);
 }
 
-// A run of a single worker that was cut short is no base, whether in the sweep or additional.
+// A run of a single worker that was cut short is no base, whether it is part of the sweep or
+// additional.
 TEST(ExperimentsSpeedups, ASingleWorkerThatIsCutShortIsNoBase) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "e.toml") << "[image]\nwidth = 12\nheight = 8\n[scene]\nobjects = 9\n"

@@ -51,7 +51,7 @@ TEST_F(Sweep, PointsThatFailAreNamedAndTheOthersKept) {
   EXPECT_EQ(json["complete"], false);
   EXPECT_TRUE(contains(json["points"][0]["message"], "out of memory"));
   EXPECT_TRUE(json["points"][1].contains("use"));
-  // Failed points run again; a single point has its own exit code.
+  // Failed points run again. A single point has its own exit code.
   EXPECT_TRUE(contains(run({"-o", "r1", "--list"}).out, "workers = 2\tthere"));
   const auto again = run({"-o", "r1"});
   EXPECT_EQ(again.exit_code, 3);
@@ -80,7 +80,7 @@ TEST_F(Sweep, NothingIsWrittenIfAllPointsFail) {
   EXPECT_EQ(folder.names(), Arguments{"e.toml"});
 }
 
-// The first point with these images fails: another provides the key images and the report.
+// The first point with these images fails. Another point provides the key images and the report.
 TEST_F(Sweep, KeyImagesOutliveAPointThatFails) {
   ASSERT_EQ(run({"-o", "whole", "--set", "sweep.objects=[20]"}).exit_code, 0);
   write_file(folder.path / "e.toml",
@@ -158,7 +158,7 @@ TEST_F(Sweep, ResultsOfAnotherExperimentAreNotTouched) {
       EXPECT_TRUE(contains(refused.err, told)) << refused.err;
       EXPECT_EQ(visible("r"), before);
     }
-  // Another title in the same file is the same experiment; so are results without a name.
+  // A file with another title is the same experiment, and so are results without a name.
   EXPECT_EQ(run({"-o", "r"}).exit_code, 0);
   fs::remove_all(folder.path / "r/points");
   EXPECT_EQ(tlab(folder.path, {"run", "other.toml", "-o", "r"}).exit_code, 2);
@@ -166,7 +166,8 @@ TEST_F(Sweep, ResultsOfAnotherExperimentAreNotTouched) {
   EXPECT_EQ(tlab(folder.path, {"run", "other.toml", "-o", "r"}).exit_code, 0);
 }
 
-// All its points exist, so the run would write no record that could be refused.
+// All points of the other experiment have records here. The run writes no new record, so the check
+// must come before.
 TEST_F(Sweep, AnotherExperimentWithTheSamePointsIsRefused) {
   std::ofstream(folder.path / "other.toml") << "title = \"other\"\n" << SWEEP;
   ASSERT_EQ(run({"-o", "r"}).exit_code, 0);
@@ -177,7 +178,7 @@ TEST_F(Sweep, AnotherExperimentWithTheSamePointsIsRefused) {
   EXPECT_EQ(visible("r"), before);
 }
 
-// A folder that the user made stays; a folder that the run made is removed on failure.
+// A folder that the user made stays. A folder that the run made is removed on failure.
 TEST_F(Sweep, AFolderThatWasThereOutlivesARunThatFails) {
   std::ofstream(folder.path / "e.toml") << "[program]\nname = \"deadlock\"\n";
   fs::create_directory(folder.path / "made");
@@ -185,7 +186,7 @@ TEST_F(Sweep, AFolderThatWasThereOutlivesARunThatFails) {
   EXPECT_EQ(folder.names(), (Arguments{"e.toml", "made"}));
 }
 
-// The process that writes the first record owns the folder; others fail at their first record.
+// The process that writes the first record owns the folder. Others fail at their first record.
 TEST_F(Sweep, OfTwoExperimentsStartedAtOnceOneHasTheFolder) {
   std::ofstream(folder.path / "other.toml") << "title = \"other\"\n" << SWEEP;
   for (int i = 0; i < 5; ++i) {
@@ -207,7 +208,7 @@ TEST_F(Sweep, OfTwoExperimentsStartedAtOnceOneHasTheFolder) {
   for (const auto& name : folder.names()) EXPECT_FALSE(name.starts_with('.')) << name;
 }
 
-// Partial records of killed processes are removed; those of live processes stay.
+// Partial records of killed processes are removed. Those of live processes stay.
 TEST_F(Sweep, HalfWrittenRecordsOfKilledProcessesGo) {
   ASSERT_EQ(run({"-o", "r", "--point", "0-5"}).exit_code, 0);
   const auto store = records("r")[0].parent_path();
@@ -219,7 +220,7 @@ TEST_F(Sweep, HalfWrittenRecordsOfKilledProcessesGo) {
   EXPECT_TRUE(fs::exists(alive));
 }
 
-// Puts a failing program of this name first on PATH during its lifetime.
+// Puts a failing program of this name first on PATH while the object lives.
 class Failing {
  public:
   Failing(const fs::path& folder, const char* name) {
@@ -263,7 +264,7 @@ TEST_F(Sweep, DrawingsThatFailCostNoResults) {
   }
 }
 
-// A failed check outweighs a failed drawing; both are reported.
+// A failed check outweighs a failed drawing. Both are reported.
 TEST_F(Sweep, ADrawingThatFailsHidesNoCheck) {
   const Failing failing(folder.path / "bin", "gnuplot");
   const auto failed = run({"-o", "r", "--set", "check=[{name=\"c\", of=\"rays\", at_most=1}]"});
@@ -289,7 +290,7 @@ TEST_F(Sweep, ARecordThatCannotBeReadCostsItsDrawingAlone) {
   EXPECT_EQ(visible("r").size(), networks - 1);
 }
 
-// An unknown column name is found after the first point, and loses no point.
+// An unknown column name is found after the first point, whose result is kept.
 TEST_F(Sweep, ATypoInACheckCostsNoPoint) {
   const auto mistaken = run({"-o", "r", "--jobs", "1", "--set", "let={half=\"rayz / 2\"}", "--set",
                              "check=[{name=\"c\", of=\"rays\", within=1, formula=\"half\"}]"});
@@ -329,7 +330,7 @@ TEST_F(Sweep, MistakesAreNamed) {
   EXPECT_EQ(folder.names(), Arguments{"e.toml"});
 }
 
-// JSON cannot hold the name: refused before anything runs.
+// JSON cannot express the name, which is refused before anything runs.
 TEST_F(Sweep, AFileWhoseNameIsNoUtf8IsRefused) {
   const std::string name = "e\xff.toml", folder_name = "f\xff";
   fs::copy(folder.path / "e.toml", folder.path / name);

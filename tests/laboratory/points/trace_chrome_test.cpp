@@ -1,4 +1,4 @@
-// Trace Event Format, read back by a JSON parser.
+// Traces in the Trace Event Format, read back by a JSON parser.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,8 @@ using nlohmann::json;
 
 struct Events {
   std::map<std::string, std::vector<json>> by_category;
-  std::map<std::string, json> names;  // of processes and tracks, by keys such as "process_name 1 1"
+  // names of processes and tracks, by keys such as "process_name 1 1"
+  std::map<std::string, json> names;
 };
 
 Events read(const std::string& text) {
@@ -32,7 +33,7 @@ Events read(const std::string& text) {
   return events;
 }
 
-// Compares times to the nanosecond, the file's resolution.
+// Compares times to the nanosecond, the resolution of the file.
 void expect_times(const json& event, double from_s, double to_s) {
   EXPECT_EQ(std::llround(event.at("ts").get<double>() * 1e3), std::llround(from_s * 1e9));
   EXPECT_EQ(std::llround(event.at("dur").get<double>() * 1e3),
@@ -63,7 +64,7 @@ TEST(TraceChrome, NamesProcessorsInOrderAndTheirTracks) {
   EXPECT_EQ(names["thread_name 2 5"]["name"], "link to farmer");
 }
 
-// Spans keep the trace's order within their category; so do transfers.
+// Spans keep the order of the trace within their category, and so do transfers.
 TEST(TraceChrome, HoldsEverySpanAndTransferOnce) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));

@@ -1,4 +1,4 @@
-// Columns of a table of results that are shown first.
+// Selection of the columns of results that are shown first.
 #include "experiments/laboratory/points/view.hpp"
 
 #include <fmt/format.h>
@@ -9,8 +9,8 @@
 namespace laboratory {
 namespace {
 
-// Two points of a program, with a parameter that is no axis. One result is used by [let], one is
-// constant, one does not apply, and the others are shown if the width permits.
+// Two points of a program with a parameter that is no axis. Of its results, [let] uses one, one is
+// constant, and one does not apply. The others are shown if the width permits.
 const Table OF_RADIOSITY = {.columns = {"refine", "processors", "mean", "sends", "time_s", "rays",
                                         "speedup", "useful", "ended"},
                             .axes = 1,
@@ -37,7 +37,7 @@ TEST(TableView, AxesThenWhatIsAskedThenOtherResults) {
   EXPECT_EQ(view.constants, constants);
 }
 
-// A check asks for a column through an arbitrarily long chain of definitions.
+// A check may refer to a column through an arbitrarily long chain of definitions.
 TEST(TableView, WhatIsAskedByWayOfManyDefinitions) {
   auto file = read("[let]\nd0 = \"useful\"\n[[check]]\nname = \"c\"\nof = \"d0\"\nat_most = 3\n");
   constexpr int LENGTH = 50'000;
@@ -65,8 +65,8 @@ TEST(TableView, NamedColumns) {
             OF_RADIOSITY.columns);
 }
 
-// At any width the first columns are present and nothing is cut. No line is wider than asked if
-// they leave room.
+// At any width, the first columns are present and nothing is cut. No line is wider than requested
+// if they leave room.
 TEST(TableView, FitsTheWidth) {
   const auto view = choose_view(read(""), OF_RADIOSITY);
   Texts before;

@@ -1,4 +1,4 @@
-// Declared figures: [[plot]] over a table of results.
+// Plots declared by [[plot]], over a table of results.
 #include "experiments/laboratory/report/exhibit.hpp"
 
 #include <cmath>
@@ -11,8 +11,8 @@
 namespace laboratory {
 namespace {
 
-// Speed-ups by Amdahl's law with serial fractions of 1/20 and 1/5; with 32 workers those of the
-// second fall.
+// Speed-ups by Amdahl's law with serial fractions of 1/20 and 1/5. With 32 workers those of the
+// second curve fall.
 struct LawsCase {
   TemporaryFolder folder;
   ExperimentFile file;
@@ -56,7 +56,7 @@ std::vector<std::string> names(const Plot& plot) {
   return names;
 }
 
-// The column finds the curve's intervals.
+// The intervals of a curve are found by its column.
 TEST(ExperimentsExhibits, ACurveKnowsTheColumnThatItShows) {
   const auto shown = LawsCase(plot("")).make();
   ASSERT_FALSE(shown[0].plot.series.empty());
@@ -140,7 +140,7 @@ TEST(ExperimentsExhibits, ReferencesStandBesideWithTheirDifferences) {
             "Speed-up: 4.8 % from the thesis on average, 4.8 % at worst, of 1 points.");
 }
 
-// Efficiencies around a mean of 1 with four points, or around a mean above 1.
+// Efficiencies vary around 1 with only four points, or around a mean above 1.
 TEST(ExperimentsExhibits, IntervalsThatSayNothingAreToldSo) {
   for (const auto& [mean, told] : std::vector<std::pair<std::string, std::string>>{
            {"1", ": the points do not determine it."},

@@ -1,4 +1,4 @@
-// Declared figures and answers in a complete run: files, and messages about mistakes.
+// Declared plots and answers in a complete run: files, and error messages for mistakes.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -44,11 +44,11 @@ TEST(ExperimentsFigures, ARunWritesWhatItFound) {
   for (const char* part : {"What was found", "serial fraction 0.05: serial fraction by Gustafson:",
                            "still rising at 4", "<h3>most</h3>"})
     EXPECT_TRUE(contains(html, part)) << part;
-  // These are results of tlab, so the next run may replace them.
+  // The folder holds results of tlab, so the next run may replace them.
   EXPECT_EQ(tlab(run.folder.path, {"run", "e.toml", "-o", "out"}).exit_code, 0);
 }
 
-// A click on a point shows the loads in its record; the largest are in the table too.
+// A click on a point shows the loads in its record. The largest loads are in the table too.
 TEST(ExperimentsFigures, ThePageKnowsWhyPointsAreNotFaster) {
   if (!is_gnuplot_installed()) GTEST_SKIP() << "gnuplot is not installed";
   const Trial run(
@@ -75,7 +75,7 @@ TEST(ExperimentsFigures, ThePageKnowsWhyPointsAreNotFaster) {
   EXPECT_TRUE(contains(html, "<li>Limited by ") || contains(html, "<li>Nothing is saturated"));
 }
 
-// A point cut short before its first task has no busy time.
+// A point that was cut short before its first task has no busy time.
 TEST(ExperimentsFigures, PointsWithoutTimeHaveAReport) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "e.toml") << "[image]\nwidth = 6\nheight = 4\n";
@@ -84,7 +84,7 @@ TEST(ExperimentsFigures, PointsWithoutTimeHaveAReport) {
   EXPECT_TRUE(contains(read_file(folder.path / "out/report.html"), "\"ended\":\"limit\""));
 }
 
-// Settings that a network or a scene with a fixed size overrides are not reported.
+// Settings that have no effect, because a network or a scene has a fixed size, are not reported.
 TEST(ExperimentsFigures, TheReportSaysWhatRan) {
   const Trial run(
       "[image]\nwidth = 6\nheight = 4\n[network]\ntopology = \"ring:3\"\nworkers = 5\n"

@@ -1,4 +1,4 @@
-// Findings of a report about its plots and its points.
+// Findings of a report about its plots and points.
 #include "experiments/laboratory/report/findings.hpp"
 
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-// Speed-ups of two sizes. The smaller grows as the square root of the workers from 4 on, and
-// coordination limits it from 8 on; the larger is ideal.
+// Speed-ups of two problem sizes. The smaller size grows as the square root of the workers from 4
+// on, and coordination limits it from 8 on. The larger size is ideal.
 struct Sweep {
   Table table{.columns = {"workers", "objects", "speedup"}, .axes = 2, .rows = {}};
   std::vector<PointLoads> points;
@@ -92,7 +92,7 @@ TEST(ExperimentsFindings, CurvesThatAreAlikeAreToldTogether) {
 TEST(ExperimentsFindings, NothingIsSaidOfWhatIsNotKnown) {
   Sweep sweep;
   for (auto& s : sweep.plot.series) s.x.resize(2), s.y.resize(2), s.rows.resize(2);
-  for (auto& x : sweep.plot.series[1].x) x += 0.5;  // no x in common
+  for (auto& x : sweep.plot.series[1].x) x += 0.5;  // the curves have no x in common
   for (auto& point : sweep.points) point.loads.clear();
   EXPECT_EQ(tell_plots({sweep.plot}, false, sweep.table, sweep.points), Texts{});
   EXPECT_EQ(tell_plots({}, true, sweep.table, sweep.points), Texts{});

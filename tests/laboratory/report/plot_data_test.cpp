@@ -1,4 +1,4 @@
-// Plots in the form that the page's script reads.
+// Plots in the format of the page's script.
 #include "experiments/laboratory/report/plot_data.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 using nlohmann::json;
 
-// Two curves of speed-ups: Amdahl's with a tenth of serial work, Gustafson's with a fifth.
+// Two curves of speed-ups: Amdahl's with a serial fraction of 0.1, Gustafson's with 0.2.
 Plot make_example() {
   Plot plot;
   plot.name = "p";
@@ -88,7 +88,7 @@ TEST(ExperimentsPlotData, SpeedUpsHaveBothLaws) {
       {.name = "Amdahl's law (± 95 %)", .x = {1}, .y = {1}, .kind = SeriesKind::law});
   EXPECT_TRUE(serials("Amdahl's law").empty()) << "it is drawn already";
   EXPECT_EQ(serials("Gustafson's law").size(), 2u);
-  for (double& y : plot.series[1].y) y *= 4;  // faster than ideal: not a serial fraction
+  for (double& y : plot.series[1].y) y *= 4;  // a speed-up above the ideal has no serial fraction
   EXPECT_EQ(serials("Gustafson's law").size(), 1u);
 }
 

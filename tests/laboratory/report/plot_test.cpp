@@ -15,7 +15,7 @@ using Names = std::vector<std::string>;
 
 Value integer(int value) { return std::int64_t{value}; }
 
-// A sweep with unordered workers: t = objects / workers.
+// A sweep with unordered workers, where t = objects / workers.
 Table make_sweep(const Names& topologies, const std::vector<int>& objects,
                  const std::vector<int>& workers) {
   Table table{
@@ -246,7 +246,7 @@ TEST(ExperimentsDrawing, DrawsEveryKindOfAxis) {
       }
 }
 
-// For names of any length, the key ends above the drawing's lower edge.
+// The legend ends above the lower edge of the drawing, whatever the length of names.
 TEST(ExperimentsDrawing, TheKeyFitsIntoTheDrawing) {
   if (!is_gnuplot_installed()) GTEST_SKIP() << "gnuplot is not installed";
   const TemporaryFolder folder;

@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::string_literals;
 
-// One black pixel.
+// A PNG with one black pixel.
 const std::string PNG =
     "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x08\0\0\0\0\x3a\x7e\x9b\x55\0\0\0\nIDAT\x78\x9c"
     "\x63\x60\0\0\0\2\0\1\x48\xaf\xa4\x71\0\0\0\0IEND\xae\x42\x60\x82"s;
@@ -115,7 +115,7 @@ TEST(ExperimentsReport, NeedsNothingFromOutside) {
     EXPECT_TRUE(target.starts_with("data:") || target.starts_with("#")) << it->str();
     ++references;
   }
-  EXPECT_EQ(references, 4u);  // the image, the CSV, a reference in each plot
+  EXPECT_EQ(references, 4u);  // the image, the CSV, and a reference in each plot
   EXPECT_EQ(count(html, "@import"), 0u);
   EXPECT_EQ(count(html, "<link"), 0u);
 }
@@ -127,7 +127,7 @@ TEST(ExperimentsReport, EscapesEveryText) {
     EXPECT_EQ(count(html, tag), 0u) << tag;
   EXPECT_EQ(count(html, "<script"), 2u);
   EXPECT_EQ(count(html, "</script"), 2u);
-  EXPECT_EQ(count(html, "&lt;script&gt;"), 3u);  // title, heading, experiment
+  EXPECT_EQ(count(html, "&lt;script&gt;"), 3u);  // title, heading and experiment
   Report report;
   report.title = "{{<&>}}\"'\x01";
   EXPECT_EQ(count(make_report(report), "<h1>{{&lt;&amp;&gt;}}&quot;&#39;\xef\xbf\xbd</h1>"), 1u);
@@ -184,7 +184,7 @@ TEST(ExperimentsReport, TagsAreBalanced) {
   EXPECT_GT(closed, 50);
 }
 
-// Data of the element that the page's script reads.
+// The data of the element that the page's script reads.
 nlohmann::json read_data(const std::string& html) {
   const std::string begin = "<script type=\"application/json\"";
   const auto from = html.find('>', html.find(begin)) + 1;
@@ -210,7 +210,8 @@ TEST(ExperimentsReport, ThePageKnowsItsPlotsAndPoints) {
   EXPECT_EQ(count(html, "<tr data-point="), 2u) << "rows of points that are not told";
 }
 
-// Only these scripts run: the policy names them by a nonce unknown to authors of texts in the page.
+// The page's policy names its scripts by a nonce. The author of a text in the page does not know
+// it.
 TEST(ExperimentsReport, NoOtherScriptRuns) {
   const TemporaryFolder folder;
   auto report = make_example(folder);
@@ -246,7 +247,7 @@ TEST(ExperimentsReport, BadFilesAreNamed) {
             std::string::npos);
 }
 
-TEST(ExperimentsReport, Base64AsInTheStandard) {  // RFC 4648, section 10
+TEST(ExperimentsReport, Base64AsInTheStandard) {  // examples of RFC 4648, section 10
   EXPECT_EQ(to_base64(""), "");
   EXPECT_EQ(to_base64("f"), "Zg==");
   EXPECT_EQ(to_base64("fo"), "Zm8=");

@@ -1,4 +1,4 @@
-// An experiment from its text, as if read from a file e.toml.
+// An experiment loaded from a text, as if from a file e.toml.
 #pragma once
 
 #include <fstream>
@@ -17,7 +17,7 @@ inline ExperimentFile load(const std::string& text,
   return load_experiment(path.string(), overrides);
 }
 
-// The value of a parameter, and the same as text for people.
+// The value of a parameter, and its text for display.
 inline base::Scalar get_value(const Experiment& e, const std::string& parameter) {
   return e.program->find(parameter)->get(e.params);
 }

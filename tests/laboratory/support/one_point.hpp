@@ -9,7 +9,7 @@
 namespace laboratory {
 
 /// Arguments that run the farm of experiments/farm.toml with three workers, 16 x 12 pixels and 20
-/// spheres; `more` is appended.
+/// spheres. `more` is appended.
 inline std::vector<std::string> one_point(const std::vector<std::string>& more) {
   std::vector<std::string> all{"run",   ::test::in_sources("experiments/farm.toml"),
                                "--set", "image.width=16",

@@ -1,4 +1,4 @@
-// Shared by the tests of the laboratory: files, and whether gnuplot is installed.
+// Functions that tests of the laboratory share: files, and whether gnuplot is installed.
 #pragma once
 
 #include <gtest/gtest.h>

@@ -25,7 +25,7 @@ struct Sweep : testing::Test {
     more.insert(more.begin(), {"run", "e.toml"});
     return tlab(folder.path, more);
   }
-  // All user-visible files of a folder of results: name -> bytes.
+  // The user-visible files of a results folder: their contents by name.
   std::map<std::string, std::string> visible(const std::string& name) const {
     std::map<std::string, std::string> files;
     const auto root = folder.path / name;

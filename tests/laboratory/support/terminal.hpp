@@ -1,4 +1,4 @@
-// Runs a part of a test on a terminal.
+// Execution of a part of a test on a terminal.
 #pragma once
 
 #include <pty.h>
@@ -11,7 +11,7 @@
 
 namespace laboratory {
 
-/// Terminal output of `body`, run in its own process; lines end with "\r\n".
+/// The terminal output of `body`, which runs in its own process. Lines end with "\r\n".
 inline std::string on_terminal(const std::function<void()>& body) {
   std::fflush(nullptr);
   int terminal = -1;

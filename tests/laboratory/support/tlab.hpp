@@ -19,7 +19,7 @@ struct Outcome {
   std::string out, err;
 };
 
-/// Starts tlab with `folder` as its current folder and `handler` for the signals that ask it to
+/// Starts tlab with `folder` as its current folder, and `handler` for the signals that ask it to
 /// end. Its output goes to the files .out and .err there.
 inline pid_t start_tlab(const std::filesystem::path& folder, std::vector<std::string> arguments,
                         void (*handler)(int) = SIG_DFL) {
@@ -37,7 +37,7 @@ inline pid_t start_tlab(const std::filesystem::path& folder, std::vector<std::st
   _exit(code);
 }
 
-/// Waits for the process that start_tlab() started in `folder`; removes the files.
+/// Waits for the process that start_tlab() started in `folder`, and removes the files.
 inline Outcome wait_for_tlab(const std::filesystem::path& folder, pid_t pid) {
   int status = 0;
   waitpid(pid, &status, 0);

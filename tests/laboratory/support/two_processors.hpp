@@ -4,8 +4,8 @@
 
 namespace laboratory {
 
-/// At 2^24 cycles and 2^20 bytes a second: one processor computes for a quarter of a second, then
-/// sends for another quarter. Then the receiver computes for half a second.
+/// The machine has 2^24 cycles and 2^20 bytes per second. One processor computes for a quarter of a
+/// second, then sends for another quarter. Then the receiver computes for half a second.
 inline void start_two_processors(occam::Lab& lab) {
   auto& first = lab.cpu();
   auto& second = lab.neighbour(first);

@@ -10,7 +10,7 @@
 namespace laboratory {
 namespace {
 
-// y = a + x / b at some x, in the logarithm.
+// Fits the logarithm of y = a + x / b at these x.
 const std::vector<double> X = {1, 2, 4, 8, 16, 32, 64, 128, 256, 512};
 
 Step steps(const std::vector<double>& all) {
@@ -28,7 +28,7 @@ Residuals line_residuals(const std::vector<double>& y, double grain = 0) {
   };
 }
 
-// Nineteen of twenty intervals contain the number behind the measurements.
+// 19 of 20 intervals contain the true value of the parameter.
 TEST(LeastSquares, IntervalsHoldTheirNumber) {
   constexpr int TRIALS = 2000;
   std::mt19937_64 random(20261125);
@@ -45,7 +45,7 @@ TEST(LeastSquares, IntervalsHoldTheirNumber) {
   for (const int count : inside) EXPECT_NEAR(count / double(TRIALS), 0.95, 0.015);
 }
 
-// A model that rounds is a step function: difference steps wider than its treads see the slope.
+// A model that rounds is a step function. Differences over more than one step find its slope.
 TEST(LeastSquares, StepsAreWiderThanARoundingModels) {
   std::vector<double> y;
   for (const double x : X) y.push_back(20 + x / 1.7);

@@ -53,7 +53,7 @@ TEST(ExperimentsGrowth, PowersHaveNoBend) {
   }
 }
 
-// About 1/s processors reach half of Amdahl's largest speed-up.
+// About 1/s processors reach half of the limit of Amdahl's speed-up.
 TEST(ExperimentsGrowth, AmdahlsLawBendsNearOneOverItsSerialFraction) {
   Values x, y;
   for (int n = 1; n <= 1024; n *= 2) x.push_back(n);

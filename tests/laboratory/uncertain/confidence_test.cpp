@@ -1,4 +1,4 @@
-// Texts and drawings about drawn machines.
+// Texts and drawings about the uncertainty of results.
 #include "experiments/laboratory/uncertain/confidence.hpp"
 
 #include <gtest/gtest.h>

@@ -89,7 +89,7 @@ TEST(Draw, WhatIsCalibratedHoldsItsCell) {
   }
 }
 
-// Other costs in the cell may not exceed it, for any value of the entry.
+// Throws if the other costs in a calibrated cell exceed its value, whatever the value of the entry.
 TEST(Draw, WhatCannotBeHeldIsRefused) {
   const auto draw = [](const std::string& holds) {
     const test::TemporaryFolder folder;

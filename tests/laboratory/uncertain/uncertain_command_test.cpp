@@ -53,7 +53,7 @@ TEST_F(Uncertain, LeavesTheResultsAsTheyAreAndTheirIntervalsBeside) {
 
 TEST_F(Uncertain, GivesTheSameBytesWithAnyJobsAndHowevOftenItIsResumed) {
   ASSERT_EQ(run({"--uncertain", "6", "--jobs", "1", "-o", "a"}).exit_code, 0);
-  // Some points first, as on a cluster; then the rest.
+  // Runs some points first, as on a cluster, then the rest.
   for (const auto* points : {"0-3", "9-11"})
     ASSERT_EQ(run({"--uncertain", "6", "--point", points, "-o", "b"}).exit_code, 0);
   const auto outcome = run({"--uncertain", "6", "--jobs", "2", "-o", "b"});
@@ -67,13 +67,13 @@ TEST_F(Uncertain, GivesTheSameBytesWithAnyJobsAndHowevOftenItIsResumed) {
   const auto page = read("b/report.html");
   ASSERT_EQ(tlab(folder.path, {"report", "b"}).exit_code, 0);
   EXPECT_EQ(read("a/intervals.csv"), read("b/intervals.csv"));
-  EXPECT_EQ(run({"--uncertain", "6", "-o", "b"}).exit_code, 0);  // into its own results
+  EXPECT_EQ(run({"--uncertain", "6", "-o", "b"}).exit_code, 0);  // replaces its own results
   EXPECT_EQ(page, read("b/report.html"));
 }
 
 TEST_F(Uncertain, KilledItGoesOnToTheSameBytes) {
   ASSERT_EQ(run({"--uncertain", "6", "-o", "a"}).exit_code, 0);
-  const auto count_records = [&] {  // finished records, which are never removed
+  const auto count_records = [&] {  // counts finished records, which are never removed
     std::size_t count = 0;
     const auto points = folder.path / "b/points";
     if (!fs::exists(points)) return count;
@@ -96,7 +96,7 @@ TEST_F(Uncertain, KilledItGoesOnToTheSameBytes) {
     EXPECT_EQ(read("a/" + std::string(file)), read("b/" + std::string(file))) << file;
 }
 
-// Three workers are faster than one on any machine; two networks of one worker are equal.
+// Three workers are faster than one on any machine. Two networks of one worker are equally fast.
 TEST_F(Uncertain, SaysOnHowManyMachinesARankingHolds) {
   write_file(folder.path / "e.toml",
              TWO_POINTS +
