@@ -1,5 +1,6 @@
 #pragma once
-// The switch of a mutated build (sites.py): every source includes this before all else.
+// Switch between the mutants of a build (sites.py). Every source includes this before everything
+// else.
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -13,7 +14,8 @@ namespace mutation {
 constexpr int UNKNOWN = -1, NONE = 0, MOST = 1 << 20;
 
 inline constinit int active = UNKNOWN;
-inline constinit char* reached = nullptr;  // by mutant; a file shared by all processes of a test
+// flag for each mutant, in a file shared by all processes of a test
+inline constinit char* reached = nullptr;
 
 inline void load() {
   const char* number = std::getenv("TLAB_MUTANT");

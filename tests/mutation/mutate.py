@@ -26,13 +26,14 @@ from sites import Site, find_sites
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build" / "mutation"
-# The build tree's place within its sources is a user's: a compiler cache serves all unmutated files.
+# The mutated sources are compiled below the build tree under the paths of a normal build, so that a
+# compiler cache serves all unmutated files.
 SOURCE = BUILD / "source"
 TREE = SOURCE / "build" / "release"
 RESULTS = BUILD / "results.json"
 ROOMS = ["base", "topologies", "renderer", "simulator", "experiments"]
 JUDGED = Path(__file__).parent / "judged.toml"
-# Tests of source text, of other programs, and of tests like this one.
+# Tests that are not run: of source text, of other programs, and of tests like this one.
 NOT_RUN = re.compile(r"^(Kills|Fuzz|IncludeGraph|Docs|Consumer|Install)\b|Spin|HaveAtMost100Lines")
 
 
@@ -96,7 +97,7 @@ def choose(rooms, number, seed):
     drawn = {file: draw_apart(sites[file], share, draw) for file in files}
     chosen, some = [], True
     while some and len(chosen) < number:
-        # A round takes one place of each room, from the source with the fewest so far.
+        # Each round takes one place from each room, from the source with the fewest so far.
         some = False
         for room in draw.sample(sorted(by_room), len(by_room)):
             left = [file for file in files if drawn[file] and room_of(file) == room]
@@ -128,7 +129,7 @@ def write_sources(mutants, left_out=()):
     for folder in {SOURCE / Path(file).parts[0] for file in filter(None, listed) if "/" in file}:
         for path in folder.rglob("*"):
             if path.is_file() and str(path.relative_to(SOURCE)) not in listed:
-                path.unlink()  # from an earlier call
+                path.unlink()  # left by an earlier call
     header = Path(__file__).with_name("mutant.hpp")
     if not (SOURCE / header.name).exists() or (SOURCE / header.name).read_bytes() != header.read_bytes():
         shutil.copy(header, SOURCE)
@@ -145,12 +146,13 @@ def build(mutants, targets):
                               text=True, capture_output=True)
         if made.returncode == 0:
             return left_out
-        # The mutants on the lines with errors, or, if none, all in their files.
+        # Finds the mutants on the lines with errors; if there are none, all mutants in these files.
         wrong, files = set(), set()
         for file, line in set(re.findall(r"([\w/.-]+\.cpp):(\d+):\d+: error", made.stdout + made.stderr)):
             path = (TREE / file).resolve()
             files.add(str(path.relative_to(SOURCE)))
-            text = "\n".join(path.read_text().split("\n")[int(line) - 1:int(line) + 2])  # two are before line 1
+            # the text has two more lines before line 1
+            text = "\n".join(path.read_text().split("\n")[int(line) - 1:int(line) + 2])
             wrong |= {int(n) for n in re.findall(r"is_mutant\((\d+)\)", text)}
         wrong = (wrong - left_out) or ({n for n, s in mutants.items() if s.file in files} - left_out)
         if not wrong:
@@ -164,8 +166,8 @@ class Test:
     command: tuple
     folder: str
     environment: tuple
-    source: str  # of a gtest suite; empty for others
-    version: str  # of the source
+    source: str  # source of a gtest suite; empty for other tests
+    version: str  # version of the source
 
 
 def find_suites():
@@ -184,7 +186,7 @@ def list_tests(wanted):
     suites, tests = find_suites(), []
     for test in json.loads(shown)["tests"]:
         properties = {p["name"]: p["value"] for p in test.get("properties", [])}
-        # A name that shows a parameter's bytes differs in every build.
+        # A test name that shows a parameter's bytes differs in every build.
         filters = [word for word in test.get("command", []) if word.startswith("--gtest_filter=")]
         name = filters[0].partition("=")[2] if filters else test["name"]
         if "command" not in test or NOT_RUN.search(name) or not re.search(wanted, name):
@@ -241,7 +243,8 @@ def try_mutant(number, plan, limit_s):
     for test, took in plan:
         if time.monotonic() - begin > limit_s:
             break
-        # Twice: on a busy host, tests of interrupts and of time may fail by chance.
+        # Runs a failed test twice, since tests of interrupts and of time may fail by chance on a
+        # busy host.
         if not any(run_test(test, {"TLAB_MUTANT": str(number)}, 10 + 10 * took) for _ in range(2)):
             return {"killer": test.name, "passed": passed, "left": 0}
         passed.append([test.name, test.version])

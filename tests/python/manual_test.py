@@ -22,7 +22,8 @@ class ManualTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
-        (self.folder / "experiments").symlink_to(ROOT / "experiments")  # as in a clone, but never written to
+        # as in a clone; nothing writes to it
+        (self.folder / "experiments").symlink_to(ROOT / "experiments")
         (self.folder / "build").mkdir()
         (self.folder / "build/release").symlink_to(BUILD)
         before = os.getcwd()

@@ -15,12 +15,14 @@ from support import ROOT
 import tlab.command
 
 NOTEBOOKS = ROOT / "experiments/notebooks"
-SHOWN = pathlib.Path(tlab.command.__file__).parents[1] / "notebooks"  # in the build tree, beside the package
+# in the build tree, beside the package
+SHOWN = pathlib.Path(tlab.command.__file__).parents[1] / "notebooks"
 
 
 class NotebooksTest(unittest.TestCase):
     def setUp(self):
-        os.environ["PYTHONPATH"] = os.pathsep.join(sys.path)  # for the kernel
+        # for the kernel that runs the notebook
+        os.environ["PYTHONPATH"] = os.pathsep.join(sys.path)
         os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
 
     def run_notebook(self, name):
@@ -43,7 +45,8 @@ class NotebooksTest(unittest.TestCase):
         pictures, text = [], ""
         for output in (output for cell in book.cells for output in cell.get("outputs", [])):
             if output.output_type == "stream":
-                self.assertEqual(output.name, "stdout", output.text)  # readers see no warnings
+                # readers must not see warnings
+                self.assertEqual(output.name, "stdout", output.text)
                 text += output.text
             elif "image/png" in output.get("data", {}):
                 pictures.append(base64.b64decode(output.data["image/png"]))

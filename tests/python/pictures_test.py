@@ -10,7 +10,7 @@ from support import ROOT, tlab_command
 
 import tlab
 
-# A scene, a size, and options as Python and as the command have them.
+# Each case is a scene, a size, and options in the form for Python and in that for the command.
 CASES = [("spheres:200", (160, 120), {}, []), ("spheres:1", (1, 1), {}, []), ("hills:200", (31, 17), {}, []),
          ("room:2", (24, 40), {"depth": 3}, ["--depth", "3"]),
          ("spheres:30", (40, 30), {"min_influence": 0.2, "sample": "center", "feelers": "front", "ambient": 0.3},

@@ -1,5 +1,5 @@
 #pragma once
-// A cache folder for references: their computation takes longest.
+// Cache folder for reference pictures, whose computation takes most of the time.
 
 #include <string>
 
@@ -7,9 +7,9 @@
 
 namespace radiosity::reference {
 
-/// trace_paths() for the room given as text, cached in a file of `folder`; the file is written if
-/// it is missing. Its name is a hash of the text and of the parameters. An empty `folder` disables
-/// the cache. Errors as trace_paths() and base::save_whole().
+/// Runs trace_paths() for a room given as text, with a cache file in `folder`. The file's name is a
+/// hash of the text and of the parameters; it is written if it is missing. An empty `folder`
+/// disables the cache. Throws as trace_paths() and base::save_whole() do.
 Reference find_reference(const std::string& text, const Room& room, const TracerParams& params,
                          const std::string& folder);
 

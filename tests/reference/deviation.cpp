@@ -8,8 +8,10 @@ namespace radiosity::reference {
 
 namespace {
 
-constexpr double DARK = 0.02;      // share of the mean radiosity below which errors count less
-constexpr double TOO_NEAR = 5e-6;  // angle between a ray and an edge
+// share of the mean radiosity below which errors are no longer relative to the pixel's own
+// radiosity
+constexpr double DARK = 0.02;
+constexpr double TOO_NEAR = 5e-6;  // least angle between a ray and an edge
 
 double grey(const Rgb& colour) { return (colour.r + colour.g + colour.b) / 3; }
 
@@ -24,7 +26,7 @@ double eval_mean(const Reference& reference) {
   return count > 0 ? sum / count : 0;
 }
 
-// The radiosity to which a pixel's error is relative.
+// The radiosity to which the error of a pixel is relative.
 double eval_scale(const Reference& reference, double mean, std::size_t i) {
   return std::max({grey(reference.picture.pixels[i]), DARK * mean, 1e-300});
 }

@@ -1,5 +1,5 @@
-// Compares radiosity's pictures of rooms with the path tracer's: one line for each room and method
-// of solution, and a summary.
+// Compares radiosity pictures of rooms with those of the path tracer. Prints one line for each room
+// and method of solution, and a summary.
 
 #include <fmt/format.h>
 
@@ -34,7 +34,7 @@ struct Options {
 
 struct NamedRoom {
   std::string name;
-  std::vector<std::string> views;  // the room's text with each view
+  std::vector<std::string> views;  // text of the room with each view
 };
 
 RoomKind parse_kind(const std::string& name) {
@@ -73,7 +73,7 @@ std::vector<NamedRoom> make_rooms(const Options& o) {
   return rooms;
 }
 
-// Method of solving and showing a room.
+// A method of solving and showing a room.
 struct Way {
   int refine = 1;
   std::string creases, reconstruction;
@@ -86,7 +86,8 @@ struct Outcome {
   std::size_t patches = 0;
   double solve_s = 0;
   Deviation deviation;
-  int beyond = 0;  // largest group that is off where bilinear is not
+  // largest group of pixels that are wrong here but not with bilinear interpolation
+  int beyond = 0;
 };
 
 template <class P>
@@ -156,7 +157,7 @@ class Comparison {
   }
 
  private:
-  // Uses the first reconstruction.
+  // Uses the first reconstruction for the error estimate.
   LitRoom light_adapted(const Room& room, const LightParams& light) const {
     const auto shown = make_reconstruction(o_.reconstructions.front());
     AdaptedMesh adapted =
@@ -267,7 +268,7 @@ class Comparison {
                groups([](const Outcome& o) { return o.beyond; }));
   }
 
-  // The picture, with the reference's exposure, and its deviation.
+  // Saves the picture, with the reference's exposure, and its deviation.
   void save(const Picture& picture, const Reference& reference, const std::string& name) const {
     if (o_.pictures.empty()) return;
     std::filesystem::create_directories(o_.pictures);

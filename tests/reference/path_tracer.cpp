@@ -16,10 +16,10 @@ namespace radiosity::reference {
 namespace {
 
 constexpr double PI = std::numbers::pi;
-constexpr int MOST_MIRRORS = 1000;  // in a row on one path
+constexpr int MOST_MIRRORS = 1000;  // limit on successive mirrors of a path
 
-// The first numbers of a path come from a Sobol point, shifted by random numbers of the pixel and
-// the round (R. Cranley and T. Patterson, 1976); further numbers are random.
+// Random numbers of a path. The first ones are a Sobol point, shifted by random numbers of the
+// pixel and the round (R. Cranley and T. Patterson, 1976). Further ones are independent.
 class Numbers {
  public:
   static constexpr std::size_t DIMENSIONS = 20;
@@ -61,7 +61,7 @@ struct Emitter {
   Rgb emission;
   double area = 0;
   double until = 0;  // cumulative share of the power, including this emitter
-  double share = 0;  // of the power of all
+  double share = 0;  // share of the power of all emitters
 };
 
 std::vector<Emitter> make_emitters(const Room& room, const RoomGeometry& geometry) {
@@ -82,7 +82,7 @@ std::vector<Emitter> make_emitters(const Room& room, const RoomGeometry& geometr
   return emitters;
 }
 
-// A direction with a density proportional to the cosine to the normal.
+// Samples a direction with a density proportional to the cosine to the normal.
 Vec sample_hemisphere(const Vec& normal, double u, double v) {
   const Vec across =
       normalize(cross(normal, std::abs(normal.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0}));
@@ -96,12 +96,12 @@ class PathTracer {
   explicit PathTracer(const Room& room)
       : room_(room), geometry_(room), emitters_(make_emitters(room, geometry_)) {}
 
-  // The surface seen along a ray: a diffuse one, and the mirrors before it.
+  // The surface seen along a ray: the first diffuse one, and the mirrors before it.
   struct Sight {
     SurfacePoint point;
-    Rgb tint{1, 1, 1};  // the product of the mirrors' reflectances
+    Rgb tint{1, 1, 1};  // product of the mirrors' reflectances
     int mirrors = 0;
-    std::uint32_t number = 0;  // Reference::faces
+    std::uint32_t number = 0;  // as in Reference::faces
   };
   std::optional<Sight> look(const Vec& origin, Vec direction, std::uint32_t from, int depth) const {
     Sight sight{{origin, {}, from}};
@@ -118,7 +118,7 @@ class PathTracer {
     }
   }
 
-  // An estimate of the light arriving at a point, as radiosity: the reflected part is the
+  // Estimates the light that arrives at a point, as radiosity. The reflected part is the
   // reflectance times this.
   Rgb sample_irradiance(SurfacePoint point, Numbers& numbers) const {
     Rgb light, weight{1, 1, 1};
@@ -129,7 +129,7 @@ class PathTracer {
       const Material& material = material_of(next->point.face);
       weight = weight * next->tint;
       light += weight * eval_emission(*next, point);
-      // Russian roulette.
+      // Russian roulette with the largest reflectance as the probability of survival.
       const double survival = max_component(material.reflectance);
       if (numbers.next() >= survival) return light;
       weight = (1 / survival) * weight * material.reflectance;
@@ -143,7 +143,7 @@ class PathTracer {
     return look(point.at, sample_hemisphere(point.normal, u, v), point.face, MOST_MIRRORS);
   }
 
-  // Emission of a surface seen in a random direction from a point; zero if sample_emitters()
+  // The emission of a surface seen in a random direction from a point; zero if sample_emitters()
   // includes it.
   Rgb eval_emission(const Sight& seen, const SurfacePoint& from) const {
     const Rgb& emission = material_of(seen.point.face).emission;
@@ -151,7 +151,7 @@ class PathTracer {
     return counts ? emission : Rgb{};
   }
 
-  // Light arriving at a point from all emitters that are not near.
+  // Estimates the light that arrives at a point from all emitters that are not near.
   Rgb sample_emitters(const SurfacePoint& point, Numbers& numbers) const {
     const double which = numbers.next(), v = numbers.next();
     const auto found = std::ranges::upper_bound(emitters_, which, {}, &Emitter::until);
@@ -167,7 +167,7 @@ class PathTracer {
     return (density * e.area / e.share) * e.emission;
   }
 
-  // The density, by area, of unoccluded points found by look_anywhere().
+  // The density, per area, of unoccluded points found by look_anywhere().
   static double eval_transfer(const SurfacePoint& point, const SurfacePoint& to) {
     const Vec way = to.at - point.at;
     const double square = dot(way, way);
@@ -181,8 +181,8 @@ class PathTracer {
   }
 
  private:
-  // Rays in any direction find points of an emitter nearer than this, rays to the emitter the
-  // others. Thus neither estimate exceeds the emission.
+  // True if rays in random directions find this point of an emitter. Points farther away are found
+  // by rays to the emitter. With this division, neither estimate exceeds the emission.
   bool is_near(const SurfacePoint& emitting, const Vec& from) const {
     const Vec way = emitting.at - from;
     return dot(way, way) < face_area_[emitting.face] / PI;
@@ -244,8 +244,8 @@ class Painter {
   }
 
  private:
-  static constexpr int TILE = 8;      // pixels
-  static constexpr int TO_LAMPS = 4;  // rays from a pixel's surface to emitters, a path
+  static constexpr int TILE = 8;      // side of a tile, pixels
+  static constexpr int TO_LAMPS = 4;  // rays per path from a pixel's surface to emitters
 
   struct Member {
     std::size_t pixel = 0;
@@ -272,7 +272,7 @@ class Painter {
 
   void paint_group(const Group& group) {
     const Material& material = tracer_.material_of(group.front().point.face);
-    std::vector<std::vector<Rgb>> rounds(group.size());  // by member
+    std::vector<std::vector<Rgb>> rounds(group.size());  // by member of the group
     for (int round = 0; round < params_.rounds; ++round) {
       const auto light = find_irradiance(group, round);
       for (std::size_t k = 0; k < group.size(); ++k)
@@ -287,7 +287,7 @@ class Painter {
     }
   }
 
-  // The light arriving at the members of a group, by the paths of a round.
+  // The light that arrives at the members of a group by the paths of a round.
   std::vector<Rgb> find_irradiance(const Group& group, int round) const {
     std::vector<Rgb> light(group.size());
     for (std::size_t j = 0; j < group.size(); ++j) {
@@ -342,7 +342,7 @@ class Painter {
   const renderer::Params pixels_;
   const std::vector<Numbers::Point> points_;
   Reference made_;
-  std::vector<char> emits_;  // bytes: threads write neighbours
+  std::vector<char> emits_;  // not vector<bool>, since threads write neighbouring elements
 };
 
 }  // namespace

@@ -65,7 +65,7 @@ class Builder {
     text_ += fmt::format(" divide {} {}\n", along, across);
   }
 
-  // A rectangle that shines down.
+  // Adds a rectangle that shines down.
   void add_lamp() {
     const double wide = range(0.15, 0.3) * size_.x, deep = range(0.15, 0.3) * size_.y;
     const double x = range(0.1, 0.9) * (size_.x - wide), y = range(0.1, 0.9) * (size_.y - deep);
@@ -91,8 +91,8 @@ class Builder {
     return std::hypot(a.x - b.x, a.y - b.y) > a.radius() + b.radius() + 0.02;
   }
 
-  // A block that stands, floats, touches a wall or lies on another; clear of the walls, of the eye
-  // and of the lamp.
+  // A block that stands, floats, touches a wall or lies on another block. It keeps clear of the
+  // walls, the eye and the lamp.
   Block try_block() {
     constexpr double EYE = 0.7, CLEAR = 0.02;
     Block b;

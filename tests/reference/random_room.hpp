@@ -7,8 +7,8 @@
 
 namespace radiosity::reference {
 
-/// The text of a .room, which depends only on the seed. The room is closed; coordinates have 2 to
-/// 15 decimals, the same number throughout a room.
+/// Makes the text of a .room, which depends only on the seed. The room is closed. Coordinates have
+/// 2 to 15 decimals, the same number throughout a room.
 std::string make_random_room(std::uint64_t seed);
 
 }  // namespace radiosity::reference

@@ -8,14 +8,14 @@ namespace radiosity::reference {
 
 namespace {
 
-// Lengths in units of the geometry. Faces grow by GROWTH so that no ray slips between two touching
-// ones. A ray meets nothing nearer than NEAREST. Faces at most TOGETHER apart lie back to back.
+// Lengths in units of the geometry. Faces grow by GROWTH, so that no ray passes between two faces
+// that touch. Hits nearer than NEAREST are ignored. Faces at most TOGETHER apart lie back to back.
 constexpr double GROWTH = 1e-6, TOGETHER = 1e-5;
 constexpr float NEAREST = 1e-6F, NEARLY = 1 - 1e-6F;
 
-// A ray meets none of the faces on which it starts or ends: they are flat and convex.
+// Faces that a ray ignores: those on which it starts and ends. Faces are flat and convex.
 struct Context {
-  embree::Context base;  // first: Embree hands out its address
+  embree::Context base;  // must be first, since Embree passes its address
   const std::uint32_t* face_of_triangle;
   std::uint32_t from, to;
 };
@@ -128,7 +128,7 @@ std::optional<SurfacePoint> RoomGeometry::intersect(const Vec& origin, const Vec
       return SurfacePoint{near - eval_height(plane, near) * plane.normal,
                           in_front ? plane.normal : -plane.normal, face};
     }
-    // A back was hit: look for a face that lies on it.
+    // If a back was hit, searches for a face that lies on it.
     context.to = face;
     const float found = query.ray.tfar;
     query.ray.tnear = std::max(NEAREST, found - static_cast<float>(TOGETHER));

@@ -1,5 +1,5 @@
 #pragma once
-// A room for ray queries: its faces in Embree, and intersections of rays.
+// Ray queries for a room: its faces in Embree, and intersections of rays.
 
 #include <memory>
 #include <optional>
@@ -10,14 +10,14 @@ namespace radiosity::reference {
 
 inline constexpr std::uint32_t NO_FACE = ~0U;
 
-/// A point on a face; the normal is on the ray's side.
+/// A point on a face, with the normal on the side of the ray.
 struct SurfacePoint {
   Vec at, normal;
   std::uint32_t face = NO_FACE;
 };
 
-/// Places and lengths are in units of half the room's longest side, from its middle, because Embree
-/// calculates in single precision.
+/// The room in units of half its longest side, relative to its middle, because Embree calculates in
+/// single precision.
 class RoomGeometry {
  public:
   explicit RoomGeometry(const Room& room);
@@ -25,11 +25,11 @@ class RoomGeometry {
   RoomGeometry(const RoomGeometry&) = delete;
   RoomGeometry& operator=(const RoomGeometry&) = delete;
 
-  /// A place of the room in the units of this geometry.
+  /// Converts a position in the room to the units of this geometry.
   Vec scale(const Vec& place) const { return (1 / unit_) * (place - middle_); }
 
-  /// The first surface, other than black, on a ray from a point on face `from`: the front of a
-  /// face, or either side of a two-sided one. The direction must be of unit length.
+  /// The first surface that is not black on a ray from a point of the face `from`: the front of a
+  /// face, or either side of a two-sided one. The direction must have unit length.
   std::optional<SurfacePoint> intersect(const Vec& origin, const Vec& direction,
                                         std::uint32_t from) const;
 

@@ -18,7 +18,8 @@ namespace {
 using renderer::Vec;
 using Corners = std::array<Vec, 4>;
 
-// A room: a shell from (0, 0, 0) to `size`, what is in it, and where its views are from.
+// A room under construction: a shell from (0, 0, 0) to `size`, the objects in it, and the positions
+// of its views.
 class KindBuilder {
  public:
   explicit KindBuilder(std::uint64_t seed) : random_(seed) {}
@@ -76,7 +77,7 @@ class KindBuilder {
                          0.9 * power, 0.75 * power);
   }
 
-  // A step of the quads that a side is divided into is `step_` long at most.
+  // Adds a quad, divided into steps of at most `step_`.
   void add_quad(const char* material, const Corners& c, bool two_sided = false) {
     const auto divide = [&](const Vec& way) {
       return std::max(1, static_cast<int>(std::ceil(length(way) / step_)));
@@ -85,13 +86,13 @@ class KindBuilder {
                          write(c[1]), write(c[2]), write(c[3]), divide(c[1] - c[0]),
                          divide(c[3] - c[0]), two_sided ? " two-sided" : "");
   }
-  // A parallelogram; its front is where cross(u, v) points.
+  // Adds a parallelogram, with its front on the side of cross(u, v).
   void add_part(const char* material, const Vec& p, const Vec& u, const Vec& v,
                 bool two_sided = false) {
     add_quad(material, {p, p + u, p + u + v, p + v}, two_sided);
   }
 
-  // Six walls, seen from inside; the ceiling is `rise` higher at y = size.y.
+  // Adds six walls, seen from inside. The ceiling is `rise` higher at y = size.y.
   void add_shell(const Vec& size, double rise = 0) {
     size_ = size;
     const double x = size.x, y = size.y, z = size.z, top = size.z + rise;
@@ -107,21 +108,21 @@ class KindBuilder {
       add_material(name, lo, hi);
   }
 
-  // A lamp of this size that shines down; `rise`: how much higher it is at its far side.
+  // Adds a lamp that shines down. `rise` is the additional height of its far side.
   void add_lamp(const Vec& corner, double wide, double deep, double rise = 0) {
     const double step = std::exchange(step_, std::min(step_, std::max(wide, deep) / 2));
     add_part("lamp", corner, {0, deep, rise}, {wide, 0, 0});
     step_ = step;
   }
 
-  // A lamp `gap` below the middle of a level ceiling.
+  // Adds a lamp `gap` below the middle of a level ceiling.
   void add_ceiling_lamp(double gap) {
     const double wide = range(0.4, 0.8), deep = range(0.4, 0.8);
     const double x = range(0.3, 0.6) * (size_.x - wide), y = range(0.3, 0.6) * (size_.y - deep);
     add_lamp({x, y, size_.z - gap}, wide, deep);
   }
 
-  // The sides and the top of a box that is turned around z, and its bottom if it floats.
+  // Adds the sides and the top of a box turned around z, and its bottom if it floats.
   void add_box(const Vec& centre, double half_along, double half_across, double angle, double low,
                double high) {
     const double step = std::exchange(step_, 0.3);
@@ -142,9 +143,9 @@ class KindBuilder {
     step_ = step;
   }
 
-  // Boxes on the floor, apart from each other and from where the views are from.
+  // Adds boxes on the floor, apart from each other and from the positions of the views.
   void add_boxes(int count) {
-    constexpr double CLEAR = 0.5;  // of the walls; eyes are nearer to these
+    constexpr double CLEAR = 0.5;  // distance from the walls; eyes are nearer to the walls
     std::vector<std::array<double, 3>> done;
     for (int attempt = 0; attempt < 50 && static_cast<int>(done.size()) < count; ++attempt) {
       const double along = range(0.12, 0.35), across = range(0.12, 0.35);
@@ -200,14 +201,15 @@ class KindBuilder {
     add_part("right", {x, y, 0}, up, {0, size.y - y, 0});
     add_part("wall", {0, size.y, 0}, {x, 0, 0}, up);
     add_part("left", {0, 0, 0}, {0, size.y, 0}, up);
-    // A wall between the arms, with a door.
+    // Adds a wall between the arms, with a door.
     add_opening({0, y, 0}, {x, 0, 0}, range(0.15, 0.5) * x, range(0.7, 0.9), 0, 2);
     add_lamp({0.6 * size.x, 0.3 * y, size.z - range_log(0.01, 0.1)}, 0.5, 0.5);
     eyes_ = {Vec{0.1, 0.1, 1.6}, {0.1, 0.1, 0.1}, {0.1, size.y - 0.1, 1.5}};
     ats_ = {Vec{0.5 * x, y, 1}, {x, 0.6 * y, size.z}, {0.5 * x, y, 0.9}};
   }
 
-  // A wall from p along `way`, with an opening from `from` of this width, between two heights.
+  // Adds a wall from p along `way`. It has an opening that begins at `from` with this width,
+  // between two heights.
   void add_opening(const Vec& p, const Vec& way, double from, double width, double low,
                    double high) {
     const double all = length(way);
@@ -304,7 +306,7 @@ class KindBuilder {
     add_ceiling_lamp(range_log(0.01, 0.1));
     const int screens = 2 + random_.below(2);
     for (int i = 0; i < screens; ++i) {
-      // In a strip of its own.
+      // Each screen has a strip of the floor of its own.
       const double y = 0.6 + (i + 0.5) * (size_.y - 1.2) / screens;
       const double angle = range(-0.2, 0.2), wide = range(0.5, 0.5 * size_.x);
       const double x = range(0.5, size_.x - 0.5 - wide);
@@ -343,7 +345,7 @@ class KindBuilder {
   base::Random random_;
   double step_ = 0.5;
   Vec size_;
-  std::vector<Vec> eyes_, ats_;  // of the views
+  std::vector<Vec> eyes_, ats_;  // positions and targets of the views
   std::string text_;
 };
 

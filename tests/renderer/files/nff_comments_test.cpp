@@ -1,4 +1,4 @@
-// Statements in comments, beyond the vocabulary of NFF.
+// Statements in comments, which extend NFF.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ const std::string COMMENTED_VIEW =
     "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 4 3\n";
 const std::string COMMENTED_SURFACE = "f 1 0.5 0.25 0.6 0.3 20 0.1 1.5\n";
 
-// A folder with an NFF file and files beside it.
+// A folder with an NFF file and the files that it refers to.
 class Folder {
  public:
   Folder() {
@@ -110,7 +110,7 @@ TEST(NffComments, EveryKindOfObjectMoves) {
   EXPECT_GT(hits, 200);
 }
 
-// Files from before statements in comments existed.
+// These comments are from files older than statements in comments.
 TEST(NffComments, ProseIsNoStatement) {
   const Scene plain = parse(COMMENTED_VIEW + COMMENTED_SURFACE + "s 0 0 0 1\nl 1 1 1\n");
   const Scene scene =
@@ -131,8 +131,8 @@ TEST(NffComments, ProseIsNoStatement) {
 }
 
 struct WrongComment {
-  std::string text;   // after the view (7 lines) and the surface (line 8)
-  std::string error;  // after "test.nff:"
+  std::string text;   // follows the view (7 lines) and the surface (line 8)
+  std::string error;  // expected message, after "test.nff:"
 };
 class NffCommentsWrong : public testing::TestWithParam<WrongComment> {};
 

@@ -1,4 +1,4 @@
-// NFF: every statement, and messages about errors in files.
+// NFF files: every statement, and error messages.
 
 #include <gtest/gtest.h>
 
@@ -67,8 +67,8 @@ TEST(Nff, LineEndsAndMarksOfOtherSystems) {
 }
 
 struct Wrong {
-  std::string text;   // after the view (7 lines) and the surface (line 8)
-  std::string error;  // after "test.nff:"
+  std::string text;   // follows the view (7 lines) and the surface (line 8)
+  std::string error;  // expected message, after "test.nff:"
 };
 
 class NffWrong : public testing::TestWithParam<Wrong> {};

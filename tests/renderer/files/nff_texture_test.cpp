@@ -1,4 +1,4 @@
-// Textures in NFF's comments.
+// Textures in comments of NFF files.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -9,7 +9,7 @@
 namespace renderer::test {
 namespace {
 
-const std::string CAMERA = "v from 0 0 9 at 0 0 0 up 0 1 0 angle 40\n";  // line 1
+const std::string CAMERA = "v from 0 0 9 at 0 0 0 up 0 1 0 angle 40\n";  // line 1 of the file
 const std::string WHITE = "f 1 1 1 1 0 0 0 0\n";
 const std::string SQUARE = "p 4 0 0 0 1 0 0 1 1 0 0 1 0\n";
 
@@ -38,7 +38,7 @@ TEST_F(NffTexture, IsOfTheSurfaceSetLast) {
   const Scene scene =
       parse(WHITE + SQUARE + WHITE + "# texture a.png planar 1 2 3  2 0 0  0 4 0\n" + SQUARE +
             "# texture a.png spherical 0 0 0 axis 0 1 0\n" + SQUARE + WHITE + SQUARE);
-  // A surface with objects remains unchanged for them.
+  // A surface that objects already have stays unchanged.
   ASSERT_EQ(scene.surfaces.size(), 4u);
   EXPECT_EQ(scene.surfaces[0].texture, NO_TEXTURE);
   EXPECT_EQ(scene.surfaces[1].texture, 0u);
@@ -83,9 +83,10 @@ TEST_F(NffTexture, TravelsWithItsObjectFromFrameToFrame) {
                            "# shutter 0 0.5\n# move 4 0 0\n" + SQUARE;
   for (const int frame : {0, 3}) {
     const Scene scene = parse_scene(text, path("s.nff"), frame);
-    // A quarter of a frame later the object is one unit further.
+    // A quarter of a frame later, the object is one unit further.
     Ray ray;
-    ray.origin = {4.0 * frame + 1 + 0.25, 0.5, 5};  // equals 0.25, 0.5 at time 0
+    // the same texture point as (0.25, 0.5) at time 0
+    ray.origin = {4.0 * frame + 1 + 0.25, 0.5, 5};
     ray.direction = {0, 0, -1};
     ray.time = 0.5;
     Work work;

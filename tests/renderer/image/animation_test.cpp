@@ -24,7 +24,7 @@ std::vector<Shown> decode(const std::string& bytes) {
   return all;
 }
 
-// Each frame equals the previous one, except for up to three rectangles.
+// Makes frames that equal the previous one except for up to three rectangles.
 std::vector<Frame> make_frames(Random& random, int count) {
   const int width = 1 + random.below(60), height = 1 + random.below(60);
   Bitmap bitmap{width, height, std::vector<std::uint8_t>(std::size_t(3 * width * height))};
@@ -59,7 +59,7 @@ TEST(Animation, ShowsTheFramesToTheBit) {
       while (now + 1 != shown.end() && now->to_ms <= time_ms) ++now;
       EXPECT_TRUE(now->bitmap == frame.bitmap) << "at " << time_ms << " ms";
       time_ms += frame.duration_ms;
-      // An animation of a single picture is a still picture, without a duration.
+      // An animation of one picture is a still picture, which has no duration.
       if (shown.size() > 1) {
         EXPECT_GE(now->to_ms, time_ms);
       }

@@ -1,4 +1,4 @@
-// Fixed-point numbers and files.
+// Fixed-point numbers, and picture files.
 
 #include <gtest/gtest.h>
 #include <png.h>
@@ -113,8 +113,8 @@ TEST_F(Png, WhatCannotBeWrittenIsAnError) {
   EXPECT_FALSE(std::filesystem::is_regular_file("/dev/full"));
 }
 
-// A picture of one row, written by libpng. For a taller picture the header is followed by bytes
-// that are no picture.
+// Writes a picture of one row with libpng. If the picture is taller, its header is followed by
+// invalid bytes.
 void save_row(const std::string& path, int width, int height, int bits, int type,
               const std::vector<std::uint8_t>& row) {
   FILE* file = std::fopen(path.c_str(), "wb");
@@ -178,7 +178,7 @@ TEST_F(Png, WhatCannotBeLoadedIsAnErrorThatNamesTheFile) {
   // (The last 12 bytes are the end marker.)
   for (std::size_t size = 0; size + 12 < whole.size(); size += 37)
     EXPECT_PRED1(names, refused(whole.substr(0, size))) << size;
-  // Changed bytes give an error or a picture, but never a crash.
+  // Changed bytes yield an error or a picture, but never a crash.
   Random random{8};
   for (int i = 0; i < 300; ++i) {
     std::string bytes = whole;
@@ -194,7 +194,7 @@ TEST_F(Png, WhatCannotBeLoadedIsAnErrorThatNamesTheFile) {
     }
   }
   EXPECT_THROW(load_png(path("none.png")), base::BadInput);
-  EXPECT_THROW(load_png(path("")), base::BadInput);  // a folder
+  EXPECT_THROW(load_png(path("")), base::BadInput);  // refuses a folder
 }
 
 TEST_F(Png, TooManyPixelsAreAnError) {

@@ -1,4 +1,4 @@
-// Meshes in other formats.
+// Reader of meshes in further formats.
 #include "renderer/meshes/read_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace renderer::test {
 namespace {
 
-// Collects the triangles.
+// Target that collects the triangles.
 struct Triangles : ObjTarget {
   std::vector<std::vector<Vec>> faces;
   std::vector<std::vector<Corner>> coordinates;
@@ -37,7 +37,7 @@ class ReadMesh : public ::testing::Test {
   LeftOut left_out_;
 };
 
-// A tetrahedron's corners and faces; PLY and OFF list them alike.
+// The corners and faces of a tetrahedron, as PLY and OFF list them.
 const std::string LISTS = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
 const std::string PLY_HEAD =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
@@ -73,7 +73,8 @@ TEST_F(ReadMesh, ATetrahedronOfThreeFormats) {
   EXPECT_EQ(left_out_.describe(), "");
 }
 
-// One triangle with a material in a node. Its corners are 0, 0, 0; 1, 0, 0; 0, 1, 0.
+// Makes a glTF file with one triangle in a node that has a material. Its corners are 0, 0, 0; 1, 0,
+// 0; 0, 1, 0.
 std::string make_gltf(const std::string& material, const std::string& moved = "") {
   return R"({"asset": {"version": "2.0"},
     "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,)"
@@ -165,7 +166,7 @@ TEST_F(ReadMesh, WithoutAMaterialATriangleIsOpaque) {
   EXPECT_EQ(triangles.materials[0].ior, 1);
 }
 
-// A triangle with one coordinate that is too large has none.
+// A triangle with one texture coordinate beyond the limit loses all of them.
 TEST_F(ReadMesh, CoordinatesAreKeptUpToAMillion) {
   Triangles triangles;
   read_mesh(save("t.ply",

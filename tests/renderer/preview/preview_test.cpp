@@ -10,7 +10,7 @@
 namespace renderer::test {
 namespace {
 
-// For each pixel, the object hit by its primary ray.
+// For each pixel, the object that its primary ray hits.
 std::vector<std::uint32_t> find_objects(const Scene& scene, const Params& params) {
   std::vector<std::uint32_t> objects;
   Work work;
@@ -23,7 +23,7 @@ std::vector<std::uint32_t> find_objects(const Scene& scene, const Params& params
   return objects;
 }
 
-// True if a pixel within one of (x, y) shows another object than (x, y) does.
+// True if one of the eight neighbours of (x, y) shows another object than (x, y) does.
 bool is_at_silhouette(const std::vector<std::uint32_t>& objects, const Params& p, int x, int y) {
   const auto at = [&](int i, int j) { return objects[static_cast<std::size_t>(j * p.width + i)]; };
   for (int j = std::max(0, y - 1); j <= std::min(p.height - 1, y + 1); ++j)
@@ -68,7 +68,7 @@ TEST(Preview, ShadowsAreTheRayTracersButAtSilhouettes) {
   EXPECT_LE(all.other_object, all.pixels / 50);
 }
 
-// Any unit of length works: here the whole scene is nearer than one unit.
+// The preview does not depend on the unit of length. Here the whole scene is nearer than one unit.
 TEST(Preview, OfATinySceneIsTheRayTracersToo) {
   Compared all;
   const auto parse_scaled = [](double s) {
@@ -143,7 +143,7 @@ std::string show(const Preview& preview, double Rgb::*colour) {
 }
 
 TEST(Preview, FlatHasTheColourOfTheMiddle) {
-  // A light in front of the square's middle, at distance 2; ka * Ia = 0.1 * 0.5.
+  // The light is 2 in front of the square's middle; ka * Ia = 0.1 * 0.5.
   const Scene scene = parse(SQUARE_VIEW +
                             "l 0 0 2 0.8 0.8 0.8\nf 1 0 0 0.5 0 0 0 0\n"
                             "p 4 -1 -1 0 1 -1 0 1 1 0 -1 1 0\n");
@@ -154,7 +154,7 @@ TEST(Preview, FlatHasTheColourOfTheMiddle) {
   EXPECT_EQ(preview.work[Op::feeler_made], 1u);
 }
 
-// The eye is not in front of the square but in the light's mirror direction.
+// The eye is not in front of the square, but in the light's mirror direction.
 TEST(Preview, HighlightsAreWhereTheyAreSeenFromTheEye) {
   const Scene scene = parse(SQUARE_VIEW +
                             "l 2 0 4 0.8 0.8 0.8\nf 1 0 0 0 0.5 20 0 0\n"
@@ -164,12 +164,13 @@ TEST(Preview, HighlightsAreWhereTheyAreSeenFromTheEye) {
 }
 
 TEST(Preview, GouraudInterpolatesTheColoursOfCorners) {
-  // The light stands on the normal of the left edge's middle, at the distance of the corners.
+  // The light is on the normal of the left edge's middle, as far away as the corners.
   const Scene scene = parse(SQUARE_VIEW +
                             "l -1 0 1 1 1 1\nf 1 0.5 0.25 1 0 0 0 0\n"
                             "p 4 -1 -1 0 1 -1 0 1 1 0 -1 1 0\n");
   const Preview preview = make_preview(scene, make_centred(), PreviewStep::gouraud);
-  // cos = 1 / distance: sqrt(2) to the left corners, sqrt(6) to the right ones; 0.1 is ambient.
+  // cos = 1 / distance, with sqrt(2) to the left corners and sqrt(6) to the right ones; 0.1 is
+  // ambient.
   const double left = 0.1 + 1 / std::sqrt(2), right = 0.1 + 1 / std::sqrt(6);
   for (const std::uint32_t y : {1u, 2u}) {
     EXPECT_NEAR(preview.samples.get(4 * y + 1).r, 0.75 * left + 0.25 * right, 1e-9);
@@ -182,7 +183,7 @@ TEST(Preview, GouraudInterpolatesTheColoursOfCorners) {
 }
 
 TEST(Preview, PointsAreTheCornersAndFade) {
-  // At the greatest distance a quarter of the colour remains on the background.
+  // At the largest distance, a quarter of the colour is blended with the background.
   const Scene scene = parse(SQUARE_VIEW + "f 1 0 0 1 0 0 0 0\np 3 -1 -1 0 1 -1 0 -2 2 -4\n");
   const Preview preview = make_preview(scene, make_params(4, 4, 1), PreviewStep::points);
   EXPECT_EQ(show(preview, &Rgb::r), "0 0 0 0\n0 0.25 0 0\n0 0 0 0\n0 1 0 1\n");
@@ -194,7 +195,7 @@ TEST(Preview, PointsFadeOnlyWhereOthersAreNearer) {
     const Scene scene = parse(SQUARE_VIEW + "f 1 0 0 1 0 0 0 0\n" + triangle);
     return show(make_preview(scene, make_params(4, 4, 1), PreviewStep::points), &Rgb::r);
   };
-  // One corner is in the image, then two; the second is half a unit farther away.
+  // First one corner is in the image, then two, the second half a unit farther away.
   EXPECT_EQ(red("p 3 -1 -1 0 50 -1 0 -1 50 0\n"), "0 0 0 0\n0 0 0 0\n0 0 0 0\n0 1 0 0\n");
   EXPECT_EQ(red("p 3 -1 -1 0 1.125 -1.125 -0.5 -1 50 0\n"),
             "0 0 0 0\n0 0 0 0\n0 0 0 0\n0 1 0 0.25\n");
@@ -202,20 +203,21 @@ TEST(Preview, PointsFadeOnlyWhereOthersAreNearer) {
 
 TEST(Preview, EdgesAreThoseThatNothingHides) {
   const std::string back = "f 1 0 0 1 0 0 0 0\np 4 -2 -2 0 2 -2 0 2 2 0 -2 2 0\n";
-  // At half the distance, a wall hides the right half of the image; none of its edges shows.
+  // At half the distance, a wall hides the right half of the image. Its own edges are outside.
   const std::string front = "f 0 1 0 1 0 0 0 0\np 4 0.25 -9 2 9 -9 2 9 9 2 0.25 9 2\n";
   const Params params = make_params(4, 4, 1);
   const auto red = [&](const std::string& objects) {
     return show(make_preview(parse(SQUARE_VIEW + objects), params, PreviewStep::edges), &Rgb::r);
   };
-  // (The right and lower edges are outside the image: its last samples are at 1.)
+  // (The right and lower edges are outside the image, whose last samples are at 1.)
   EXPECT_EQ(red(back), "1 1 1 1\n1 0 0 0\n1 0 0 0\n1 0 0 0\n");
   EXPECT_EQ(red(back + front), "0.25 0.25 0.25 0\n0.25 0 0 0\n0.25 0 0 0\n0.25 0 0 0\n");
 }
 
 TEST(Preview, OfAnAreaIsThatPartOfTheWhole) {
   for (const auto& [name, step] : preview_steps()) {
-    if (step == PreviewStep::points || step == PreviewStep::edges) continue;  // these fade anyway
+    // points and edges fade with distance
+    if (step == PreviewStep::points || step == PreviewStep::edges) continue;
     SCOPED_TRACE(name);
     const Scene scene = make_random_scene(7, 12);
     Params params = make_params(30, 20, 1);
@@ -250,7 +252,7 @@ TEST(Preview, NamesWhatIsWrong) {
             "size: found 0 x 5, expected 1 to 65536 pixels a side");
 }
 
-// Projection of a point onto the image, in pixels.
+// Projects a point onto the image, in pixels.
 std::pair<double, double> project(const Scene& scene, const Raster& raster, const Vec& point) {
   const Vec way = point - scene.view.from;
   const double scale = 1 / (dot(way, scene.view.ahead) * raster.step);
@@ -258,7 +260,7 @@ std::pair<double, double> project(const Scene& scene, const Raster& raster, cons
           raster.top - dot(way, scene.view.above) * scale};
 }
 
-// A quarter of a pixel for each direction of curvature.
+// Each direction of curvature may contribute a quarter of a pixel.
 TEST(Facets, AreOffTheirObjectByHalfAPixelAtMost) {
   double most_of_cylinder = 0, most_of_sphere = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
@@ -270,7 +272,7 @@ TEST(Facets, AreOffTheirObjectByHalfAPixelAtMost) {
     // Some cylinders are so near that their distance is far below that of their axis.
     const bool is_sphere = seed % 2, is_near = seed % 8 == 2;
     const double radius = random.range(is_near ? 0.5 : 0.01, 2), turn = random.range(0, 0.3);
-    // Some stand along a coordinate axis; all three are equivalent.
+    // Some cylinders stand along a coordinate axis. All three axes are equivalent.
     const Vec axes[] = {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
     Vec base = random.point(1.5), axis = random.direction();
     if (seed % 4 == 0) axis = axes[seed / 4 % 3];
@@ -322,7 +324,8 @@ TEST(Facets, OfASphereAreNoHigherThanWide) {
     finish(scene);
     Facets facets;
     make_facets(scene, scene.objects[0], make_params(400, 300, 1), Fineness::silhouette, facets);
-    const auto around = std::ranges::count(facets.indices, 0u);  // each begins at the pole
+    // each facet at the pole begins with the pole
+    const auto around = std::ranges::count(facets.indices, 0u);
     ASSERT_GE(around, 4);
     ASSERT_EQ(std::ssize(facets.ends) % around, 0);
     const auto bands = std::ssize(facets.ends) / around;

@@ -1,4 +1,4 @@
-// Cells: contrast, division, the pyramid test, interpolation.
+// Cells of progressive rendering: contrast, division, the pyramid test, interpolation.
 
 #include "renderer/progressive/progressive.hpp"
 
@@ -27,7 +27,8 @@ TEST(Cells, ContrastEq47) {
   EXPECT_EQ(eval_contrast(0, 0.1), 1);
   EXPECT_EQ(eval_contrast(0.3, 0.3), 0);
   EXPECT_EQ(eval_contrast(0, 0), 0);
-  EXPECT_EQ(eval_contrast({{0.5, 0.25, 0.1}, {0.5, 0.75, 0.2}}), 0.5);  // green
+  // green has the largest contrast
+  EXPECT_EQ(eval_contrast({{0.5, 0.25, 0.1}, {0.5, 0.75, 0.2}}), 0.5);
 }
 
 TEST(Cells, CoverAnyImageOnceDownToPixels) {
@@ -56,7 +57,7 @@ TEST(Cells, CoverAnyImageOnceDownToPixels) {
     }
 }
 
-// A cell of 8 steps with known corners; tests may add a sample in the middle of its top.
+// A cell of 8 steps with known corners. Tests may add a sample in the middle of its upper side.
 struct OneCell {
   Sampled sampled{9, 9};
   Cell cell{0, 0, 8, 8};
@@ -94,16 +95,17 @@ TEST(Cells, InterpolationPassesThroughEverySampleOnTheBorder) {
   OneCell one;
   one.set(4, 0, 0.8);
   EXPECT_NEAR(one.show(4, 0), 0.8, 1e-9);
-  EXPECT_NEAR(one.show(2, 0), 0.45, 1e-9);            // halfway from 0.1 to 0.8
-  EXPECT_NEAR(one.show(4, 8), 0.7, 1e-9);             // the other side is unchanged
-  EXPECT_NEAR(one.show(4, 4), 0.45 + 0.6 / 2, 1e-9);  // bilinear, plus half of the top's surplus
+  EXPECT_NEAR(one.show(2, 0), 0.45, 1e-9);  // halfway between 0.1 and 0.8
+  EXPECT_NEAR(one.show(4, 8), 0.7, 1e-9);   // the opposite side is unchanged
+  // bilinear, plus half of the upper side's surplus
+  EXPECT_NEAR(one.show(4, 4), 0.45 + 0.6 / 2, 1e-9);
   const Range range = find_range(one.cell, one.sampled);
   EXPECT_NEAR(range.least.r, 0.1, 1e-9);
   EXPECT_NEAR(range.greatest.g, 1.8, 1e-9);
 }
 
 TEST(Cells, NeighboursOfAnySizeAgreeOnTheirBorder) {
-  // One cell of 8 beside four of 4; its right side has a sample in the middle.
+  // One cell of 8 beside four of 4. Its right side has a sample in the middle.
   Sampled sampled(13, 9);
   Random random{5};
   for (const auto& [x, y] :
@@ -225,7 +227,7 @@ TEST(Progressive, OnlyTheAreaOfInterestIsMadeBetter) {
   EXPECT_LT(counts.samples + counts.deepened, 2u * 10 * 12);
 }
 
-// Small spheres in front of a wall of nearly their colour: contrast does not reveal them.
+// Makes small spheres in front of a wall of nearly their colour, which contrast does not reveal.
 Scene make_small_objects(std::uint64_t seed, int objects) {
   Random random{seed};
   Scene scene;
@@ -245,7 +247,7 @@ Scene make_small_objects(std::uint64_t seed, int objects) {
   return scene;
 }
 
-// Objects visible in a pixel of the full image.
+// The objects visible at pixels of the full image.
 std::set<std::uint32_t> find_owners(const Scene& scene, const Params& params) {
   std::set<std::uint32_t> owners;
   Work work;
@@ -289,7 +291,7 @@ TEST(Pyramid, SavesSamplesWhereNothingHides) {
   EXPECT_LT(image.advance({.contrast = 1, .depth = 1, .area = {}}).samples, 128u * 128 / 20);
 }
 
-// A small box around a point of any ray between the four corners is within the pyramid.
+// A small box around a point of any ray between the four corners lies in the pyramid.
 TEST(Pyramid, MeetsWhatARayWithinMeets) {
   Random random{9};
   for (int i = 0; i < 2000; ++i) {

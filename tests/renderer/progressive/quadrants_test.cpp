@@ -44,7 +44,7 @@ std::size_t find_peak(int width, int height) {
 // A picture in which each block is drawn in its turn.
 struct Drawn {
   Area area;
-  std::vector<Pixel> shown;  // for each pixel: the pixel that gave its colour
+  std::vector<Pixel> shown;  // for each pixel: the pixel whose colour it shows
   std::vector<int> computed;
 
   explicit Drawn(const Area& a)
@@ -69,8 +69,8 @@ bool lies_within(const Area& inner, const Area& outer) {
          inner.y + inner.height <= outer.y + outer.height;
 }
 
-// Draws the whole area: every pixel is computed once, and no computed pixel is drawn over. After
-// the first block every pixel shows a computed one.
+// Draws the whole area. Every pixel must be computed once, and no computed pixel may be drawn over.
+// After the first block, every pixel must show a computed one.
 void expect_whole(const Area& area) {
   SCOPED_TRACE(testing::Message() << testing::PrintToString(area));
   QuadrantQueue queue(area);
@@ -115,15 +115,15 @@ TEST(Quadrants, EveryPixelOfLargerAreasIsComputedOnce) {
   ASSERT_NO_FATAL_FAILURE(expect_whole({0, 0, 1, 65536}));
 }
 
-// The paper's figure 6: 1 upper left, 2 lower right, 3 upper right, 4 lower left.
+// The order in figure 6 of the paper: 1 upper left, 2 lower right, 3 upper right, 4 lower left.
 TEST(Quadrants, TheFirstBlocksAreInThePapersOrder) {
   const std::vector<Area> expected = {
-      {0, 0, 8, 8},                                           // the whole picture
-      {0, 0, 4, 4}, {4, 4, 4, 4}, {4, 0, 4, 4},               // its quadrants, but the lower left
-      {0, 0, 2, 2}, {2, 2, 2, 2}, {2, 0, 2, 2},               // those of the upper left one
-      {4, 4, 2, 2}, {6, 6, 2, 2}, {6, 4, 2, 2},               // the lower right one
-      {4, 0, 2, 2}, {6, 2, 2, 2}, {6, 0, 2, 2},               // the upper right one
-      {0, 4, 2, 2}, {2, 6, 2, 2}, {2, 4, 2, 2},               // the lower left one
+      {0, 0, 8, 8},                              // the whole picture
+      {0, 0, 4, 4}, {4, 4, 4, 4}, {4, 0, 4, 4},  // its quadrants, except the lower left one
+      {0, 0, 2, 2}, {2, 2, 2, 2}, {2, 0, 2, 2},  // those of its upper left quadrant
+      {4, 4, 2, 2}, {6, 6, 2, 2}, {6, 4, 2, 2},  // of its lower right quadrant
+      {4, 0, 2, 2}, {6, 2, 2, 2}, {6, 0, 2, 2},  // of its upper right quadrant
+      {0, 4, 2, 2}, {2, 6, 2, 2}, {2, 4, 2, 2},  // of its lower left quadrant
       {0, 0, 1, 1}, {1, 1, 1, 1}, {1, 0, 1, 1}, {2, 2, 1, 1}  // and so on
   };
   EXPECT_EQ(first_of({0, 0, 8, 8}, expected.size()), expected);
@@ -132,15 +132,15 @@ TEST(Quadrants, TheFirstBlocksAreInThePapersOrder) {
   EXPECT_EQ(own_pixel(expected[2]), (Pixel{4, 7}));
 }
 
-// The right and upper parts are the larger ones; 5 x 3 at (10, 20).
+// For odd sides, the right and upper parts are the larger ones. The area is 5 x 3 at (10, 20).
 TEST(Quadrants, OddSidesAreDividedAsInTheListing) {
   const std::vector<Area> expected = {
       {10, 20, 5, 3},                                  //
-      {10, 20, 2, 2}, {12, 22, 3, 1}, {12, 20, 3, 2},  // 2 + 3 columns, 2 + 1 rows
-      {10, 20, 1, 1}, {11, 21, 1, 1}, {11, 20, 1, 1},  // of 2 x 2
-      {13, 22, 2, 1},                                  // of 3 x 1: one row has right parts alone
-      {12, 20, 1, 1}, {13, 21, 2, 1}, {13, 20, 2, 1},  // of 3 x 2
-      {11, 22, 1, 1},                                  // of the lower left one, 2 x 1
+      {10, 20, 2, 2}, {12, 22, 3, 1}, {12, 20, 3, 2},  // parts of 2 + 3 columns and 2 + 1 rows
+      {10, 20, 1, 1}, {11, 21, 1, 1}, {11, 20, 1, 1},  // parts of the 2 x 2 quadrant
+      {13, 22, 2, 1},  // part of the 3 x 1 quadrant: one row has only right parts
+      {12, 20, 1, 1}, {13, 21, 2, 1}, {13, 20, 2, 1},  // parts of the 3 x 2 quadrant
+      {11, 22, 1, 1},                                  // part of the lower left quadrant, 2 x 1
       {14, 22, 1, 1}, {14, 21, 1, 1}, {14, 20, 1, 1}};
   EXPECT_EQ(first_of({10, 20, 5, 3}, 100), expected);
 }
@@ -162,7 +162,7 @@ TEST(Quadrants, TheQueueIsNoLongerThanItsBound) {
   }
 }
 
-// The paper's bound for all sizes, N / 3, holds only for squares.
+// The paper's bound N / 3 holds for squares, but not for all sizes.
 TEST(Quadrants, APictureOf1920x1080NeedsMoreThanAThird) {
   const double pixels = 1920.0 * 1080;
   EXPECT_NEAR(pixels / static_cast<double>(find_peak(1920, 1080)), 2.24, 0.005);

@@ -51,7 +51,7 @@ TEST(Refinement, EndsWithThePictureAndTheCountsOfRender) {
   }
 }
 
-// For any steps: a step stops at its limit, and a copy of the state continues.
+// With steps of any size, a step stops at its limit, and a copy of the state continues.
 TEST(Refinement, StoppedAnywhereItGoesOnToTheSamePicture) {
   const Scene scene = test::make_random_scene(7, 10);
   for (const auto& [samples, adaptive] : {std::pair{6, 0.0}, {20, 0.05}}) {
@@ -116,7 +116,7 @@ TEST(Refinement, InTheFirstPassBlocksHaveTheColourOfTheirPixel) {
   EXPECT_TRUE(image.is_finished());
 }
 
-// In the second pass a pixel keeps the colour of its first sample until it has all samples.
+// In the second pass, a pixel keeps the colour of its first sample until it has all samples.
 TEST(Refinement, InTheSecondPassPixelsChangeOneByOne) {
   const Scene scene = test::make_random_scene(6, 8);
   const int samples = 4;
@@ -161,7 +161,7 @@ TEST(Refinement, AStateOfAnotherSizeIsRefused) {
     Refinement resumed(scene, params, Order::scan, 1, state);
   };
   EXPECT_THROW(resume(make_sampled(8, 9, 2), small.state()), base::BadInput);
-  // An equal number of samples, but here it is not the maximum.
+  // A fixed number of samples, equal to the maximum of the adaptive rendering.
   Refinement fixed(scene, make_sampled(8, 8, 20), Order::scan);
   EXPECT_THROW(resume(make_sampled(8, 8, 20, 0.1), fixed.state()), base::BadInput);
   auto state = small.state();

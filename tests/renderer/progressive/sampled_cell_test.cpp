@@ -1,4 +1,4 @@
-// Cells with up to 13 samples: their points, triangles and daughters, and their pictures.
+// Cells with up to 13 samples: their points, triangles, division and pictures.
 #include "renderer/progressive/sampled_cell.hpp"
 
 #include <gtest/gtest.h>
@@ -66,7 +66,8 @@ TEST(SampledCell, LevelsAddFiveFourAndFourSamples) {
   EXPECT_EQ(places(points_of_level(least, 2)), (std::set<Place>{{4, 5}, {3, 6}}));
 }
 
-// On a lattice of quarters: corners and middle, middles of sides, middles of quadrants.
+// Samples are at multiples of a quarter: corners and middle, middles of sides, middles of
+// quadrants.
 TEST(SampledCell, SamplesAreOnTheLattice) {
   const SampledCell cell{40, 20, 8, 0};
   EXPECT_EQ(places(points_of_level(cell, 1)),
@@ -121,7 +122,7 @@ TEST(SampledCell, TrianglesOfALevelAreEqual) {
   });
 }
 
-// Points on a lattice 21 times as fine; none lies on an edge.
+// Tests points on a lattice 21 times as fine; none lies on an edge.
 TEST(SampledCell, TrianglesTileTheCell) {
   for_cells([](const SampledCell& cell) {
     const auto triangles = triangles_of(cell);
@@ -143,7 +144,7 @@ TEST(SampledCell, TrianglesTileTheCell) {
   });
 }
 
-// A cell of side 2 has two samples that belong to its neighbours: it needs no colour in between.
+// In a cell of side 2, two samples belong to neighbours, and no pixel lies between.
 TEST(SampledCell, TrianglesHaveSamplesAtTheirCorners) {
   for_cells([](const SampledCell& cell) {
     if (cell.side == 2 && cell.level == 2) return;
@@ -239,8 +240,8 @@ TEST(SampledCell, PaintsSamplesAsTheyAre) {
   });
 }
 
-// Interpolates in every triangle around a pixel. On an edge there are two or more, which must agree
-// with the picture and thus with each other.
+// Interpolates in every triangle around a pixel. For a pixel on an edge there are two or more
+// triangles. They must agree with the picture, and thus with each other.
 TEST(SampledCell, PaintsWhatItsTrianglesSay) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

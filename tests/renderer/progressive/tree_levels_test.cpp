@@ -1,4 +1,4 @@
-// Shading trees that grow deeper in steps, compared with Eq 4.1, 4.3, 4.4 and 4.6 of the thesis.
+// Shading trees that are deepened in steps, compared with Eq 4.1, 4.3, 4.4 and 4.6 of the thesis.
 
 #include "renderer/progressive/tree_levels.hpp"
 
@@ -16,12 +16,12 @@ using renderer::test::make_random_scene;
 
 constexpr int LEVELS = 8;
 
-// A scene for a single ray; its planes are perpendicular to z, and extend from -9 to 9 along y.
+// A scene for a single ray. Its planes are perpendicular to z, and extend from -9 to 9 along y.
 struct Planes {
   Scene scene;
 
   explicit Planes(int lights) {
-    // The image's upper left pixel looks along `ahead`: the angle of the image is tiny.
+    // The image's upper left pixel looks along `ahead`, since the angle of the image is tiny.
     scene.view.up = {1, 0, 0};
     scene.view.angle = 1e-6;
     for (int i = 0; i < lights; ++i) scene.lights.push_back({{0, 0, 0.1 * i}, {1, 1, 1}});
@@ -42,7 +42,7 @@ struct Planes {
 const Surface MIRROR{.colour = {1, 1, 1}, .kd = 0, .ks = 1, .shine = 1, .t = 0, .ior = 1};
 const Surface SHEET{.colour = {1, 1, 1}, .kd = 0, .ks = 0.5, .shine = 1, .t = 0.5, .ior = 1};
 
-// Between two mirrors every ray has one child.
+// Between two mirrors, every ray has one child.
 Scene make_list(int lights) {
   Planes planes(lights);
   planes.add(0, -1, 100, MIRROR);
@@ -50,15 +50,16 @@ Scene make_list(int lights) {
   return planes.finished({0, 0, 0.5}, {0, 1, 1});
 }
 
-// With more half-mirror, half-glass sheets than levels of a tree, every ray has two children.
+// There are more half-mirror, half-glass sheets than levels of a tree, so every ray has two
+// children.
 Scene make_complete(int lights) {
   Planes planes(lights);
   for (int z = -LEVELS; z <= LEVELS; ++z) planes.add(z, -100, 100, SHEET);
   return planes.finished({0, 0, 0.5}, {0, 1, 1});
 }
 
-// A short pane between two mirrors (figure 4.3): a ray within it has two children. One stays
-// within; the other goes to and fro between the mirrors, beyond the pane.
+// A short pane between two mirrors (figure 4.3). A ray inside the pane has two children: one stays
+// inside, the other goes to and fro between the mirrors beyond the pane.
 Scene make_semi_complete(int lights) {
   Planes planes(lights);
   planes.add(0, -1, 200, MIRROR);
@@ -170,7 +171,8 @@ TEST(TreeLevels, RepeatedRaysAreThoseOfTheLevelsBeforeWithoutFeelers) {
   EXPECT_EQ(sum, render(scene, params).rays);
 }
 
-// Table 4.1's room. The influence limit is a step of an 8-bit image: the thesis gives none.
+// The room of table 4.1. The limit on influence is one step of an 8-bit image, since the thesis
+// states none.
 TEST(TreeLevels, TheRoomLiesAboveEq46AndNearTheThesisPractice) {
   const Scene scene = make_room(27);
   Params params = make_params(128, 128, 1);

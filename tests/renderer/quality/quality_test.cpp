@@ -1,4 +1,4 @@
-// Measures of pictures: cases computed by hand, and properties on random pictures.
+// Quality measures of pictures: cases calculated by hand, and properties on random pictures.
 #include "renderer/quality/quality.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ Bitmap make_grey(int width, int height, const std::vector<int>& levels) {
   return picture;
 }
 
-// Levels from 60 to 195, in waves and a little noise.
+// Levels from 60 to 195, in waves with a little noise.
 Bitmap make_random_picture(Random& random) {
   const int width = 1 + random.below(40), height = 1 + random.below(40);
   const double fast = random.range(0.1, 1), slow = random.range(0.02, 0.1);
@@ -38,7 +38,7 @@ Bitmap add_noise(const Bitmap& picture, double most, std::uint64_t seed) {
   return noisy;
 }
 
-// The definition, window by window.
+// Evaluates the definition of SSIM window by window.
 double eval_plain_ssim(const Bitmap& a, const Bitmap& b) {
   const int columns = std::min(8, a.width), rows = std::min(8, a.height);
   const auto luminance = [](const Bitmap& p, int x, int y) {
@@ -75,10 +75,10 @@ TEST(Rmse, ByHand) {
 
 TEST(Ssim, ByHand) {
   EXPECT_DOUBLE_EQ(ssim(make_grey(1, 1, {0}), make_grey(1, 1, {255})), 6.5025 / (65025 + 6.5025));
-  // Both have mean 127.5 and variance 16256.25; their covariance is its negative.
+  // Both pictures have mean 127.5 and variance 16256.25; their covariance is -16256.25.
   EXPECT_DOUBLE_EQ(ssim(make_grey(2, 1, {0, 255}), make_grey(2, 1, {255, 0})),
                    (-32512.5 + 58.5225) / (32512.5 + 58.5225));
-  // Luminance of red, green and blue.
+  // The luminance of red, green and blue.
   const auto mean_only = [](double p, double q) {
     return (2 * p * q + 6.5025) / (p * p + q * q + 6.5025);
   };
@@ -87,7 +87,8 @@ TEST(Ssim, ByHand) {
 }
 
 TEST(Ssim, MeansOverAllWindows) {
-  // 9 x 1: windows of 8 x 1 begin at the first and the second pixel; only the second differs.
+  // In 9 x 1 pixels, windows of 8 x 1 begin at the first and the second pixel. Only the second
+  // window differs.
   const auto a = make_grey(9, 1, {0, 0, 0, 0, 0, 0, 0, 0, 0}),
              b = make_grey(9, 1, {0, 0, 0, 0, 0, 0, 0, 0, 80});
   const double mean = 10, variance = 80.0 * 80 / 8 - 100;
@@ -124,12 +125,13 @@ TEST(Ssim, PropertiesOnRandomPictures) {
 }
 
 TEST(BorderEnergy, ByHand) {
-  // Second differences around the pixels 1 to 4: 0, 10, -10, 0; the outer two lie in one cell.
+  // Second differences around the pixels 1 to 4 are 0, 10, -10, 0. The outer two lie in one cell.
   EXPECT_DOUBLE_EQ(border_energy(make_grey(6, 1, {0, 0, 0, 10, 10, 10}), 3), 100.5 / 0.5);
   EXPECT_DOUBLE_EQ(border_energy(make_grey(1, 6, {0, 0, 0, 10, 10, 10}), 3), 100.5 / 0.5);
-  // A bend at the border: 0, 0, 4, 0.
+  // A bend at the border between cells: 0, 0, 4, 0.
   EXPECT_DOUBLE_EQ(border_energy(make_grey(6, 1, {0, 0, 0, 0, 4, 8}), 3), 8.5 / 0.5);
-  // A step within a cell: -7 and 7 around pixels 4 and 5 of 9, of which 3 lie inside.
+  // A step inside a cell: second differences of -7 and 7 around pixels 4 and 5 of 9. Three second
+  // differences lie inside cells.
   EXPECT_DOUBLE_EQ(border_energy(make_grey(9, 1, {9, 9, 9, 9, 2, 2, 2, 2, 2}), 3),
                    (49 / 4.0 + 0.5) / (49 / 3.0 + 0.5));
 }

@@ -1,6 +1,6 @@
 #pragma once
 // Random rooms with blocks: a closed box with lamps under its ceiling. Blocks are turned; they
-// stand, hang in the air, lean on a wall or stand on each other.
+// stand, hang in the air, lean on a wall, or stand on each other.
 
 #include "tests/renderer/radiosity/support.hpp"
 
@@ -8,7 +8,7 @@ namespace radiosity::test {
 
 struct Block {
   double x = 0, y = 0, low = 0, high = 1;     // its centre, bottom and top
-  double wide = 0.5, deep = 0.5, turned = 0;  // half sides; radians about z
+  double wide = 0.5, deep = 0.5, turned = 0;  // half sides; angle about z in radians
 
   std::array<Vec, 4> ring(double z) const {
     const double c = std::cos(turned), s = std::sin(turned);
@@ -19,10 +19,11 @@ struct Block {
   }
 };
 
-/// True if a point is over the block and further than `margin` inside its sides.
+/// True if a point is above the block and more than `margin` inside its sides.
 inline bool is_within(const Block& block, const Vec& p, double margin) {
   const auto ring = block.ring(p.z);
-  return clip(ring, make_plane({0, 0, 1}, p), 0).empty() &&  // (the ring is at the point's height)
+  // the ring of corners is at the point's height
+  return clip(ring, make_plane({0, 0, 1}, p), 0).empty() &&
          std::ranges::all_of(make_edge_planes(ring, {0, 0, 1}),
                              [&](const Plane& edge) { return eval_height(edge, p) > margin; });
 }
@@ -50,7 +51,7 @@ inline Block make_block(Random& random, const Vec& size, std::span<const Block> 
       block.low = random.range(0.05, 0.3) * size.z;
       block.high += block.low;
       break;
-    case 1:  // on another
+    case 1:  // on another block
       if (others.empty()) break;
       block.x = others.back().x;
       block.y = others.back().y;
@@ -59,7 +60,7 @@ inline Block make_block(Random& random, const Vec& size, std::span<const Block> 
       block.low = others.back().high;
       block.high = std::min(block.low + block.high, 0.9 * size.z);
       break;
-    case 2:  // an edge or a side on the wall x = 0
+    case 2:  // with an edge or a side at the wall x = 0
       block.x = block.wide * std::abs(std::cos(block.turned)) +
                 block.deep * std::abs(std::sin(block.turned));
       break;
@@ -74,7 +75,8 @@ inline Block make_block(Random& random, const Vec& size, std::span<const Block> 
   return block;
 }
 
-/// Material 0 is grey, 1 the lamps'. Faces: the six of the box, floor first; then the lamps.
+/// A room with blocks. Material 0 is grey, material 1 that of lamps. The first faces are the six of
+/// the box, floor first, then the lamps.
 struct BlocksRoom {
   Room room;
   Vec size;

@@ -13,7 +13,7 @@ namespace radiosity::test {
 
 using renderer::test::Random;
 
-/// One lit square and a wall around nothing: the smallest room that passes check().
+/// A lit square and a wall that enclose nothing: the smallest room that passes check().
 inline Room make_small_room() {
   Room room;
   room.materials = {{"wall", {0.5, 0.5, 0.5}, {}, false}, {"lamp", {0, 0, 0}, {1, 1, 1}, false}};
@@ -24,7 +24,7 @@ inline Room make_small_room() {
   return room;
 }
 
-/// A convex polygon: its corners lie on an ellipse in a random plane.
+/// A convex polygon with its corners on an ellipse in a random plane.
 inline std::vector<Vec> make_convex(Random& random, int corners) {
   const Vec centre = random.point(5);
   const auto [u, v] = renderer::test::make_plane(random.direction());
@@ -60,7 +60,7 @@ inline Room make_random_room(std::uint64_t seed) {
     room.faces.push_back(face);
   }
   for (int i = random.below(4); i > 0; --i) {
-    // From a corner to a side.
+    // The crease leads from a corner to a side.
     const auto& on = room.faces[static_cast<std::size_t>(random.below(faces))].corners;
     room.creases.push_back({on[0], on[1] + random.range(0.1, 0.9) * (on[2] - on[1])});
   }
@@ -103,7 +103,7 @@ inline std::string write(const Room& room) {
 
 inline Room read(const std::string& text) { return read_room(text, "test.room"); }
 
-/// The text of the BadInput that `action` throws, or "accepted".
+/// The message of the BadInput that `action` throws, or "accepted".
 template <typename Action>
 std::string get_error(const Action& action) {
   try {

@@ -10,7 +10,7 @@ using renderer::test::Random;
 
 using Polygon = std::vector<Vec>;
 
-/// Materials.
+/// Indices of materials.
 enum : std::uint32_t { GREY, LIGHT, MIRROR };
 
 inline Room make_room() {

@@ -1,4 +1,4 @@
-// Creases lie where the visible part of a light begins to change, and nowhere else.
+// Creases lie where the form of a light's visible part changes, and nowhere else.
 
 #include <gtest/gtest.h>
 
@@ -28,9 +28,9 @@ double eval_area(const Polygon& polygon) {
   return polygon.size() < 3 ? 0 : length(eval_area_normal(polygon)) / 2;
 }
 
-// A light and a blocker above a floor, both convex and tilted a little.
+// A light and an occluder above a floor, both convex and slightly tilted.
 struct Case {
-  Polygon light, blocker;  // counter-clockwise from above
+  Polygon light, blocker;  // counter-clockwise as seen from above
   Room room = make_room();
 };
 
@@ -59,7 +59,7 @@ Case make_case(std::uint64_t seed) {
   return c;
 }
 
-// Light and blocker seen from a point of the floor, projected onto a plane at unit height.
+// A polygon as seen from a point of the floor, projected onto a plane at unit height.
 Polygon project(const Polygon& polygon, const Vec& from) {
   Polygon image;
   for (const Vec& p : polygon) {
@@ -105,8 +105,8 @@ TEST(Discontinuities, LightChangesOnlyAtCreases) {
   EXPECT_GT(changes, 300);
 }
 
-// Bits for the corners of each polygon within the other. They change exactly where the visible
-// light, as a function of place, changes its form.
+// One bit for each corner of a polygon that lies inside the other. They change exactly where the
+// visible part of the light changes its form.
 std::uint64_t eval_form(const Case& c, const Vec& from) {
   const Polygon light = project(c.light, from), blocker = project(c.blocker, from);
   std::uint64_t form = 0;
@@ -174,7 +174,7 @@ TEST(Discontinuities, HalvesMakeTheCreasesOfTheWhole) {
           if (distance_to(crease.a + i / 20.0 * (crease.b - crease.a), on_floor(others)) > 1e-2)
             ++missing;
   }
-  // At the start of the other half, an end may be cut off.
+  // The ends of creases may be cut off, so a few points may be missing.
   EXPECT_LT(missing, points / 500) << "of " << points;
 }
 
@@ -192,7 +192,7 @@ bool blocks(const Face& face, const Vec& from, const Vec& to) {
   return true;
 }
 
-// Boxes on a floor, and one in the air: full light and full shadow end at creases.
+// There are boxes on a floor and one in the air. Full light and full shadow end at creases.
 TEST(Discontinuities, BoxesShadowsEndAtCreases) {
   int changes = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
@@ -210,7 +210,7 @@ TEST(Discontinuities, BoxesShadowsEndAtCreases) {
     add_face(room, turn(light), LIGHT);
     const auto creases = find_creases(room);
     ASSERT_LT(creases.size(), 300u);
-    // Points on the light's border, more of them at its corners.
+    // Points on the light's border, denser at its corners.
     std::vector<Vec> border;
     for (std::size_t i = 0; i < light.size(); ++i)
       for (int k = 0; k < 24; ++k)
@@ -239,7 +239,7 @@ TEST(Discontinuities, BoxesShadowsEndAtCreases) {
   EXPECT_GT(changes, 60);
 }
 
-// Faces that touch and cross in every way: rectangles on a coarse grid, and triangles.
+// Faces touch and cross in every way: rectangles on a coarse grid, and triangles.
 TEST(Discontinuities, AnyFacesCanBeMeshed) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

@@ -1,4 +1,4 @@
-// Creases at known places.
+// Creases of rooms in which their places are known.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace radiosity::test::shadows {
 namespace {
 
-// Checks that all creases are covered by those in `by`.
+// Expects all creases to be covered by those in `by`.
 void expect_covered(std::span<const Crease> creases, std::span<const Crease> by, double tolerance) {
   for (const Crease& crease : creases)
     for (int i = 0; i <= 20; ++i) {
@@ -18,7 +18,7 @@ void expect_covered(std::span<const Crease> creases, std::span<const Crease> by,
     }
 }
 
-// A square light of side 2 a at height h, a blocker of side 2 b at height g < h, both centred.
+// A square light of side 2 a at height h, an occluder of side 2 b at height g < h, both centred.
 TEST(Discontinuities, ParallelSquares) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -29,7 +29,8 @@ TEST(Discontinuities, ParallelSquares) {
     add_face(room, turn(make_rectangle(-a, -a, a, a, h)), LIGHT);
     add_face(room, make_rectangle(-b, -b, b, b, g), seed % 2 == 0 ? GREY : MIRROR);
     add_face(room, make_rectangle(-9, -9, 9, 9, 0), GREY);
-    // Similar triangles: a line from the light's edge at x past the blocker's at y to the floor.
+    // Similar triangles: a line from the light's edge at x past the occluder's edge at y to the
+    // floor.
     const auto floor = [&](double x, double y) { return x + (y - x) * h / (h - g); };
     const double outer = floor(-a, b), inner = std::abs(floor(a, b));
     std::vector<Crease> expected;
@@ -40,7 +41,7 @@ TEST(Discontinuities, ParallelSquares) {
     const std::vector<Crease> found = find_creases(room);
     ASSERT_EQ(found.size(), 8u);
     expect_covered(found, expected, 1e-9);
-    // The penumbra's whole border, and the sides of the square of greatest occlusion.
+    // The complete border of the penumbra, and the sides of the square of largest occlusion.
     expected.resize(0);
     for (const double at : {-outer, outer}) {
       expected.push_back({{at, -outer, 0}, {at, outer, 0}});
@@ -54,7 +55,7 @@ TEST(Discontinuities, ParallelSquares) {
   }
 }
 
-// Blockers hide two lights from a floor: the creases of the stronger light come first.
+// Two occluders each hide a light from a floor. The creases of the stronger light come first.
 TEST(Discontinuities, OfTheStrongestLightComeFirst) {
   for (const bool first_is_strong : {true, false}) {
     Room room = make_room();
@@ -80,7 +81,8 @@ TEST(Discontinuities, OfTheStrongestLightComeFirst) {
   }
 }
 
-// Figure 3.8's room, a window in the left wall: its walls make no creases, a hanging square does.
+// The room of figure 3.8, with a window in the left wall. Its walls cause no creases, a hanging
+// square does.
 TEST(Discontinuities, WallsOfARoomMakeNone) {
   Room room = make_room();
   add_box(room, {0, 0, 0}, {4, 3, 3}, false);
@@ -111,13 +113,13 @@ TEST(Discontinuities, WhereAScreenStandsOnTheFloor) {
   Room room = make_floor();
   add_face(room, {{-1, 0, 0}, {1, 0, 0}, {1, 0, 1}, {-1, 0, 1}}, GREY);
   EXPECT_TRUE(is_crease({-1, 0, 0}, {1, 0, 0}, find_creases(room)));
-  // A blocker through the floor gives the same.
+  // An occluder through the floor causes the same creases.
   room.faces.back().corners = {{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}};
   EXPECT_TRUE(is_crease({-1, 0, 0}, {1, 0, 0}, find_creases(room)));
 }
 
-// The penumbra of an upright edge is a fan from its foot. Lines between its borders mark the
-// appearance of further corners of the lamp. They come after all borders.
+// The penumbra of an upright edge is a fan from its foot. Lines inside the fan mark where further
+// corners of the lamp become visible. They come after all borders.
 TEST(Discontinuities, FromAFootOneGoesOutForEveryCornerOfTheLight) {
   Room room = make_room();
   add_face(room, make_rectangle(-5, -5, 5, 5, 0), GREY);
@@ -126,7 +128,7 @@ TEST(Discontinuities, FromAFootOneGoesOutForEveryCornerOfTheLight) {
   const auto creases = find_creases(room);
   for (const double foot : {-1.0, 1.0})
     for (const Vec& corner : room.faces[1].corners) {
-      // As long as the edge's shadow; the edge is a quarter as high as the lamp.
+      // Lines are as long as the shadow of the edge, which is a quarter as high as the lamp.
       const Vec end{foot + (foot - corner.x) / 3, -corner.y / 3, 0};
       EXPECT_TRUE(is_crease({foot, 0, 0}, end, creases)) << foot << ' ' << corner.x << corner.y;
     }
@@ -156,7 +158,7 @@ TEST(Discontinuities, WhereAShelfIsSeenFromItsEdge) {
   add_face(room, {{0, -1, 1}, {0, 1, 1}, {0, 1, 2}, {0, -1, 2}}, LIGHT);
   add_face(room, {{6, -9, -9}, {6, -9, 9}, {6, 9, 9}, {6, 9, -9}}, GREY);
   add_face(room, make_rectangle(2, -1, 3, 1, 1.5), GREY);
-  // Above and below it the wall sees less of the light.
+  // Above and below it, the wall sees less of the light.
   EXPECT_TRUE(is_crease({6, -5, 1.5}, {6, 5, 1.5}, find_creases(room)));
   EXPECT_FALSE(is_crease({6, -5.1, 1.5}, {6, 5.1, 1.5}, find_creases(room)));
 }
@@ -165,7 +167,7 @@ TEST(Discontinuities, WhatIsHiddenOrTakesNoLightHasNone) {
   Room room = make_floor();
   add_face(room, make_rectangle(-2, 0, 2, 3, 3.5), GREY);
   const auto screen = find_creases(room);
-  EXPECT_EQ(screen.size(), 0u);  // nothing reaches the floor's border
+  EXPECT_EQ(screen.size(), 0u);  // no crease reaches the border of the floor
   add_face(room, make_rectangle(-0.5, 1, 0.5, 2, 1), GREY);
   EXPECT_EQ(find_creases(room).size(), 0u);
   room.faces.erase(room.faces.begin() + 2);
@@ -176,7 +178,7 @@ TEST(Discontinuities, WhatIsHiddenOrTakesNoLightHasNone) {
   }
 }
 
-// The files list their creases, computed by hand from formulas given there.
+// The room files list their creases, calculated by hand from formulas given there.
 TEST(Discontinuities, OfTheThesisFigures) {
   for (const char* name : {"window", "spot-diffuse", "spot-mirror"}) {
     SCOPED_TRACE(name);

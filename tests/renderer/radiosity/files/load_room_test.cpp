@@ -1,4 +1,4 @@
-// Rooms from text: their content, and messages about errors in files.
+// Rooms from text: their content, and error messages.
 
 #include <gtest/gtest.h>
 
@@ -71,8 +71,8 @@ TEST(RoomFile, BoxesAreClosedAndFaceTheirSide) {
 }
 
 struct WrongText {
-  const char* text;   // from line 4
-  const char* error;  // its beginning, after "test.room:"
+  const char* text;   // text from line 4 on
+  const char* error;  // beginning of the message, after "test.room:"
 };
 void PrintTo(const WrongText& wrong, std::ostream* out) { *out << wrong.text; }
 

@@ -1,4 +1,4 @@
-// The light balance of a room, and rooms that lose no light.
+// The energy balance of a room, and rooms that lose no light.
 
 #include "renderer/radiosity/light/balance.hpp"
 
@@ -57,7 +57,7 @@ TEST(Balance, AHoleAMirrorAndABackOpenARoom) {
   EXPECT_FALSE(is_closed(make_mesh(mirror, {})));
 }
 
-// A wall inside a room does not open it; light on its back is reported separately from lost light.
+// A wall inside a room does not open it. Light on its back is reported separately from lost light.
 TEST(Balance, AWallInsideDoesNotOpenARoom) {
   Room room = make_closed();
   add_quad(room, 0, {1, 0, 0}, {0, 2, 0}, {0, 0, 2}, 2, 2);
@@ -70,8 +70,7 @@ TEST(Balance, AWallInsideDoesNotOpenARoom) {
   EXPECT_EQ(light(room).backs, 0);
 }
 
-// Rooms with hanging lamps and standing blocks: only the shell counts, and a hole in it opens the
-// room.
+// Rooms have hanging lamps and standing blocks. Only a hole in the shell opens a room.
 TEST(Balance, FreeStandingFacesDoNotOpenARoom) {
   for (const double below : {0.05, 0.3, 1.0}) {
     SCOPED_TRACE(testing::Message() << "lamp " << below << " m below the ceiling");

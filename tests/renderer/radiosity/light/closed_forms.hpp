@@ -1,6 +1,6 @@
 #pragma once
-// Known form factors: J. Howell, "A Catalog of Radiation Heat Transfer Configuration Factors" (B:
-// from a point with a normal, C: mean over a surface); and J. Lambert's of 1760.
+// Form factors in closed form: from J. Howell, "A Catalog of Radiation Heat Transfer Configuration
+// Factors" (B: from a point with a normal; C: mean over a surface), and J. Lambert's of 1760.
 
 #include <numbers>
 #include <vector>
@@ -15,24 +15,24 @@ using std::log;
 using std::sqrt;
 inline constexpr double PI = std::numbers::pi;
 
-/// B-4: a x b, parallel, at a distance c, one corner on the point's normal.
+/// B-4: a x b, parallel, at a distance c, with one corner on the point's normal.
 inline double parallel_rectangle(double a, double b, double c) {
   const double x = a / c, y = b / c, u = sqrt(1 + x * x), v = sqrt(1 + y * y);
   return (x / u * atan(y / u) + y / v * atan(x / v)) / (2 * PI);
 }
 
-/// B-5: `height` along the point's normal, `width` across it; its lower corner at distance c.
+/// B-5: `height` along the point's normal, `width` across it, with its lower corner at distance c.
 inline double upright_rectangle(double height, double width, double c) {
   const double x = height / width, y = c / width, r = sqrt(x * x + y * y);
   return (atan(1 / y) - y / r * atan(1 / r)) / (2 * PI);
 }
 
-/// B-12: a disc, parallel, its centre on the normal.
+/// B-12: a parallel disc with its centre on the normal.
 inline double parallel_disc(double radius, double distance) {
   return radius * radius / (radius * radius + distance * distance);
 }
 
-/// C-11: a x b, from one rectangle to an equal one at distance c.
+/// C-11: from one rectangle a x b to an equal, parallel one at distance c.
 inline double parallel_rectangles(double a, double b, double c) {
   const double x = a / c, y = b / c, u = sqrt(1 + x * x), v = sqrt(1 + y * y);
   return 2 / (PI * x * y) *
@@ -55,7 +55,7 @@ inline double coaxial_discs(double first, double second, double distance) {
   return (s - sqrt(s * s - 4 * (b / a) * (b / a))) / 2;
 }
 
-/// Lambert: the part of a polygon above the point's horizon.
+/// Lambert's formula for the part of a polygon above the point's horizon.
 inline double polygon(const Vec& at, const Vec& normal, const std::vector<Vec>& corners) {
   std::vector<Vec> above;
   for (std::size_t i = 0; i < corners.size(); ++i) {

@@ -1,5 +1,6 @@
 // Form factors, compared with closed forms. Sizes and distances are in units of the first side.
-// Each test prints seven errors: with 1, 4, 16, 64, 256 and 1024 samples, and by default.
+// Each test prints seven errors: with 1, 4, 16, 64, 256 and 1024 samples, and with default
+// parameters.
 
 #include "tests/renderer/radiosity/light/closed_forms.hpp"
 
@@ -23,7 +24,7 @@ Face make_quad(const Vec& p, const Vec& a, const Vec& b) {
   Room room;
   return add_quad(room, 0, p, a, b);
 }
-// A polygon of the disc's area.
+// A polygon with the area of the disc.
 Face make_disc(double z, const Vec& axis, double radius, int corners) {
   const double share = corners / (2 * closed::PI) * std::sin(2 * closed::PI / corners);
   Face face;
@@ -31,7 +32,7 @@ Face make_disc(double z, const Vec& axis, double radius, int corners) {
   return face;
 }
 
-// Relative errors of one form factor; `eval` sums it over a mesh's patches.
+// Relative errors of one form factor. `eval` sums it over the patches of a mesh.
 struct Errors {
   Errors(const Mesh& lamp, double exact, const std::function<double(const Eye&)>& eval) {
     for (const int samples : {1, 2, 4, 8, 16, 32})
@@ -42,7 +43,7 @@ struct Errors {
     for (const double e : fixed) line += fmt::format(" {:+.5f}", e);
     fmt::print("{:.6f}:{} {:+.5f}\n", exact, line, adaptive);
   }
-  // With 64 samples, with twice as many a side, and by default.
+  // Checks 64 samples, twice as many along a side, and default parameters.
   void expect_small_and_converging() const {
     EXPECT_LT(std::abs(fixed[3]), 0.02);
     EXPECT_LT(std::abs(adaptive), 0.01);
@@ -50,7 +51,7 @@ struct Errors {
       EXPECT_LT(std::abs(fixed[k + 1]), std::max(std::abs(fixed[k]) / 10, 1e-5));
   }
   std::vector<double> fixed;
-  double adaptive = 0, both = 0;  // both: 64 samples, halved if they are wide
+  double adaptive = 0, both = 0;  // adaptive: default; both: 64 samples, halved if they are wide
 };
 
 Errors find_errors(const Face& face, double exact) {
@@ -70,7 +71,8 @@ TEST(ClosedForms, OfAPointAndAnUprightRectangle) {
         .expect_small_and_converging();
 }
 
-// Delta areas of any shape, seen from anywhere: halving reduces their error to a sixteenth.
+// Delta areas have any shape, and are seen from anywhere. Halving their sides reduces the error to
+// 1/16.
 TEST(ClosedForms, DeltaAreasAreExactToTheSecondOrder) {
   double coarse = 0, fine = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -102,7 +104,8 @@ TEST(ClosedForms, OfAPointAndADisc) {
         .expect_small_and_converging();
 }
 
-// Errors from patch to patch. The mean over 16 x 16 points represents the patch within 0.3 %.
+// Errors of factors from patch to patch. The mean over 16 x 16 points represents the patch within
+// 0.3 %.
 Errors find_errors(const Face& from, const Face& to, double exact) {
   const Mesh receiver = make_lamp(from), lamp = make_lamp(to);
   return {lamp, exact, [&](const Eye& eye) {
@@ -129,8 +132,8 @@ TEST(ClosedForms, OfParallelRectangles) {
   }
 }
 
-// Near the common edge a 64th of a patch is wider than its distance. Equal delta areas are accurate
-// only to 9 %, halved ones to 0.5 %.
+// Near the common edge, a 64th of a patch is wider than its distance. Equal delta areas are
+// accurate only to 9 %, halved ones to 0.5 %.
 TEST(ClosedForms, OfUprightRectanglesWithAnEdgeInCommon) {
   for (const double height : DISTANCES) {
     const auto errors = find_errors(make_quad(ORIGIN, {1, 0, 0}, {0, 1, 0}),

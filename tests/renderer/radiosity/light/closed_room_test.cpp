@@ -1,5 +1,5 @@
-// In a closed room a vertex sees only patches, and form factors are reciprocal: two patches'
-// factors are in the ratio of their areas.
+// In a closed room a vertex sees only patches, so its factors sum to 1. Form factors are
+// reciprocal: those between two patches are in the ratio of their areas.
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ TEST(ClosedRoom, FactorsOfAVertexSumToOne) {
   }
 }
 
-// A delta area is visible or not: behind obstacles some count too much, some too little.
+// A delta area is either visible or not. Behind obstacles, some count too much and some too little.
 TEST(ClosedRoom, FactorsSumToOneWithThingsInside) {
   Range all, all_fine;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
@@ -67,8 +67,8 @@ TEST(ClosedRoom, FactorsSumToOneWithThingsInside) {
              all_fine.lo, all_fine.hi);
 }
 
-// The mean is over 6 x 6 points of the receiver. The mean of the vertices alone, four points on the
-// border, is accurate for patches that are small for their distance.
+// The mean is over 6 x 6 points of the receiver. The mean of the four vertices is accurate only for
+// patches that are small compared with their distance.
 TEST(ClosedRoom, FactorsAreReciprocal) {
   double worst = 0, worst_corners = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {

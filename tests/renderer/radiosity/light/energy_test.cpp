@@ -1,5 +1,5 @@
-// The energy of a shot. A few points represent a patch, so the balance holds within their error.
-// Simpson's mean is more accurate than the corners', and both improve with refinement.
+// The energy of a shot. A few points represent a patch, so the balance holds up to an error.
+// Simpson's rule is more accurate than the mean of the corners, and both improve with refinement.
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace radiosity::test {
 namespace {
 
-// Performs one shot; returns its reflected power, kept for sending.
+// Performs one shot. Returns the power that it makes patches reflect.
 Rgb shoot(const Mesh& mesh, const Shot& shot, Mean mean, State& state, Work& work) {
   const FactorParams factor;
   const Eye eye{mesh, factor};
@@ -24,7 +24,7 @@ Rgb shoot(const Mesh& mesh, const Shot& shot, Mean mean, State& state, Work& wor
   return after + -1.0 * before;
 }
 
-// The receivers' share of a shot's power, reflected or absorbed.
+// The shares of a shot's power that receivers reflect and absorb.
 struct Balance {
   double least = 1e9, most = 0, mean = 0;
 };
@@ -53,8 +53,8 @@ Room make_bare_room() {
   return room;
 }
 
-// A single shot near an edge of the room does not balance by corners at any refinement: patches
-// across the edge are as near to it as they are wide.
+// With the mean of the corners, a single shot near an edge of the room does not balance at any
+// refinement. Patches across the edge are as near to it as they are wide.
 TEST(Energy, OfAShotIsReflectedOrAbsorbed) {
   for (const auto mean : {Mean::corners, Mean::simpson}) {
     std::vector<double> errors;
@@ -73,7 +73,7 @@ TEST(Energy, OfAShotIsReflectedOrAbsorbed) {
   }
 }
 
-// Vertices lit exactly in the room's edges see nothing of the wall they touch.
+// Vertices lit exactly in the edges of the room see nothing of the wall that they touch.
 TEST(Energy, IsLostIfVerticesAreLitInTheEdges) {
   const Mesh mesh = make_mesh(make_bare_room(), {.refine = 4, .inset = 0});
   EXPECT_LT(shoot_each(mesh, 1, Mean::corners).mean, 0.8);

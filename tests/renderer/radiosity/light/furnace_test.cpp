@@ -1,4 +1,4 @@
-// If every face emits E and reflects rho, B = E / (1 - rho) everywhere.
+// The furnace test: if every face emits E and reflects rho, B = E / (1 - rho) everywhere.
 
 #include <gtest/gtest.h>
 
@@ -29,8 +29,8 @@ void expect_furnace(Room room, double reflectance, const SolveParams& params, do
              lost);
 }
 
-// Default parameters, with the estimate of the unsent light. An error of the factor sum grows by
-// rho / (1 - rho): 0.5 % at 0.9 requires less than 0.05 %.
+// Uses default parameters, with the estimate of the unsent light. An error of the factor sum grows
+// by rho / (1 - rho), so 0.5 % at 0.9 requires less than 0.05 %.
 TEST(Furnace, IsAsBrightAsTheFormulaSays) {
   const auto make = [](int n) {
     Room room;

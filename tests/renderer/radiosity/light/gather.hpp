@@ -1,12 +1,12 @@
 #pragma once
-// The oracle of progressive refinement: the same equations solved by gathering.
+// Oracle for progressive radiosity: the same equations solved by gathering.
 
 #include "renderer/radiosity/mesh/mesh.hpp"
 #include "tests/renderer/radiosity/support.hpp"
 
 namespace radiosity::test {
 
-// The radiosity of a vertex lit by all patches (Eq 1.8); `patches` holds all their light as unsent.
+// The radiosity of a vertex lit by all patches (Eq 1.8). `patches` has all their light as unsent.
 inline Rgb collect(const Eye& eye, const Vertex& vertex, const State& patches, Work& work) {
   const Mesh& mesh = eye.mesh;
   const Material& material = mesh.materials[vertex.material];
@@ -60,9 +60,9 @@ struct Sweep {
   }
 };
 
-/// Solves the equations of solve() by gathering (Eq 1.8 with Eq 3.9), sweep after sweep in the
-/// order of vertices, until no change exceeds `tolerance` of the brightest. Computes every factor
-/// again in every sweep, `shots` of them; for small rooms.
+/// Solves the equations of solve() by gathering (Eq 1.8 with Eq 3.9): sweep after sweep in the
+/// order of vertices, until no change exceeds `tolerance` of the brightest. Returns the number of
+/// sweeps in `shots`. Every sweep computes every factor anew, so this is only for small rooms.
 inline Solution gather(const Mesh& mesh, const SolveParams& params, double tolerance = 1e-6) {
   check(params.factor);
   const Eye eye{mesh, params.factor};

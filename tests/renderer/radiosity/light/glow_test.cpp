@@ -1,4 +1,4 @@
-// Patches with uneven glow.
+// Patches whose radiosity varies over their area.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ Face make_random_face(Random& random) {
   return face;
 }
 
-// That face over a floor, and on request a mirror beside them.
+// Such a quad over a floor, and on request a mirror beside them.
 Mesh make_lamp_and_floor(Random& random, bool mirror) {
   Room room;
   room.materials = {{"lamp", grey(0.5), grey(1)}, {"mirror", {0.9, 0.8, 0.7}, {}, true}};
@@ -34,7 +34,7 @@ std::array<Rgb, 4> make_colours(Random& random) {
   return {random.colour(), random.colour(), random.colour(), random.colour()};
 }
 
-// The light of a patch cut into n x n pieces, each with an even glow.
+// The light of a patch cut into n x n pieces, each with a constant radiosity.
 Rgb add_pieces(const Eye& eye, const Vertex& vertex, const Patch& patch, const Glow& glow, int n) {
   const Quad quad(patch);
   Work work;
@@ -66,7 +66,8 @@ TEST(Glow, OfCornersIsTheirsThere) {
   }
 }
 
-// Near and far, and over mirrors. An even glow gives the form factor times its value.
+// The patch is near and far, and seen over mirrors. A constant radiosity yields the form factor
+// times its value.
 TEST(Glow, IsWhatManyEvenPiecesGive) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -91,7 +92,8 @@ TEST(Glow, IsWhatManyEvenPiecesGive) {
   }
 }
 
-// For any light at its corners and its centre, a patch sends its own power, and no negative light.
+// Whatever the light at its corners and its centre, a patch sends its own power, and no negative
+// light.
 TEST(Glow, OfAShotHasThePatchsPower) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -119,8 +121,8 @@ TEST(Glow, OfAShotHasThePatchsPower) {
   }
 }
 
-// In the edge between wall and ceiling, each is lit by the other's light there, not by the mean of
-// its patches.
+// In the edge between wall and ceiling, each is lit by the other's light there, and not by the mean
+// of its patches.
 TEST(Glow, OfCornersIsRightInTheRoomsEdges) {
   Room room;
   room.materials = {{"wall", grey(0.7), {}}, {"lamp", grey(0), grey(1)}};

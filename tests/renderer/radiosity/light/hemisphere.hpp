@@ -1,6 +1,6 @@
 #pragma once
-// A second calculator of form factors, which shares only the walk through the scene with the first.
-// It counts hits in cosine-distributed directions over a vertex's hemisphere (N. Malley).
+// Independent calculator of form factors, which shares only the intersection of rays with the
+// first. It counts hits in cosine-distributed directions over a vertex's hemisphere (N. Malley).
 
 #include <map>
 
@@ -9,11 +9,11 @@
 
 namespace radiosity::test {
 
-/// A side of a face: the face, and true for its front.
+/// A side of a face: the number of the face, and true for its front.
 using Side = std::pair<std::uint32_t, bool>;
 
-/// The share of n x n directions, a random one in each stratum, that first hit a side of a face.
-/// The blockers' objects are the faces, in order.
+/// The share of n x n directions that first hit each side of a face. There is one random direction
+/// in each stratum. Objects of the blockers have the numbers of the faces.
 inline std::map<Side, double> eval_hemisphere(const Mesh& mesh, const Vertex& vertex, int n,
                                               Random& random) {
   const auto [u, v] = renderer::test::make_plane(vertex.normal);

@@ -1,7 +1,7 @@
 // Mirrors show the unfolded room: the same delta areas through the same window. The adaptive pieces
-// (FactorParams::mirror_pieces = 0) therefore agree with it to a millionth, at any patch size, if
-// they are cut as in direct view (mirror_share without effect). The exception is a delta area with
-// its centre on the edge of a mirror or an object.
+// (FactorParams::mirror_pieces = 0) agree with it to a millionth at any patch size, if they are cut
+// as in direct view (mirror_share without effect). Delta areas with the centre on the edge of a
+// mirror or an object are exceptions.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ using Chains = std::vector<std::vector<MirrorPlane>>;
 
 void expect_images(const Room& room, const Chains& chains, FactorParams params,
                    double most = 0.02) {
-  params.mirror_share = 1e9;  // split no finer than in direct view
+  params.mirror_share = 1e9;  // no finer than in direct view
   const Room unfolded = unfold(room, chains);
   const std::size_t faces = unfolded.faces.size() / (chains.size() + 1);
   const Mesh mesh = make_mesh(room, {}), images = make_mesh(unfolded, {});
@@ -24,7 +24,8 @@ void expect_images(const Room& room, const Chains& chains, FactorParams params,
     const auto found = eval_by_mirrors({mesh, params}, vertex, faces);
     const auto expected = eval_by_images({images, params}, vertex, faces);
     for (std::size_t f = 0; f < faces; ++f, ++compared) {
-      differ += std::abs(found[f] - expected[f]) > 1e-6;  // points are not exactly the centres
+      // visibility is tested slightly off the centres
+      differ += std::abs(found[f] - expected[f]) > 1e-6;
       EXPECT_NEAR(found[f], expected[f], most) << "face " << f;
       error += std::abs(found[f] - expected[f]);
       sum += expected[f];
@@ -43,7 +44,7 @@ TEST(MirrorImages, OfAWholeWall) {
   }
 }
 
-// A part of the wall is a mirror; in the unfolded room the rest remains as an obstacle.
+// A part of the wall is a mirror. In the unfolded room, the rest remains as an obstacle.
 TEST(MirrorImages, OfAPartOfAWall) {
   Room room = make_cube("xyYzZ", true, 2);
   const Vec at{2, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
@@ -55,7 +56,7 @@ TEST(MirrorImages, OfAPartOfAWall) {
   expect_images(room, {{HIGH_X}}, {.reflections = 1});
 }
 
-// There are three images. That of both mirrors stands behind their common edge; each half of it is
+// There are three images. The image in both mirrors is behind their common edge. Each half of it is
 // seen over a different mirror first. (Light exactly behind that edge is lost, since its path meets
 // no mirror there. Points on the diagonal of this room do see such delta areas.)
 TEST(MirrorImages, OfTwoAtRightAngles) {

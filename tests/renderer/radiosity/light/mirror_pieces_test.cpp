@@ -1,4 +1,4 @@
-// Mirrors cut into equal pieces, Eq 3.17 and 3.18, compared with the view in the mirror.
+// Mirrors cut into equal pieces (Eq 3.17 and 3.18), compared with the view in the mirror.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,8 @@
 namespace radiosity::test {
 namespace {
 
-// Points in the middle of the cube with random normals, for its patches over the mirror at high x.
+// Points in the middle of the cube with random normals, which see its patches over the mirror at
+// high x.
 class Pieces : public testing::Test {
  protected:
   static Mesh make(int n) {
@@ -34,7 +35,7 @@ class Pieces : public testing::Test {
 };
 
 // A receiver sees a delta area over a mirror of varying size. Until the mirror shows all of it, Eq
-// 3.16 holds, with h = omega_S / omega; from then on Eq 3.12.
+// 3.16 holds with h = omega_S / omega; from then on Eq 3.12.
 TEST_F(Pieces, OneAloneFollowsEquations312And316) {
   constexpr double SIDE = 0.2, AREA = SIDE * SIDE;
   const Vec emitter{0.5, 1, 0}, image{3.5, 1, 0};
@@ -60,8 +61,8 @@ TEST_F(Pieces, OneAloneFollowsEquations312And316) {
   }
 }
 
-// For any shape of the mirror and any place of the delta area in it, h is at most 1. The light is
-// at most that of Eq 3.12.
+// Whatever the shape of the mirror and the place of the delta area in it, h is at most 1. The light
+// is at most that of Eq 3.12.
 TEST_F(Pieces, NeverShowMoreThanThereIs) {
   Random random{3};
   int lit = 0;
@@ -86,8 +87,8 @@ TEST_F(Pieces, NeverShowMoreThanThereIs) {
   EXPECT_GT(lit, 100);
 }
 
-// One piece shows more than every delta area: Eq 3.12 from the image, except for the difference
-// between Eq 3.8's disc and the delta area.
+// One piece shows more than every delta area. The result is that of Eq 3.12 from the image, apart
+// from the difference between Eq 3.8's disc and the delta area.
 TEST_F(Pieces, OneLargeOneIsTheImage) {
   const Mesh mesh = make(2);
   int lit = 0;
@@ -103,7 +104,7 @@ TEST_F(Pieces, OneLargeOneIsTheImage) {
   EXPECT_GT(lit, 100);
 }
 
-// One piece and four give equal results then.
+// One piece and four then give equal results.
 TEST_F(Pieces, LargerThanDeltaAreasDoNotMatter) {
   const Mesh mesh = make(2);
   for (const Vertex& point : make_points(4))
@@ -112,7 +113,8 @@ TEST_F(Pieces, LargerThanDeltaAreasDoNotMatter) {
                 eval(mesh, point, patch, {.samples = 8, .reflections = 1, .mirror_pieces = 1}));
 }
 
-// Smaller pieces, each with its share h, converge to the view: for every patch, and in total.
+// Smaller pieces, each with its share h, converge to the view in the mirror: for every patch, and
+// in total.
 TEST_F(Pieces, SmallOnesConverge) {
   const Mesh mesh = make(1);
   const auto points = make_points(10);
@@ -139,7 +141,8 @@ TEST_F(Pieces, SmallOnesConverge) {
   EXPECT_LT(last, 0.03);
 }
 
-// Over two mirrors the smaller angle counts, each seen from the vertex along the whole path.
+// Over two mirrors, the smaller of their angles counts. Each angle is seen from the vertex along
+// the whole path.
 TEST_F(Pieces, OfTwoMirrorsConverge) {
   Room room = make_cube("xyzZ", false, 1);
   add_walls(room, "XY", 1, 2);

@@ -18,7 +18,7 @@ double sum_by_mirrors(const Mesh& mesh, const Vertex& vertex, const FactorParams
 
 TEST(Mirrors, ReflectAtTheirFrontOnly) {
   Room room = make_cube("xXyYzZ", true, 2);
-  add_quad(room, 2, {0.3, 0.2, 0.1}, {0, 0, 1.5}, {0, 1.6, 0});  // its front is towards low x
+  add_quad(room, 2, {0.3, 0.2, 0.1}, {0, 0, 1.5}, {0, 1.6, 0});  // its front faces low x
   const Mesh mesh = make_mesh(room, {});
   const Vec normal = mesh.mirrors.at(0).normal;
   int before = 0, behind = 0;
@@ -40,7 +40,7 @@ TEST(Mirrors, ReflectAtTheirFrontOnly) {
   EXPECT_LT(normal.x, 0);
 }
 
-// Light reflected by one mirror has its colour once, by two mirrors twice.
+// Light has the mirror's colour once after one mirror, twice after two.
 TEST(Mirrors, ColourWhatTheyReflect) {
   Room room = make_cube("xyzZ", true, 1);
   add_walls(room, "XY", 1, 2);
@@ -66,7 +66,7 @@ TEST(Mirrors, ColourWhatTheyReflect) {
   EXPECT_GT(twice, 0.1);
 }
 
-// A vertex still sees patches all around if a perfect mirror replaces a wall.
+// If a perfect mirror replaces a wall, a vertex still sees patches in all directions.
 TEST(Mirrors, LoseNoLight) {
   for (const std::string mirrors : {"X", "XY"}) {
     Room room = make_cube(mirrors == "X" ? "xyYzZ" : "xyzZ", false, 2);
@@ -82,7 +82,7 @@ TEST(Mirrors, LoseNoLight) {
   }
 }
 
-// The walls of a furnace may be mirrors: they are as bright as their images.
+// Walls of a furnace may be mirrors: they are as bright as their images.
 TEST(Mirrors, DoNotChangeAFurnace) {
   Room room = make_cube("xyYzZ", false, 2);
   add_walls(room, "X", 1, 2);
@@ -92,8 +92,8 @@ TEST(Mirrors, DoNotChangeAFurnace) {
 }
 
 // A parabolic trough of flat mirrors. At its focal line, z = 1, a point looking down sees far more
-// of a distant lamp than over a flat mirror, but its total is not larger.
-// Delta areas wider than a facet's view would count whole or not at all: mirror_share.
+// of a distant lamp than over a flat mirror, but its total is not larger. Without mirror_share,
+// delta areas wider than the view of a facet would count completely or not at all.
 TEST(Mirrors, BentOnesFocusLight) {
   constexpr int FACETS = 16;
   Room room;
@@ -114,7 +114,7 @@ TEST(Mirrors, BentOnesFocusLight) {
   add_gutter(room, 1);
   add_gutter(flat, 1e6);
   const Mesh bent = make_mesh(room, {}), plane = make_mesh(flat, {});
-  const Vertex focus = make_point({0.02, 0.01, 1}, {0, 0, -1});  // looks down, into the mirrors
+  const Vertex focus = make_point({0.02, 0.01, 1}, {0, 0, -1});  // looks down into the mirrors
   const auto of_lamp = [&](const Mesh& mesh) {
     double total = 0;
     Work work;

@@ -1,4 +1,4 @@
-// Rays and vertices that are processed together.
+// Rays and vertices that are processed together in lanes.
 
 #include "renderer/radiosity/light/receivers.hpp"
 
@@ -18,7 +18,7 @@ const Thing& pick(Random& random, const std::vector<Thing>& things) {
   return things[static_cast<std::size_t>(random.below(static_cast<int>(things.size())))];
 }
 
-// A random place in the room, often exactly on a wall or at the height of an edge.
+// A random position in the room, often exactly on a wall or at the height of an edge.
 Vec make_place(Random& random, const Bounds& bounds) {
   const auto choose = [&](double lo, double hi) {
     return random.below(4) == 0 ? lo : random.range(lo, hi);
@@ -81,7 +81,7 @@ TEST(ShadowRays, AreBlockedAsEachIsAlone) {
   EXPECT_GT(free, 5000u);
 }
 
-// Near and far patches, over mirrors too, for any method of making delta areas.
+// Patches are near and far, and also seen over mirrors, for any method of making delta areas.
 TEST(Receivers, GetWhatEachGetsAlone) {
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

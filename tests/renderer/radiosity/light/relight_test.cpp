@@ -1,4 +1,4 @@
-// Relighting: patches send light, the elements of a finer mesh receive it.
+// Relighting: patches of one mesh send light, vertices of a finer mesh receive it.
 #include "renderer/radiosity/light/solve.hpp"
 
 #include <gtest/gtest.h>
@@ -41,7 +41,7 @@ TEST(Relight, VerticesOfBothMeshesAgree) {
     const auto solved = solve(one, params), lit = solve(one, params, {}, &three);
     std::size_t missing = 0;
     for (std::size_t i = 0; i < one.vertices.size(); ++i) {
-      // Strips beside objects hanging over a face depend on the width of patches.
+      // Strips beside objects that hang over a face depend on the width of patches.
       bool found = std::ranges::any_of(contacts, [&](const std::vector<Contacts>& some) {
         return !some[one.vertices[i].object].folds.empty();
       });

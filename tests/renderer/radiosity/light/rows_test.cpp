@@ -1,4 +1,4 @@
-// Form factors kept from one shot of a patch to its next.
+// Form factors that are kept from one shot of a patch to the next.
 
 #include "renderer/radiosity/light/rows.hpp"
 
@@ -23,8 +23,8 @@ Mesh make_mirrored(Random& random, std::uint64_t seed) {
   return make_mesh(room, {});
 }
 
-// Later shots of a patch, with another glow, equal those without kept factors bit for bit; also if
-// there is room for some patches only.
+// Later shots of a patch, with another radiosity, equal those without kept factors bit for bit.
+// This holds as well if memory suffices for some patches only.
 TEST(Rows, GiveWhatRaysGive) {
   std::size_t over_mirrors = 0;
   for (std::uint64_t seed = 1; seed <= 16; ++seed) {

@@ -1,4 +1,4 @@
-// Shooting compared with gathering; the ambient term; the parts of solve() alone.
+// Shooting compared with gathering; the ambient term; the parts of solve() separately.
 
 #include <gtest/gtest.h>
 
@@ -59,8 +59,8 @@ double eval_mean_radiosity(const Mesh& mesh, const std::vector<Rgb>& vertices) {
   return total / mesh.area;
 }
 
-// Without the ambient term the unsent light is missing. With it the mean is nearer to the final one
-// after any number of shots, and right within 5 %.
+// Without the ambient term, the unsent light is missing. With it, the mean is nearer to the final
+// one after any number of shots, and right within 5 %.
 TEST(Shooting, AmbientLightStandsForWhatIsUnsent) {
   const Mesh mesh = make_mesh(make_room(5, false, 2), {});
   const auto mean_after = [&](int shots, bool ambient) {
@@ -136,8 +136,8 @@ TEST(Shooting, GoesOnAsIfItHadNotBeenLeft) {
   EXPECT_EQ(halves.work, whole.work);
 }
 
-// The brightest patch shoots first, among equals the first. Afterwards it has no unsent light
-// (except what mirrors return).
+// The brightest patch shoots first, and among equals the first one. Afterwards it has no unsent
+// light (except what mirrors return).
 TEST(Shooting, TheBrightestShoots) {
   const Mesh mesh = make_mesh(make_room(8, false, 2), {});
   State state = make_state(mesh, Sends::mean);
@@ -156,7 +156,8 @@ TEST(Shooting, TheBrightestShoots) {
   EXPECT_FALSE(find_shot(mesh, state, patches, work));
 }
 
-// All colours count, patches by their area; only materials in both meshes are compared.
+// The mean is over all colours, with patches weighted by area. Only materials in both meshes are
+// compared.
 TEST(MeanRadiosity, IsOfAllColoursByArea) {
   LitRoom lit{make_mesh(make_room(3, false, 2), {}), {}};
   const auto is_wall = [&](const Patch& patch) {

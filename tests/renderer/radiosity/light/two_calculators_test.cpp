@@ -8,7 +8,7 @@
 namespace radiosity::test {
 namespace {
 
-// Polygons lie anywhere, partly below the horizon; nothing occludes them.
+// Polygons lie anywhere, partly below the horizon. Nothing occludes them.
 TEST(TwoCalculators, AgreeWithLambertOnPolygons) {
   double worst = 0, worst_fine = 0;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
@@ -22,7 +22,8 @@ TEST(TwoCalculators, AgreeWithLambertOnPolygons) {
     room.faces = {face};
     const Mesh mesh = make_mesh(room, {});
     const Vertex point = make_point(random.point(1), random.direction());
-    if (dot(mesh.patches[0].normal, point.at - face.corners[0]) < 0.01) continue;  // behind, or in
+    // skip points behind the polygon or in its plane
+    if (dot(mesh.patches[0].normal, point.at - face.corners[0]) < 0.01) continue;
     const double exact = closed::polygon(point.at, point.normal, face.corners);
     const double error = sum_factors({mesh, {}}, point) - exact;
     const double fine = sum_factors({mesh, {.spread = 0.05}}, point) - exact;
@@ -34,7 +35,7 @@ TEST(TwoCalculators, AgreeWithLambertOnPolygons) {
   fmt::print("largest error {:.5f}, with delta areas of 0.05 {:.5f}\n", worst, worst_fine);
 }
 
-// Factors of both sides of every face, for all vertices, in rooms with occluders.
+// Compares factors of both sides of every face, for all vertices, in rooms with occluders.
 TEST(TwoCalculators, AgreeWithHemispheresInFurnishedRooms) {
   double worst = 0, worst_fine = 0, sum = 0, sum_fine = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {

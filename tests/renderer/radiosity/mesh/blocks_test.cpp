@@ -1,4 +1,4 @@
-// Rooms with standing, hanging and leaning blocks: faces can be cut along all creases and contacts,
+// Rooms with standing, hanging and leaning blocks. Faces can be cut along all creases and contacts,
 // and no light passes under blocks on a floor.
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ double measure_patch_width(const Face& face, int refine) {
   return least;
 }
 
-// Checks that no quad has a part of a crease inside by more than the margin.
+// Expects that no quad contains a part of a crease more than the margin inside.
 void check_not_crossed(const Face& face, const Division& division, std::span<const Crease> creases,
                        double margin) {
   const Vec normal = normalize(eval_area_normal(face.corners));
@@ -40,7 +40,8 @@ void check_not_crossed(const Face& face, const Division& division, std::span<con
   }
 }
 
-// Two patches of a face with a common edge share its vertices, except at creases and contacts.
+// Expects that two patches of a face with a common edge share its vertices, except at creases and
+// contacts.
 void check_shared(const Mesh& mesh, std::span<const Crease> creases, double margin) {
   using Point = std::array<double, 3>;
   std::map<std::tuple<std::uint32_t, Point, Point>, std::vector<std::array<std::uint32_t, 2>>>
@@ -116,7 +117,7 @@ TEST(Blocks, AnyRoomIsCutAlongItsCreases) {
   EXPECT_LT(count.left_out, count.creases / 100);
 }
 
-// If creases would make too many patches, some are left out, and the budget is used.
+// If creases would make too many patches, some are left out, and the limit is nearly reached.
 TEST(Blocks, CreasesAreLeftOutBeyondABudget) {
   std::size_t limited = 0;
   double emptiest = 1;
@@ -143,7 +144,7 @@ TEST(Blocks, CreasesAreLeftOutBeyondABudget) {
         continue;
       }
       ++limited;
-      // Strips below floating objects are reduced first: then all creases may fit.
+      // Strips below floating objects are reduced first, after which all creases may fit.
       const double full = double(some.patches.size()) / double(allowed);
       EXPECT_GT(full, 0.5);
       if (some.left_out > all.left_out) emptiest = std::min(emptiest, full);
@@ -155,7 +156,7 @@ TEST(Blocks, CreasesAreLeftOutBeyondABudget) {
   EXPECT_GT(emptiest, 0.8);
 }
 
-// Vertices at a foot lie on one side of it; those inside are dark.
+// Vertices at the foot of a block lie on one side of it. Those below the block are dark.
 TEST(Blocks, NoLightPassesUnderThem) {
   std::size_t inside = 0, doubled = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {

@@ -18,14 +18,14 @@ TEST(Contacts, FeetLeaningAndStacked) {
   EXPECT_EQ(
       std::ranges::count_if(find_contacts(room, 1), [](const auto& c) { return !c.lines.empty(); }),
       0);
-  // Its left side is in the plane of the wall, its bottom in that of the floor.
+  // The left side of the block is in the plane of the wall, its bottom in that of the floor.
   add_block(room, 0, {0, 1, 0}, {1, 2, 1});
   auto contacts = find_contacts(room, 1);
-  EXPECT_EQ(contacts[0].lines.size(), 6u);  // feet of three sides, edges of the bottom
+  EXPECT_EQ(contacts[0].lines.size(), 6u);  // feet of three sides, and edges of the bottom
   EXPECT_EQ(contacts[1].lines.size(), 0u);
   EXPECT_EQ(contacts[2].lines.size(), 6u);
   for (std::size_t f = 6; f < room.faces.size(); ++f) EXPECT_TRUE(contacts[f].lines.empty()) << f;
-  // A block on another cuts its top; a face through a wall cuts the wall.
+  // A block on another cuts the top of that block. A face through a wall cuts the wall.
   room.faces.resize(6);
   add_block(room, 0, {1, 1, 0}, {2, 2, 1});
   add_block(room, 0, {1.25, 1.25, 1}, {1.75, 1.75, 2});
@@ -35,7 +35,7 @@ TEST(Contacts, FeetLeaningAndStacked) {
   EXPECT_EQ(find_contacts(room, 1)[2].lines.size(), 1u);
 }
 
-// A floor of patches one unit wide, for objects just above it.
+// A floor with patches one unit wide, for objects just above it.
 Room make_floor() {
   Room room;
   room.materials = {{"wall", grey(0.5), grey(0)}, {"lamp", grey(0), grey(1)}};
@@ -95,8 +95,8 @@ TEST(Contacts, WithoutStripsWhatHangsWithinHalfAPatchTouches) {
 }
 
 // A low block on the floor touches it only by its feet. A bottom in two parts, and a plate, touch
-// it by the outline of the lower side. An object behind a face does not touch it, unless the face
-// is two-sided.
+// it by the outline of the lower side. An object behind a face touches it only if the face is
+// two-sided.
 TEST(Contacts, OnlyOpenEdgesOfWhatHangsCount) {
   Room low = make_floor();
   add_block(low, {4.2, 4.1, 0, 0.1, 1.5, 1.5, 0.3}, false, 1, 1);
@@ -111,7 +111,7 @@ TEST(Contacts, OnlyOpenEdgesOfWhatHangsCount) {
   two.faces[2].corners = {{4.9, 2, 0.1}, {4.9, 5, 0.1}, {5.1, 5, 0.1}, {5.1, 2, 0.1}};
   EXPECT_EQ(find_contacts(two, 1)[0].folds.size(), 3u) << "one is narrower than a patch";
 
-  Room sheet = make_floor();  // with a front and a back
+  Room sheet = make_floor();  // has a front and a back
   add_quad(sheet, 0, {2, 2, 0.1}, {0, 3, 0}, {3, 0, 0}, 1, 1);
   add_quad(sheet, 0, {2, 2, 0.1}, {3, 0, 0}, {0, 3, 0}, 1, 1);
   EXPECT_EQ(find_contacts(sheet, 1)[0].folds.size(), 8u);
@@ -120,7 +120,7 @@ TEST(Contacts, OnlyOpenEdgesOfWhatHangsCount) {
   add_block(plate, {4.2, 4.1, 0.01, 0.05, 1.5, 1.5, 0.3}, true, 1, 1);
   EXPECT_EQ(find_contacts(plate, 1)[0].folds.size(), 4u);
 
-  Room leg = make_floor();  // of many sides, a fifth of a patch wide
+  Room leg = make_floor();  // a prism of many sides, a fifth of a patch wide
   Face bottom = leg.faces[0];
   bottom.corners.clear();
   for (int i = 0; i < 32; ++i) {
@@ -130,7 +130,7 @@ TEST(Contacts, OnlyOpenEdgesOfWhatHangsCount) {
   leg.faces.push_back(bottom);
   EXPECT_EQ(find_contacts(leg, 1)[0].lines.size(), 0u);
 
-  // Lids of 3 and of 32 corners.
+  // Tests lids of 3 and of 32 corners.
   for (const int corners : {3, 32}) {
     Room lid = make_floor();
     Face face = lid.faces[0];
@@ -165,8 +165,8 @@ TEST(Contacts, FacetsAboveTheFloorHaveNone) {
   EXPECT_EQ(find_contacts(room, 1)[0].lines.size(), 2u);
 }
 
-// Neither darkness nor light leaks through the gap under a block that hangs above the floor: a
-// patch's corners and its middle receive consistent light.
+// Neither darkness nor light leaks through the gap under a block that hangs above the floor. The
+// corners and the middle of a patch receive consistent light.
 TEST(Contacts, LightUnderWhatHangsIsFollowed) {
   for (const double gap : {0.004, 0.02, 0.1, 0.3, 0.7, 0.95}) {
     Room room = make_floor();
@@ -206,7 +206,7 @@ TEST(Contacts, AtTheFootOfAnEdgeLightDependsOnTheSide) {
   const Surroundings around = find_surroundings(mesh);
   std::size_t most = 0;
   for (const Vec& foot : block.ring(0)) {
-    std::size_t ways = 0;  // from the foot along a crease, and outside the block
+    std::size_t ways = 0;  // directions from the foot along creases, outside the block
     for (const Crease& crease : room.creases) {
       if (crease.a.z != 0 || crease.b.z != 0 || eval_distance(foot, crease.a, crease.b) > 1e-9)
         continue;
@@ -231,7 +231,7 @@ TEST(Contacts, AtTheFootOfAnEdgeLightDependsOnTheSide) {
     most = std::max(most, sides);
   }
   EXPECT_EQ(most, 4u);
-  // Elsewhere creases do not move the lit points.
+  // Elsewhere, creases do not move the lit points.
   for (const Vertex& vertex : mesh.vertices) {
     if (vertex.object != 0 || vertex.at.x == 0 || vertex.at.x == 8 || vertex.at.y == 0 ||
         vertex.at.y == 8)
@@ -269,7 +269,7 @@ TEST(Contacts, AtTheEndOfAScreenLightDependsOnTheSide) {
   }
 }
 
-// A shadow along a foot, too narrow for the patches, does not spread over a whole patch.
+// A shadow along a foot that is too narrow for the patches does not spread over a whole patch.
 TEST(Contacts, VerticesAtAFootAreLitBeyondCreasesThatAreNotKept) {
   Room room = make_floor();
   const Block block{4.2, 4.1, 0, 1, 1.5, 1.5, 0.3};
@@ -279,7 +279,7 @@ TEST(Contacts, VerticesAtAFootAreLitBeyondCreasesThatAreNotKept) {
   const auto find_lit = [&](std::vector<Crease> creases) {
     room.creases = std::move(creases);
     const Mesh mesh = make_mesh(room, {});
-    std::vector<double> before;  // the foot
+    std::vector<double> before;  // lit points at the foot
     for (const Vertex& vertex : mesh.vertices) {
       const double along = dot(vertex.at - foot[0], normalize(foot[1] - foot[0]));
       if (vertex.object == 0 && along > 0.2 && along < 2.8 &&
@@ -298,7 +298,7 @@ TEST(Contacts, VerticesAtAFootAreLitBeyondCreasesThatAreNotKept) {
     EXPECT_GT(lit, 0.05);
     EXPECT_LT(lit, 0.07);
   }
-  // A crease across the foot, and one that the patches follow, have no effect.
+  // A crease across the foot, and one that patches have as an edge, have no effect.
   const Vec middle = 0.5 * (foot[0] + foot[1]);
   for (const double lit : find_lit({{middle, middle + outward}})) EXPECT_LT(lit, 0.02);
   for (const double lit : find_lit({beside(0.3)})) EXPECT_LT(lit, 0.02);

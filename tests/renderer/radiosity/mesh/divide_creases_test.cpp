@@ -1,5 +1,5 @@
-// Faces cut along creases: for any creases, the quads fill the face, meet edge to edge, and have
-// the creases among their edges.
+// Faces cut along any creases: the quads fill the face, meet edge to edge, and have the creases
+// among their edges.
 
 #include <gtest/gtest.h>
 
@@ -10,16 +10,16 @@ namespace {
 
 using renderer::test::Random;
 
-constexpr double TOUCH = 0.1;  // of a patch's width: largest shift of a crease
+constexpr double TOUCH = 0.1;  // largest shift of a crease, as a share of a patch's width
 
 struct Flat {
   Face face;
-  Vec u, v;  // at right angles, in its plane
+  Vec u, v;  // orthogonal unit vectors in its plane
   double width = 0;
   Vec at(double x, double y) const { return x * u + y * v; }
 };
 
-// Corners on an ellipse: convex.
+// A convex polygon with its corners on an ellipse.
 Flat make_polygon(Random& random, int corners) {
   const auto [u, v] = renderer::test::make_plane(random.direction());
   Flat flat{{}, u, v, 0};
@@ -61,7 +61,8 @@ std::vector<Crease> make_creases(Random& random, const Flat& flat, int count) {
   return creases;
 }
 
-// Points of the creases inside the face lie on listed edges, and listed edges lie on creases.
+// Expects that points of the creases inside the face lie on listed edges, and that listed edges lie
+// on creases.
 void check_creases(const Flat& flat, const Division& division, std::span<const Crease> creases) {
   const Vec normal = normalize(eval_area_normal(flat.face.corners));
   const auto& c = flat.face.corners;
@@ -80,7 +81,7 @@ void check_creases(const Flat& flat, const Division& division, std::span<const C
       double nearest = 1e9;
       for (const auto& [a, b] : division.creases)
         nearest = std::min(nearest, eval_distance(p, division.points[a], division.points[b]));
-      // A crease's end may run through a corner of a cell for up to one touch.
+      // The end of a crease may run through a corner of a cell over up to one touch.
       ASSERT_LE(nearest, 1.5 * touch) << "crease not covered";
     }
   for (const auto& [a, b] : division.creases)
@@ -103,7 +104,8 @@ TEST(DivideCreases, AnyFaceAndCreases) {
     for (std::size_t i = 1; i < creases.size() && seed % 4 == 0; i += 2) {
       const auto& c = flat.face.corners;
       const double s = random.unit();
-      creases[i] = {eval_bilinear(c, s, random.unit()), eval_bilinear(c, s, 1)};  // along a side
+      // a crease along a side
+      creases[i] = {eval_bilinear(c, s, random.unit()), eval_bilinear(c, s, 1)};
     }
     const Division division = divide_face(flat.face, 1, {.creases = creases});
     angles.push_back(check_division(flat.face, 1, division));
@@ -111,14 +113,14 @@ TEST(DivideCreases, AnyFaceAndCreases) {
     EXPECT_EQ(division.left_out, 0u);
     if (testing::Test::HasFailure()) return;
   }
-  // Creases meet at any angle, and so do the quads' edges.
+  // Creases meet at any angle, and so do the edges of quads.
   std::sort(angles.begin(), angles.end());
   EXPECT_GT(angles.front(), 0.3);
   EXPECT_GT(angles[angles.size() / 20], 1.5);
   EXPECT_GT(angles[angles.size() / 2], 10);
 }
 
-// The step between lines at `middle`.
+// The step between lines that contains `middle`.
 double find_step(const std::vector<double>& lines, double middle) {
   const auto after = std::ranges::upper_bound(lines, middle);
   return *after - *std::prev(after);
@@ -205,7 +207,7 @@ TEST(DivideCreases, AlongTheSidesItStaysAGrid) {
 }
 
 TEST(DivideCreases, LinesOfTheGridGiveWay) {
-  // Within a third of a patch the line moves to the crease; beyond it stays.
+  // The grid line moves to a crease within a third of a patch, and stays otherwise.
   for (const auto& [x, columns] :
        {std::pair{2.0, 4u}, {2.3, 4u}, {1.7, 4u}, {2.4, 5u}, {3.95, 4u}}) {
     const std::vector<Crease> creases{{{x, 0, 0}, {x, 1.2, 0}}};
@@ -218,11 +220,11 @@ TEST(DivideCreases, LinesOfTheGridGiveWay) {
 TEST(DivideCreases, ThoseElsewhereChangeNothing) {
   const Face wall = make_wall();
   const Division plain = divide_face(wall, 2);
-  const std::vector<Crease> elsewhere{{{1, 1, 0.01}, {2, 2, 0.01}},   // before the face
-                                      {{1, 1, 0}, {2, 2, 1}},         // through it
-                                      {{4.2, 0, 0}, {4.2, 3, 0}},     // beside it
-                                      {{-1, 2.5, 0}, {0.4, 3.9, 0}},  // past its corner
-                                      {{1, 1, 0}, {1, 1, 0}}};        // of no length
+  const std::vector<Crease> elsewhere{{{1, 1, 0.01}, {2, 2, 0.01}},   // in front of the face
+                                      {{1, 1, 0}, {2, 2, 1}},         // through the face
+                                      {{4.2, 0, 0}, {4.2, 3, 0}},     // beside the face
+                                      {{-1, 2.5, 0}, {0.4, 3.9, 0}},  // past a corner
+                                      {{1, 1, 0}, {1, 1, 0}}};        // without length
   const Division division = divide_face(wall, 2, {.creases = elsewhere});
   EXPECT_EQ(division.points, plain.points);
   EXPECT_EQ(division.quads, plain.quads);

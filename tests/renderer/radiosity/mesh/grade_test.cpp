@@ -1,4 +1,4 @@
-// Patches near lights.
+// Refinement of patches near lights.
 
 #include "renderer/radiosity/mesh/grade.hpp"
 
@@ -22,7 +22,7 @@ Room make_lamp_room(double away) {
   return room;
 }
 
-// The number of steps of length 1/even, and of its halves and quarters; no others exist.
+// The number of steps of length 1/even, and of its halves and quarters. No other steps may exist.
 std::array<std::size_t, 3> count_steps(const std::vector<double>& lines, int even) {
   std::array<std::size_t, 3> count{};
   for (std::size_t i = 1; i < lines.size(); ++i) {
@@ -35,7 +35,7 @@ std::array<std::size_t, 3> count_steps(const std::vector<double>& lines, int eve
   return count;
 }
 
-// The error of the lamp's light at the centres of the patches on the nearby wall: root mean square,
+// The error of the lamp's light at the centres of patches on the nearby wall: root mean square,
 // relative to the light.
 double find_error(const Room& room) {
   const Mesh mesh = make_mesh(room, {});
@@ -75,14 +75,14 @@ TEST(Grade, ShowsTheLightOfALampBesideAWall) {
   }
 }
 
-// Rows are halved if the light varies, and only then.
+// Rows are halved where the light varies, and only there.
 TEST(Grade, HalvesRowsBesideTheLamp) {
   const Room room = make_lamp_room(0.3);
   const Room graded = make_graded(room, 1);
   EXPECT_TRUE(graded.faces[1].grid.along.empty()) << "behind the lamp it is dark";
   EXPECT_TRUE(graded.faces[6].grid.along.empty()) << "the lamp";
   EXPECT_TRUE(graded.faces[3].grid.along.empty()) << "the wall that is far";
-  const Grid& wall = graded.faces[2].grid;  // along y, across z
+  const Grid& wall = graded.faces[2].grid;  // the wall's grid runs along y, then z
   ASSERT_FALSE(wall.along.empty());
   EXPECT_GT(count_steps(wall.along, 8)[1], 1u);
   EXPECT_GT(count_steps(wall.across, 8)[2], 1u);
@@ -109,7 +109,7 @@ TEST(Grade, KeepsWithinTwiceAsManyPatches) {
   EXPECT_GT(halved, 2u);
 }
 
-// Rooms of any shape, at any place: steps are halved at most twice, and the number of patches at
+// For rooms of any shape and position, steps are halved at most twice, and the number of patches at
 // most doubles. A turned room has the same grids.
 TEST(Grade, IsTheSameHoweverTheRoomIsTurned) {
   std::size_t halved = 0;
@@ -117,7 +117,7 @@ TEST(Grade, IsTheSameHoweverTheRoomIsTurned) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random{seed};
     Room room = make_blocks(seed).room;
-    if (seed % 2 == 0) {  // a glow in a wall, and one that stands on the floor's points
+    if (seed % 2 == 0) {  // one light in a wall, and one that stands on points of the floor
       room.materials.push_back({"glow", grey(0.5), grey(2)});
       const auto glow = static_cast<std::uint32_t>(room.materials.size() - 1);
       const Vec low = room.faces[0].corners[0], along = room.faces[0].corners[1] - low;

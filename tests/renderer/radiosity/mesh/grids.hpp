@@ -1,5 +1,5 @@
 #pragma once
-// Grids of patches in space, and illuminations on them, for the tests of their reconstruction.
+// Grids of patches in space, and illuminations on them, for tests of reconstruction.
 
 #include <functional>
 
@@ -38,7 +38,7 @@ inline void add_patch(Mesh& mesh, const std::array<std::uint32_t, 4>& corners) {
 /// The vertex where lines u and v meet.
 using Surface = std::function<Vertex(double u, double v)>;
 
-/// A patch between any two neighbouring lines u and v. With `turns`, patches begin at random
+/// Makes a patch between any two neighbouring lines u and v. With `turns`, patches begin at random
 /// corners.
 inline Mesh make_grid(const std::vector<double>& u, const std::vector<double>& v,
                       const Surface& surface, Random* turns = nullptr) {
@@ -56,7 +56,7 @@ inline Mesh make_grid(const std::vector<double>& u, const std::vector<double>& v
   return mesh;
 }
 
-/// Lines 0, ..., 1. Steps are equal or, with `uneven`, random up to a factor of three.
+/// Makes lines from 0 to 1. Steps are equal or, with `uneven`, random up to a factor of three.
 inline std::vector<double> make_lines(int patches, Random* uneven = nullptr) {
   std::vector<double> lines{0};
   for (int i = 0; i < patches; ++i)
@@ -65,7 +65,7 @@ inline std::vector<double> make_lines(int patches, Random* uneven = nullptr) {
   return lines;
 }
 
-/// A plane with axes u and v of any length, not at right angles unless `square`.
+/// A plane with axes u and v of any length, which are at right angles only if `square`.
 inline Surface make_plane(Random& random, bool square = false) {
   const Vec normal = random.direction(), from = random.point(3);
   const auto [a, b] = renderer::test::make_plane(normal);
@@ -83,7 +83,7 @@ inline std::vector<Rgb> make_colours(Random& random, std::size_t count) {
   return colours;
 }
 
-/// The values of a function of points, at the vertices.
+/// The values of a function of points at the vertices.
 template <class F>
 std::vector<Rgb> take(const Mesh& mesh, const F& function) {
   std::vector<Rgb> values;
@@ -118,7 +118,7 @@ double find_error(const Mesh& mesh, const Illumination& illumination, const F& f
   return error;
 }
 
-/// The derivatives of the illumination by s and by t, from inside the patch.
+/// The derivatives of the illumination by s and by t, inside the patch.
 struct Derivatives {
   Rgb by_s, by_t;
 };

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double LONG = 60, HEIGHT = 1;
 
-// A face one patch high. It stands on a bright face that extends `width` in front of it.
+// A face one patch high, which stands on a bright face that extends `width` in front of it.
 Room make_room(double width) {
   Room room;
   room.materials = {{"face", grey(0.5), {}}, {"ledge", grey(0), grey(1)}};
@@ -19,7 +19,7 @@ Room make_room(double width) {
   return room;
 }
 
-// The light of the ledge at a vertex.
+// The light that a vertex receives from the ledge.
 double eval_share(const Mesh& mesh, const Vertex& vertex) {
   return sum_factors({mesh, {}}, vertex, [](const Patch& patch) { return patch.material == 1; });
 }
@@ -53,7 +53,8 @@ TEST(Ledges, EndWhereTheSurfaceDoes) {
   EXPECT_TRUE(find_contacts(under, 1)[1].ledges.empty());
 }
 
-// Any angle between foot and edge, even where they meet, in a room turned by any angle.
+// The angle between foot and edge is arbitrary, and they may even meet. The room is turned by any
+// angle.
 TEST(Ledges, MayNarrowToAPoint) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -68,14 +69,14 @@ TEST(Ledges, MayNarrowToAPoint) {
              std::sin(angle) * p.x + std::cos(angle) * p.y, p.z};
     for (const Vertex& vertex : make_mesh(room, {}).vertices) {
       const double moved = length(vertex.lit - vertex.at);
-      EXPECT_LT(moved, 0.4) << vertex.at.x << ' ' << vertex.at.y;  // no infinity, no NaN
+      EXPECT_LT(moved, 0.4) << vertex.at.x << ' ' << vertex.at.y;  // finite, and not NaN
     }
   }
 }
 
 // The light of a ledge is evaluated where it makes the mean of the patch right. For a ledge wider
-// than four times the patch that is at its foot. (There the test's ledge, a single patch, is too
-// near for its factor.)
+// than four times the patch, that is at its foot. (There, the ledge of this test, a single patch,
+// is too near for its factor.)
 TEST(Ledges, GiveAPatchItsMeanLight) {
   for (const double width : {0.03, 0.1, 0.25, 0.5, 0.9, 1.1, 3.0, 5.0}) {
     SCOPED_TRACE(testing::Message() << "width " << width);
@@ -100,7 +101,7 @@ TEST(Ledges, GiveAPatchItsMeanLight) {
 }
 
 // An object hangs just above a floor, level or sloping along its edge. Patches beside its edge have
-// the right means of the light that falls in under it.
+// the right means of the light that enters under it.
 TEST(Hanging, GivesPatchesBesideItsEdgeTheirMeanLight) {
   const auto check = [](double gap, double slope) {
     SCOPED_TRACE(testing::Message() << "gap " << gap << ", slope " << slope);
@@ -108,7 +109,8 @@ TEST(Hanging, GivesPatchesBesideItsEdgeTheirMeanLight) {
     room.materials = {{"floor", grey(0.5), {}}, {"sky", grey(0), grey(1)}};
     add_quad(room, 0, {0, 0, 0}, {LONG, 0, 0}, {0, 12, 0}, 60, 12);
     add_quad(room, 0, {0, 6, gap - slope * LONG / 2}, {0, 6, 0}, {LONG, 0, slope * LONG});
-    add_quad(room, 1, {2000, -40, 0}, {-4000, 0, 0}, {0, 0, 2000});  // as good as half the sky
+    // large enough to act as half of the sky
+    add_quad(room, 1, {2000, -40, 0}, {-4000, 0, 0}, {0, 0, 2000});
     const Mesh mesh = make_mesh(room, {});
     double worst = 0;
     for (const Patch& patch : mesh.patches) {
@@ -120,7 +122,8 @@ TEST(Hanging, GivesPatchesBesideItsEdgeTheirMeanLight) {
         to = std::max(to, patch.at[i].y - 6);
       }
       if (from > -1e-6 && to < 3) {
-        // (1 - y / sqrt(y^2 + gap^2)) / 2 of half the sky arrives at y inside the edge.
+        // At the distance y inside the edge, the share (1 - y / sqrt(y^2 + gap^2)) / 2 of the light
+        // of half the sky arrives.
         const double expected =
             (1 - (std::hypot(to, gap) - std::hypot(from, gap)) / (to - from)) / 2;
         worst = std::max(worst, std::abs(mean - expected));

@@ -35,7 +35,7 @@ TEST(Mesh, KeepsAreasAndPowers) {
   }
 }
 
-// A patch's corners run counter-clockwise about its normal, which is also its vertices' normal.
+// The error message for a room, whose mesh must be refused.
 std::string refusal_of(const Room& room) {
   try {
     make_mesh(room, {});
@@ -45,7 +45,7 @@ std::string refusal_of(const Room& room) {
   return {};
 }
 
-// The second face alone would have patches below the size limit: no mesh is made.
+// The second face alone has fewer patches than the limit. Only the sum exceeds it.
 TEST(Mesh, TheSumOfPatchesIsCheckedBeforeAnyIsMade) {
   Room room = make_small_room();
   room.faces[0].along = 3000;
@@ -114,7 +114,8 @@ TEST(Mesh, BothSidesAreDividedAlike) {
               1);
 }
 
-// Walls of a room are separate surfaces; a wall of two faces is one if it has one material.
+// Walls of a room are separate surfaces. A wall of two faces is one surface if both have the same
+// material.
 TEST(Mesh, VerticesAreSharedWithinASurface) {
   for (const bool same : {true, false}) {
     Room room;
@@ -128,7 +129,7 @@ TEST(Mesh, VerticesAreSharedWithinASurface) {
   }
 }
 
-// Vertices on a border are lit slightly inside, others in place; none off the face.
+// Vertices on a border are lit slightly inside, others in place, and none off the face.
 TEST(Mesh, BordersAreLitInside) {
   Room room;
   room.materials = {{"wall", grey(0.5), grey(1)}};

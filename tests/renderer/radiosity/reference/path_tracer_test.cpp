@@ -29,9 +29,9 @@ void look(Room& room, const Vec& from, const Vec& at, const Vec& up, double angl
   room.view = {from, at, up, angle};
 }
 
-// Compares pictures of many seeds with the expected value of each pixel: their mean must be right,
-// and so must each pixel's standard error. The error over its standard error, which comes from n
-// rounds, then has a variance of (n - 1) / (n - 3) (Student's distribution).
+// Compares pictures of many seeds with the expected value of each pixel. Their mean must be right,
+// and so must the standard error of each pixel. The standard error comes from n rounds, so the
+// error divided by it has a variance of (n - 1) / (n - 3) (Student's distribution).
 void expect_within_noise(const Room& room, TracerParams params, const std::vector<double>& expected,
                          const std::string& what) {
   constexpr int SEEDS = 16;
@@ -98,7 +98,7 @@ std::vector<double> eval_floor(const Room& room, const TracerParams& params, con
 }
 
 TEST(PathTracer, DirectLightHasItsClosedForm) {
-  // B = rho E F; one lamp is distant, and one stands on the floor: there F approaches 1/2.
+  // B = rho E F. One lamp is distant; the other stands on the floor, where F approaches 1/2.
   Room room = make_floor(1);
   add_quad(room, 1, {0.1, -1.5, 2}, {0, 1, 0.3}, {1, 0, 0});
   add_quad(room, 1, {-0.02, 0, 0}, {0, 1, 0}, {0, 0, 0.5});
@@ -113,10 +113,11 @@ TEST(PathTracer, DirectLightHasItsClosedForm) {
 }
 
 TEST(PathTracer, MirrorShowsALampTwice) {
-  // B = rho E (F + m F'); F' is that of the lamp behind a mirror larger than the lamp's image.
+  // B = rho E (F + m F'), where F' is that of the lamp behind a mirror larger than the lamp's
+  // image.
   Room room = make_floor(1);
   add_quad(room, 1, {1, -1, 0.5}, {0, 3, 0}, {0, 0, 2});
-  std::ranges::reverse(room.faces.back().corners);  // shines towards the mirror, and the floor
+  std::ranges::reverse(room.faces.back().corners);  // shines towards the mirror and the floor
   add_quad(room, 2, {-1, -9, -9}, {0, 19, 0}, {0, 0, 19});
   const auto params = make_params(12, 12, 512);
   auto image = room.faces[1].corners;
@@ -131,9 +132,9 @@ TEST(PathTracer, MirrorShowsALampTwice) {
 
 TEST(PathTracer, BacksAreBlackAndBackToBackShowTheirFronts) {
   Room room = make_floor(1);
-  add_quad(room, 1, {0, 0, 1}, {0.5, 0, 0}, {0, 1, 0});    // its front is seen
-  add_quad(room, 1, {0.5, 0, 1}, {0, 1, 0}, {0.5, 0, 0});  // its back is seen
-  add_quad(room, 1, {0, 0, 1}, {0, 0.5, 0}, {0.5, 0, 0});  // behind the first
+  add_quad(room, 1, {0, 0, 1}, {0.5, 0, 0}, {0, 1, 0});    // its front is visible
+  add_quad(room, 1, {0.5, 0, 1}, {0, 1, 0}, {0.5, 0, 0});  // its back is visible
+  add_quad(room, 1, {0, 0, 1}, {0, 0.5, 0}, {0.5, 0, 0});  // behind the first face
   const auto made = trace_paths(room, make_params(8, 8, 8));
   for (std::size_t i = 0; i < 64; ++i) {
     const bool left = i % 8 < 4;

@@ -1,4 +1,4 @@
-// Pictures of radiosity, compared with the path tracer's; tests/reference/run does more.
+// Pictures of radiosity, compared with those of the path tracer. tests/reference/run does more.
 
 #include <gtest/gtest.h>
 
@@ -68,7 +68,7 @@ TEST(RadiosityAgainstPathTracer, UprightBox) {
   EXPECT_LT(found.group, 12);
 }
 
-// A lamp 2 cm below a ceiling, seen from below and from a corner: it has no dark halo.
+// A lamp 2 cm below a ceiling, seen from below and from a corner, has no dark halo.
 TEST(RadiosityAgainstPathTracer, LampBelowACeiling) {
   Room room = test::read(R"(
 material wall reflect 0.75 0.75 0.75
@@ -128,7 +128,7 @@ TEST(RandomRooms, AreClosedAndSeenFromInside) {
   }
 }
 
-// The rays of the middle column meet the border of a face, or pass it at 0.001.
+// The rays of the middle column meet the border of a face, or pass it at a distance of 0.001.
 TEST(Deviation, LeavesOutRaysThatPassAnEdge) {
   constexpr int W = 5, H = 3;
   for (const double aside : {0.0, 1e-6, 1e-3}) {
@@ -151,7 +151,7 @@ TEST(Deviation, LeavesOutRaysThatPassAnEdge) {
 }
 
 TEST(Deviation, FindsGroupsBiasAndEdges) {
-  // A reference of two faces, and a picture 10 % too bright with a dark group.
+  // A reference of two faces, and a picture that is 10 % too bright with a dark group.
   Reference reference;
   constexpr int W = 10, H = 8;
   reference.picture = {W, H, std::vector<Rgb>(W * H, {2, 2, 2})};
@@ -166,8 +166,9 @@ TEST(Deviation, FindsGroupsBiasAndEdges) {
   EXPECT_NEAR(even.p99, 0.1, 1e-12);
   EXPECT_EQ(even.group, 0);
 
-  for (const std::size_t i : {0, 11, 22, 33}) picture.pixels[i] = {1, 1, 1};  // a diagonal
-  picture.pixels[29] = {1, 1, 1};  // not a neighbour of 30, which is in the next row
+  // pixels of a diagonal
+  for (const std::size_t i : {0, 11, 22, 33}) picture.pixels[i] = {1, 1, 1};
+  picture.pixels[29] = {1, 1, 1};  // not a neighbour of pixel 30, which is in the next row
   picture.pixels[30] = {1, 1, 1};
   const Deviation spots = compare(picture, reference);
   EXPECT_EQ(spots.group, 4);
@@ -182,7 +183,7 @@ TEST(Deviation, FindsGroupsBiasAndEdges) {
   EXPECT_EQ(compare(picture, reference).group, 0);
 
   const auto inner = find_inner(reference);
-  EXPECT_EQ(std::ranges::count(inner, true), 8 * H);  // all but the columns at the border
+  EXPECT_EQ(std::ranges::count(inner, true), 8 * H);  // all except the columns at the border
   reference.emits[0] = true;
   EXPECT_EQ(std::ranges::count(find_inner(reference), true), 8 * H - 1);
 }

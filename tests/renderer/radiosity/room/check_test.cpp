@@ -14,7 +14,7 @@ constexpr double INF = std::numeric_limits<double>::infinity();
 struct WrongRoom {
   const char* name;
   void (*spoil)(Room&);
-  const char* error;  // its beginning
+  const char* error;  // beginning of the message
 };
 void PrintTo(const WrongRoom& wrong, std::ostream* out) { *out << wrong.name; }
 
@@ -96,7 +96,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "a.room:7: found the normal (1, 0, -0.1) of corner 3, expected one on "
                   "the side"},
         WrongRoom{
-            "NormalWithoutLength",  // its square is 0
+            "NormalWithoutLength",  // the square of its length underflows to 0
             [](Room& r) {
               r.faces[0].normals.resize(4, Vec{0, 0, 1});
               r.faces[0].normals[1] = {0, 0, 1e-320};
@@ -171,13 +171,13 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(RoomCheck, SmallestRoomsPass) {
   Room room = make_small_room();
   EXPECT_EQ(get_error([&] { check(room); }), "accepted");
-  corners(room)[2].z = 2e-6;  // off by a quarter of it
+  corners(room)[2].z = 2e-6;  // off the plane by a quarter of the face's size
   EXPECT_EQ(get_error([&] { check(room); }), "accepted");
   room.materials[0] = {"mirror", {1, 1, 1}, {}, true};
   EXPECT_EQ(get_error([&] { check(room); }), "accepted");
 }
 
-// A flat, convex face remains valid at any place and size.
+// A flat, convex face remains valid at any position and size.
 TEST(RoomCheck, ConvexFacesPassAndDentedOnesDoNot) {
   for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -209,7 +209,7 @@ TEST(RoomCheck, ConvexFacesPassAndDentedOnesDoNot) {
   }
 }
 
-// Newell's normal: the sum over the triangles of any fan, from any corner.
+// Newell's normal is the sum over the triangles of a fan from any corner.
 TEST(RoomCheck, AreaNormalsAreTheSameFromEveryCorner) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

@@ -1,4 +1,4 @@
-// experiments/scenes: the statements in their comments hold.
+// The rooms in experiments/scenes have the properties that their comments state.
 
 #include <gtest/gtest.h>
 
