@@ -1,5 +1,5 @@
 #pragma once
-// Random input for the renderer's tests: counter-based, keyed by a seed.
+// Seeded random input for the renderer's tests.
 
 #include <array>
 #include <numbers>
@@ -12,7 +12,7 @@
 
 namespace renderer::test {
 
-/// The n-th number depends only on the seed and on n (splitmix64).
+/// A counter-based generator: the n-th number depends only on the seed and on n (splitmix64).
 struct Random {
   std::uint64_t seed = 0, n = 0;
 
@@ -43,13 +43,13 @@ struct Random {
 
 inline Scene parse(const std::string& text) { return parse_scene(text, "test.nff"); }
 
-/// Two unit vectors at right angles to `n` and to each other.
+/// Two unit vectors that are orthogonal to `n` and to each other.
 inline std::array<Vec, 2> make_plane(const Vec& n) {
   const Vec u = normalize(cross(n, std::abs(n.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0}));
   return {u, cross(n, u)};
 }
 
-/// A star-shaped polygon around `centre`, in a random plane; mostly concave.
+/// A star-shaped polygon around `centre` in a random plane, mostly concave.
 inline std::vector<Vec> make_star(Random& random, const Vec& centre, double size) {
   const auto [u, v] = make_plane(random.direction());
   const int corners = 3 + random.below(6);
@@ -61,7 +61,8 @@ inline std::vector<Vec> make_star(Random& random, const Vec& centre, double size
   return star;
 }
 
-/// `objects` of all four kinds, some mirrors, some of glass; `lights` lights.
+/// A scene with `objects` objects of all four kinds, some of them mirrors or glass, and `lights`
+/// lights.
 inline Scene make_random_scene(std::uint64_t seed, int objects, int lights = 2) {
   Random random{seed};
   Scene scene;

@@ -1,12 +1,12 @@
 #pragma once
-// Scenes shared by the tests of programs.
+// Scenes that tests of several programs use.
 #include <random>
 
 #include "renderer/files/load_scene.hpp"
 
 namespace test {
 
-/// Glass, a mirror, a floor and two lights: every kind of ray.
+/// Glass, a mirror, a floor and two lights, which generate every kind of ray.
 inline renderer::Scene make_glass_scene() {
   return renderer::parse_scene(
       "v\nfrom 0 -4 1.5\nat 0 0 0.3\nup 0 0 1\nangle 40\nhither 0.01\nresolution 24 24\n"
@@ -17,7 +17,7 @@ inline renderer::Scene make_glass_scene() {
       "glass");
 }
 
-/// The same with a lens, area lights and rough surfaces.
+/// The glass scene with a lens, area lights and rough surfaces.
 inline renderer::Scene make_soft_scene() {
   renderer::Scene scene = make_glass_scene();
   scene.view.lens = {.aperture = 0.3, .focus = 4};
@@ -31,7 +31,7 @@ inline renderer::Scene make_soft_scene() {
   return scene;
 }
 
-/// Several samples a pixel, adaptive in half the cases.
+/// Several samples per pixel, adaptive in half the cases.
 inline renderer::Sampling random_sampling(std::mt19937_64& random) {
   renderer::Sampling sampling;
   sampling.pixel_samples = 1 + static_cast<int>(random() % 7);

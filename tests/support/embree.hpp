@@ -1,5 +1,5 @@
 #pragma once
-// Queries of single rays, in Embree 3 and in Embree 4.
+// Queries of single rays, for Embree 3 and Embree 4.
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
 #define TLAB_HAS_EMBREE4 1
@@ -13,12 +13,12 @@ namespace embree {
 #if TLAB_HAS_EMBREE4
 
 using Context = RTCRayQueryContext;
-/// For scenes whose queries have a filter.
+/// Flags of scenes whose queries have a filter.
 inline constexpr RTCSceneFlags FILTERED = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
 
 inline void init(Context& context) { rtcInitRayQueryContext(&context); }
 
-/// What rtcIntersect1 and rtcOccluded1 are told beside the ray. `filter` may be null.
+/// Arguments of rtcIntersect1 and rtcOccluded1 beside the ray. `filter` may be null.
 template <class Arguments>
 Arguments make_arguments(void (*init)(Arguments*), Context& context, RTCFilterFunctionN filter) {
   Arguments arguments;
@@ -45,12 +45,12 @@ inline void find_occlusion(RTCScene scene, Context& context, RTCRay& ray,
 #else
 
 using Context = RTCIntersectContext;
-/// For scenes whose queries have a filter.
+/// Flags of scenes whose queries have a filter.
 inline constexpr RTCSceneFlags FILTERED = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
 
 inline void init(Context& context) { rtcInitIntersectContext(&context); }
 
-/// `filter` may be null.
+/// Intersects a ray. `filter` may be null.
 inline void intersect(RTCScene scene, Context& context, RTCRayHit& ray,
                       RTCFilterFunctionN filter = nullptr) {
   context.filter = filter;

@@ -14,8 +14,8 @@
 namespace test {
 namespace {
 
-// A child writes the failures of assertions first, then its result or exception. Each part is a
-// letter, the lengths of two texts, and the two texts.
+// A child process writes the failures of assertions first, then its result or exception. Each part
+// is a letter, the lengths of two texts, and the two texts.
 constexpr char FAILURE = 'f', RETURNED = 'r', THREW = 't';
 
 void write_part(std::FILE* out, char kind, const std::string& first, const std::string& second) {
@@ -26,7 +26,8 @@ void write_part(std::FILE* out, char kind, const std::string& first, const std::
 [[noreturn]] void run_child(int fd, const std::function<std::string()>& body, unsigned limit_s) {
   alarm(limit_s);
   std::FILE* out = fdopen(fd, "w");
-  testing::TestPartResultArray failures;  // collected, not printed: only the parent reports them
+  // collected without printing, since the parent reports them
+  testing::TestPartResultArray failures;
   const testing::ScopedFakeTestPartResultReporter reporter(
       testing::ScopedFakeTestPartResultReporter::INTERCEPT_ONLY_CURRENT_THREAD, &failures);
   const auto write_end = [&](char kind, const std::string& first, const std::string& second) {

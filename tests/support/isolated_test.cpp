@@ -1,4 +1,4 @@
-// Child processes: a failure in a child fails the test.
+// Tests in child processes: a failure in a child fails the test.
 #include "tests/support/isolated.hpp"
 
 #include <gtest/gtest-spi.h>

@@ -31,22 +31,22 @@ struct Words {
 };
 
 // t805-25 without operand loads, code fetches and cycles stolen by DMA. Clock, ticks and link rates
-// are powers of two: every time is a whole number of cycles, without rounding.
+// are powers of two, so every time is a whole number of cycles, without rounding.
 inline Model derive_exact_model() {
   Model model = machine::override_model("t805-25", {{"instruction.fetch", "0"}}, "tests");
   model.memory.steal_word = 0;
   for (machine::Cycles* beside : {&model.channel.operands, &model.channel.out_word})
-    *beside = {0};  // these have tests of their own
+    *beside = {0};  // separate tests cover these
   model.cpu.clock = {0x1p24};
   model.timer.high_tick = 0x1p-20;  // 16 cycles
   model.timer.low_tick = 0x1p-14;   // 1024 cycles
   model.scheduler.slice = {4096};
-  model.link.one_way_rate = 0x1p20;  // 16 cycles a byte
+  model.link.one_way_rate = 0x1p20;  // 16 cycles per byte
   model.link.both_ways_rate = 0x1.8p20;
   return model;
 }
 
-// Loaded once, before any test forks: the children have copies.
+// Loaded once before any test forks, so that child processes have copies.
 inline const Model REAL_MODEL = machine::load_model("t805-25");
 inline const Model EXACT_MODEL = derive_exact_model();
 
@@ -72,8 +72,9 @@ inline void wait_until_cycle(std::int64_t cycle) {
   wait_until(ticks(Cycles{cycle} / this_process().processor().clock()));
 }
 
-// ctest runs the tests of machine and occam three times: on SimGrid with fibers, with SimGrid's
-// actors, and with our own link engine. The environment selects the last two.
+// The engine under test. ctest runs the tests of machine and occam three times: on SimGrid with
+// fibers, with SimGrid's actors, and with tlab's own link engine. The environment selects the last
+// two.
 inline machine::EngineParams engine_under_test() {
   const char* given = std::getenv("TLAB_TEST_ENGINE");
   const std::string_view name = given ? given : "";
@@ -81,7 +82,7 @@ inline machine::EngineParams engine_under_test() {
   return {.processes = name == "actors" ? machine::Processes::actors : machine::Processes::fibers};
 }
 
-// A fourth run uses Procs, for tests that can do without stacks.
+// False in a fourth run, which uses Procs, for tests that can do without stacks.
 inline bool bodies_have_stacks() {
   const char* given = std::getenv("TLAB_TEST_BODIES");
   return std::string_view(given ? given : "") != "procs";
@@ -132,7 +133,7 @@ inline Model make_complete_model() {
   return model;
 }
 
-// Cost of in or out before the instruction itself; a message of one word uses outword.
+// Cost of in or out before the instruction itself. A message of one word uses outword.
 inline std::int64_t cost_before(const Model& model, Side side, std::uint64_t bytes) {
   const bool is_outword = side == Side::writer && bytes == 4;
   return (model.channel.operands + (is_outword ? model.channel.out_word : Cycles{0})).value;
@@ -141,12 +142,13 @@ inline std::int64_t cost_before(const Model& model, Side side, std::uint64_t byt
 inline std::int64_t cost_first(const Model& model, Side side, std::uint64_t bytes) {
   return cost_before(model, side, bytes) + model.channel.blocked.value;
 }
-// Cost for the process that arrives second at a soft channel: 2w+19 cycles, on chip.
+// Cost for the process that arrives second at a soft channel: 2w+19 cycles on chip.
 inline std::int64_t cost_second(const Model& model, Side side, std::uint64_t bytes) {
   return cost_before(model, side, bytes) + soft_cost(model, bytes);
 }
 
-// Two cycles a word: one active direction, at 16 cycles a byte, takes 2 / 64 = 1/32 of the CPU.
+// A model whose DMA takes two cycles per word. One active direction, at 16 cycles per byte, takes 2
+// / 64 = 1/32 of the CPU.
 inline Model make_stealing_model() {
   Model model = make_exact_model();
   model.memory.steal_word = 2;
@@ -156,6 +158,7 @@ constexpr std::int64_t STEAL_WORD = 2;
 
 inline std::string name_of(Priority p) { return p == Priority::high ? "high" : "low"; }
 
-constexpr double ROUNDING = 1e-4;  // cycles: of a clock that is no power of two, and of SimGrid
+// rounding, in cycles, of SimGrid and of a clock that is no power of two
+constexpr double ROUNDING = 1e-4;
 
 }  // namespace occam

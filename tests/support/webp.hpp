@@ -13,7 +13,7 @@ inline std::size_t little_endian(const std::string& bytes, std::size_t at, int c
   return value;
 }
 
-// In milliseconds; empty for a still picture.
+// Durations in milliseconds; empty for a still picture.
 inline std::vector<int> durations_of_webp(const std::string& bytes) {
   std::vector<int> durations;
   for (std::size_t at = 12; at + 8 <= bytes.size();) {

@@ -23,7 +23,7 @@ struct WebpFrame {
   }
 };
 
-// Empty if `bytes` is no animated WebP picture.
+// Decodes the frames; empty if `bytes` is no animated WebP picture.
 inline std::vector<WebpFrame> decode_webp(const std::string& bytes) {
   const WebPData data{reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
   const std::unique_ptr<WebPAnimDecoder, decltype(&WebPAnimDecoderDelete)> decoder(

@@ -1,4 +1,4 @@
-// Shared by the tests of topologies: a list of machines, random machines, a plain search.
+// Topologies for tests: a list of machines, random machines, and a simple search.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ inline const std::vector<std::string> SPECS{
     "amp:2",       "amp:3",       "amp:4",     "amp:5",       "amp:6",       "amp:7",
     "amp:8",       "amp:9",       "amp:23",    "amp:64",      "amp:100"};
 
-// Names each test after its spec: "mesh:5x4" runs as mesh_5x4.
+// Names each test after its specification: "mesh:5x4" runs as mesh_5x4.
 struct SpecName {
   std::string operator()(const testing::TestParamInfo<std::string>& info) const {
     auto name = info.param;
@@ -55,8 +55,8 @@ inline std::vector<int> plain_distances(const Topology& t, int start) {
   return distance;
 }
 
-// A connected random tree with some extra links, at most four a processor, on random ports. For odd
-// seeds some processors are joined by several links.
+// A connected random tree with some extra links, at most four per processor, on random ports. For
+// odd seeds, some processors are joined by several links.
 inline Topology random_topology(unsigned seed, int largest = 31) {
   std::mt19937 random(seed);
   const auto below = [&](size_t n) { return static_cast<int>(random() % n); };
@@ -88,7 +88,8 @@ inline void shuffle_ports(Topology& t, std::mt19937& random) {
     for (End* end : {&link.a, &link.b}) end->port = ports[end->processor][end->port];
 }
 
-// Links another network to the last processor with a free port, if the other has a free port too.
+// Links another network to the last processor with a free port, if the other network has a free
+// port too.
 inline void append(Topology& t, const Topology& other) {
   const int first = t.processors;
   int at = first - 1, there = 0;
@@ -113,7 +114,7 @@ std::string rejection(Act act) {
   return "";
 }
 
-// A temporary file of this test alone, removed at its end.
+// A temporary file of this test only, removed at its end.
 struct TemporaryFile {
   TemporaryFile(const std::string& name, const std::string& text)
       : path(testing::TempDir() + "tlab-" + std::to_string(getpid()) + "-" + name) {

@@ -1,5 +1,5 @@
 #pragma once
-// Rooms made in code for the tests of radiosity, and points that see their patches.
+// Rooms for the tests of radiosity, and points that see their patches.
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ using renderer::test::Random;
 
 inline Rgb grey(double value) { return {value, value, value}; }
 
-/// Adds p, p + a, p + a + b, p + b. On the front side, a turns left to b.
+/// Adds the quad p, p + a, p + a + b, p + b. Seen from its front, b is to the left of a.
 inline Face& add_quad(Room& room, std::uint32_t material, const Vec& p, const Vec& a, const Vec& b,
                       int along = 1, int across = 1) {
   Face face;
@@ -30,15 +30,15 @@ inline Face& add_quad(Room& room, std::uint32_t material, const Vec& p, const Ve
   return room.faces.back();
 }
 
-/// The face seen from its other side.
+/// The face as seen from its other side.
 inline Face turn(Face face) {
   std::swap(face.corners[1], face.corners[3]);
   std::swap(face.along, face.across);
   return face;
 }
 
-/// Adds the six sides of a box, n x n patches each: floor, ceiling, and the walls at low x, high x,
-/// low y and high y. They face inwards, those of a block outwards.
+/// Adds the six sides of a box with n x n patches each: floor, ceiling, and the walls at low x,
+/// high x, low y and high y. They face inwards, or outwards for a block.
 inline void add_box(Room& room, std::uint32_t material, const Vec& lo, const Vec& hi, int n = 1) {
   const Vec x{hi.x - lo.x, 0, 0}, y{0, hi.y - lo.y, 0}, z{0, 0, hi.z - lo.z};
   add_quad(room, material, lo, x, y, n, n);
@@ -66,8 +66,8 @@ inline std::vector<Vec> make_ring(const Vec& centre, const Vec& axis, double rad
   return ring;
 }
 
-/// A box of random shape with a block standing in it and, above that, free two-sided polygons.
-/// Everything has material 0; the walls and blocks have n x n patches.
+/// A box of random shape with a block standing in it and, above the block, free two-sided polygons.
+/// Everything has material 0. The walls and blocks have n x n patches.
 inline Room make_furnished(Random& random, int polygons, int n) {
   Room room;
   room.materials = {{"wall", grey(0.5), grey(1)}};
@@ -94,7 +94,7 @@ inline SolveParams make_params(double tolerance, const FactorParams& factor = {}
   return params;
 }
 
-/// A point on no object.
+/// A point that lies on no object.
 inline Vertex make_point(const Vec& at, const Vec& normal) {
   return {at, at, normal, 0, NO_OBJECT};
 }
@@ -113,7 +113,7 @@ double eval_mean(const Mesh&, const Patch& patch, int n, const auto& f) {
   return total / area;
 }
 
-/// eval_factor() plus the light over mirrors, each colour times their reflectance.
+/// eval_factor() plus the light over mirrors, each colour scaled by their reflectance.
 inline Rgb eval_factors(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work) {
   return eval_light(eye, vertex, {patch, Glow(grey(1))}, work);
 }

@@ -51,10 +51,10 @@ TEST(Scan, CoversWhatRaysMeet) {
     add_polygon(scene, star);
     finish(scene);
     behind += std::ranges::any_of(star, [](const Vec& p) { return p.z > 0; });
-    // The plane's own distance along the axis is linear in space too.
+    // Interpolates the plane's distance along the axis, which is linear in space too.
     std::vector<double> found(SCREEN_SIDE * SCREEN_SIDE), nearness(SCREEN_SIDE * SCREEN_SIDE);
     Scanner<1> scanner(eye.raster, ALL);
-    std::vector<Vec> flat;  // corners are moved into the plane by rounding
+    std::vector<Vec> flat;  // the corners, moved into the plane by rounding
     for (const Corner& c : scene.corners) flat.push_back(eval_corner(scene.polygons[0], c));
     scanner.scan(make_corners(eye.view, flat, [](const Vec& p) { return p.x; }),
                  [&](int x, int y, double near, const auto& values) {
@@ -84,7 +84,8 @@ TEST(Scan, NeighboursShareNoSampleAndLeaveNoneOut) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random{seed};
     const Eye eye(SamplePosition::corner);
-    // A fan of triangles around a point, often on a sample's ray; the fan covers everything.
+    // A fan of triangles around a point covers everything. The point is often on the ray of a
+    // sample.
     const Vec middle = seed % 2 ? Vec{0, 0, -1} : Vec{random.range(-1, 1), random.range(-1, 1), -1};
     std::vector<Vec> ring;
     const double start = random.unit();
@@ -103,7 +104,7 @@ TEST(Scan, NeighboursShareNoSampleAndLeaveNoneOut) {
 }
 
 TEST(Scan, ValuesAreLinearInSpace) {
-  // From 0 to 1 along a floor that recedes from the eye, one unit below it.
+  // The value grows from 0 to 1 along a floor that recedes from the eye, one unit below it.
   const Eye eye;
   Scanner<1> scanner(eye.raster, ALL);
   int count = 0;
@@ -131,9 +132,9 @@ TEST(Scan, StaysInItsArea) {
   EXPECT_EQ(count, 28);
   count = 0;
   scanner.draw_line(wall[0], wall[2], put);
-  EXPECT_EQ(count, 0);  // the diagonal from below to above passes (x, 23 - x)
+  EXPECT_EQ(count, 0);  // the diagonal from bottom to top passes (x, 23 - x)
   scanner.draw_line(wall[1], wall[3], put);
-  EXPECT_EQ(count, 4);  // (5, 5) to (8, 8)
+  EXPECT_EQ(count, 4);  // from (5, 5) to (8, 8)
 }
 
 TEST(Scan, LinesBehindTheEyeAreCutOff) {
@@ -146,7 +147,7 @@ TEST(Scan, LinesBehindTheEyeAreCutOff) {
   };
   scanner.draw_line({{0, 0, -1}, {}}, {{1, 0, -1}, {}}, put);
   EXPECT_TRUE(found.empty());
-  // From straight ahead to behind the right shoulder.
+  // The line leads from straight ahead to behind the right shoulder.
   scanner.draw_line({{0.001, 0.01, 1}, {}}, {{1, 0.01, -1}, {}}, put);
   ASSERT_EQ(found.size(), 12u);
   EXPECT_EQ(found.front().first, 12);

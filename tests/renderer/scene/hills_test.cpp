@@ -1,4 +1,4 @@
-// The landscape: its triangles, their net, and its view.
+// The landscape: its triangles, their mesh, and its view.
 
 #include "renderer/scene/hills.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 using Triangle = std::array<Vec, 3>;
 
-// In file order.
+// The triangles in file order.
 std::vector<Triangle> get_triangles(const Scene& scene) {
   std::vector<Triangle> triangles;
   for (const Place place : scene.objects) {
@@ -29,12 +29,12 @@ std::vector<Triangle> get_triangles(const Scene& scene) {
   return triangles;
 }
 
-// Neighbours store equal corners, except for rounding.
+// Rounds a point, since neighbours store corners that are equal only up to rounding.
 std::array<std::int64_t, 3> round_point(const Vec& p) {
   return {std::llround(p.x * 1e8), std::llround(p.y * 1e8), std::llround(p.z * 1e8)};
 }
 
-constexpr double FRONT = -0.2, BACK = 41.7, SLOPE = 0.6;  // sides: |x| = SLOPE * (y + 1.4)
+constexpr double FRONT = -0.2, BACK = 41.7, SLOPE = 0.6;  // the sides are |x| = SLOPE * (y + 1.4)
 
 bool is_on_outline(const Vec& p) {
   return std::abs(p.y - FRONT) < 1e-9 || p.y > BACK ||
@@ -48,7 +48,8 @@ TEST(Hills, AreOneNetWithoutCracks) {
     ASSERT_EQ(triangles.size(), static_cast<std::size_t>(n));
     using Point = std::array<std::int64_t, 3>;
     std::set<Point> points;
-    std::map<std::pair<Point, Point>, std::vector<Vec>> sides;  // of each edge, the two ends
+    // the two ends of each edge, for each triangle that has it
+    std::map<std::pair<Point, Point>, std::vector<Vec>> sides;
     double area = 0, back = 0;
     for (const Triangle& t : triangles) {
       area += cross(t[1] - t[0], t[2] - t[0]).z / 2;
@@ -64,15 +65,17 @@ TEST(Hills, AreOneNetWithoutCracks) {
     }
     for (const auto& [edge, ends] : sides) {
       if (ends.size() == 4) {
-        EXPECT_EQ(round_point(ends[0]), round_point(ends[3]));  // the second runs the other way
+        // the second triangle traverses it in the opposite direction
+        EXPECT_EQ(round_point(ends[0]), round_point(ends[3]));
       } else {
         ASSERT_EQ(ends.size(), 2u);
         EXPECT_TRUE(is_on_outline(ends[0]) && is_on_outline(ends[1])) << ends[0].x << ends[0].y;
       }
     }
-    EXPECT_EQ(points.size() + triangles.size(), sides.size() + 1);  // Euler, of a disc
+    EXPECT_EQ(points.size() + triangles.size(), sides.size() + 1);  // Euler's formula for a disc
     const double depth = back - FRONT;
-    EXPECT_NEAR(area, depth * SLOPE * (2 * (FRONT + 1.4) + depth), 1e-6);  // no overlaps
+    // triangles do not overlap
+    EXPECT_NEAR(area, depth * SLOPE * (2 * (FRONT + 1.4) + depth), 1e-6);
   }
 }
 
@@ -110,7 +113,7 @@ TEST(Hills, TheViewIsAboveTheGround) {
   }
 }
 
-// Equal numbers on every machine and with every compiler.
+// The numbers are equal on every host and with every compiler.
 TEST(Hills, ThePicture) {
   Params params;
   params.width = params.height = 64;

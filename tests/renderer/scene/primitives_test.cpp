@@ -1,4 +1,4 @@
-// Each primitive, compared with an independent intersection method.
+// Intersection with each primitive, compared with an independent method.
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ std::optional<Hit> meet(const Scene& scene, const Vec& origin, const Vec& direct
                    Traversal::nearest, work);
 }
 
-// A surface: the zeros of `value`, limited to places where `exists` holds.
+// A surface: the zeros of `value` where `exists` holds.
 struct Implicit {
   std::function<double(const Vec&)> value;
   std::function<bool(const Vec&)> exists = [](const Vec&) { return true; };
@@ -155,7 +155,7 @@ TEST(Primitives, NeighbouringPolygonsLeaveNoGap) {
     }
   });
   for (int i = 0; i < 2000; ++i) {
-    // Aimed at the shared edges.
+    // Aims at the shared edges.
     const double a = 2 * std::numbers::pi * random.below(7) / 7, along = random.range(0, 0.9);
     const Vec corner{std::cos(a), std::sin(a), 0}, shared{0.1, 0.2, 0};
     const Vec target = shared + along * (corner - shared), origin = random.point(1) + Vec{0, 0, 3};
@@ -168,7 +168,8 @@ TEST(Primitives, PatchNormalsAreInterpolated) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random{seed};
     const std::vector<Vec> star = make_star(random, {0, 0, 0}, 1.5);
-    const std::vector<Vec> corners(star.begin(), star.begin() + 3);  // a triangle: barycentric
+    // a triangle, whose interpolation is barycentric
+    const std::vector<Vec> corners(star.begin(), star.begin() + 3);
     const Vec n = normalize(cross(corners[1] - corners[0], corners[2] - corners[0]));
     std::vector<Vec> normals;
     for (int i = 0; i < 3; ++i) normals.push_back(normalize(n + 0.5 * random.direction()));
@@ -192,7 +193,7 @@ TEST(Primitives, PatchNormalsAreInterpolated) {
 
 TEST(Primitives, PatchNormalsAtEdgesAndCorners) {
   const std::vector<Vec> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  // The normals say that the front is below, for any order of the corners.
+  // The normals define the front as below, whatever the order of the corners.
   const std::vector<Vec> normals = {{0, 0, -2}, normalize({1, 0, -1}), normalize({0, 1, -1})};
   const Scene scene = make_scene_of([&](Scene& s) { add_patch(s, corners, normals); });
   const auto at = [&](double x, double y) { return meet(scene, {x, y, -1}, {0, 0, 1}); };
@@ -224,7 +225,7 @@ TEST(Primitives, ARayDoesNotMeetWhereItStarts) {
   }
 }
 
-// Rounding grows with the largest coordinate: the eye's farthest position counts.
+// Rounding grows with the largest coordinate, so the farthest position of the eye counts.
 TEST(Scene, ToleranceFollowsTheFarthestPlaceOfTheEye) {
   const auto epsilon = [](const Vec& from, const Vec& move) {
     Scene scene;

@@ -1,4 +1,4 @@
-// Image pyramids, and the texture point for a point of the scene.
+// Mipmaps, and the texture point for a point of the scene.
 #include "renderer/scene/texture.hpp"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,7 @@ TEST(Texture, BilinearBetweenTheMiddlesOfTexels) {
 
 TEST(Texture, RepeatsOnAllSides) {
   const Pyramid four = make_four();
-  // On the left edge: half of its texel, half of the one at the right edge.
+  // On the left edge: half of its texel, and half of the texel at the right edge.
   EXPECT_DOUBLE_EQ(at(four, 0, 0.75), 0.5);
   EXPECT_DOUBLE_EQ(at(four, 0, 0), 0.4);
   Random random{3};
@@ -157,7 +157,8 @@ TEST(Texture, ATurnIsTheLibrarysAngle) {
   EXPECT_LT(eval_turn(-1e-300, 1), 1);
 }
 
-// A mapping's stated gradients equal the differences of its coordinates at neighbouring points.
+// Expects the stated gradients of a mapping to equal the differences of its coordinates at
+// neighbouring points.
 void check_gradients(const Mapping& mapping, const Vec& point) {
   constexpr double STEP = 1e-6;
   const TexturePoint here = eval_mapping(mapping, point);
@@ -170,7 +171,7 @@ void check_gradients(const Mapping& mapping, const Vec& point) {
 }
 
 TEST(Texture, PlanarGoesAlongItsEdges) {
-  const Vec origin{1, 2, 3}, u{2, 0, 0}, v{1, 4, 0};  // not at right angles
+  const Vec origin{1, 2, 3}, u{2, 0, 0}, v{1, 4, 0};  // u and v are not at right angles
   const Mapping mapping = make_planar(origin, u, v);
   Random random{8};
   for (int i = 0; i < 100; ++i) {
@@ -203,10 +204,10 @@ TEST(Texture, SphericalIsLongitudeAndLatitude) {
   EXPECT_NEAR(find({r, 0, r}).v, 0.75, 1e-15);
   EXPECT_NEAR(find({r, r, -r * std::sqrt(2)}).v, 0.25, 1e-15);
   EXPECT_NEAR(find({r, r, 0}).u, 0.125, 1e-15);
-  // The seam is at longitude 0; coordinates never pass it.
+  // The seam is at longitude 0, and coordinates never pass it.
   EXPECT_GT(find({r, -1e-9, 0}).u, 0.99999);
   EXPECT_LT(find({r, -1e-9, 0}).u, 1);
-  EXPECT_EQ(find({}).v, 0.5);  // the middle itself
+  EXPECT_EQ(find({}).v, 0.5);  // the middle of the sphere
   EXPECT_THROW(make_spherical(middle, {}), base::BadInput);
   Random random{9};
   for (int i = 0; i < 50; ++i) {
@@ -223,7 +224,7 @@ TEST(Texture, SphericalIsLongitudeAndLatitude) {
   }
 }
 
-// A scene with one surface; its texture is a mesh's, with the pixels `rgb8`.
+// A scene with one surface, whose texture has the pixels `rgb8` and coordinates at corners.
 Scene make_scene(int width, int height, const std::vector<std::uint8_t>& rgb8) {
   Scene scene;
   scene.pyramids.push_back(make_pyramid(width, height, rgb8));

@@ -1,4 +1,4 @@
-// An Access object receives every read of the scene, and nothing else; hits are unchanged.
+// An Access object receives every read of the scene, and nothing else. Hits are unchanged.
 
 #include <gtest/gtest.h>
 

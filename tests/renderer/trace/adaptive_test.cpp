@@ -1,4 +1,4 @@
-// More samples in pixels that need them.
+// Adaptive sampling: more samples in pixels that need them.
 #include "renderer/trace/adaptive.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,7 @@ SquarePoint sample(const Params& params, int pass, Dimension dimension, std::uin
   return sample_square(params.sampling, {pixel, pass}, dimension);
 }
 
-// The rectangle that contains a point, of columns x rows.
+// The rectangle that contains a point, for a division into columns x rows.
 int find_part(const SquarePoint& at, int columns, int rows) {
   return static_cast<int>(at.v * rows) * columns + static_cast<int>(at.u * columns);
 }
@@ -40,7 +40,8 @@ TEST(Adaptive, RoundsDoubleTheSamples) {
   EXPECT_EQ(ends, (std::vector<int>{16, 32, 64, 100}));
 }
 
-// The sample's point in the unit square of its group; in the pixel, a group's square is a quarter.
+// The sample's point in the unit square of its group. In the pixel, the square of a group is a
+// quarter.
 SquarePoint sample_in_group(const Params& params, int group, int place, Dimension dimension,
                             std::uint32_t pixel) {
   const auto at = sample(params, GROUPS * place + group, dimension, pixel);
@@ -48,7 +49,8 @@ SquarePoint sample_in_group(const Params& params, int group, int place, Dimensio
   return {2 * at.u - std::floor(2 * at.u), 2 * at.v - std::floor(2 * at.v)};
 }
 
-// In the pixel, for any power of two in each group; in other dimensions, after whole rounds.
+// In the pixel this holds for any power of two in each group, in other dimensions after whole
+// rounds.
 TEST(Adaptive, RectanglesOfAllShapesHaveASampleEach) {
   const Params params = make_adaptive(1, 0.1, 1000);
   for (const auto dimension : {Dimension::pixel, Dimension::lens, Dimension::gloss})
@@ -158,17 +160,17 @@ TEST(Adaptive, ABorderHasASecondRound) {
 }
 
 TEST(Adaptive, TheErrorIsWhatSquaresDoNotExplain) {
-  // Half of the quarters are white, half black, none mixed: no error.
+  // Half of the quarters are white, half black, none mixed. The estimated error is 0.
   std::vector<TracedSample> samples;
   for (int i = 0; i < 16; ++i) samples.push_back(make_sample(group_of(i) % 2));
   EXPECT_EQ(find_wanted(1e-6, samples, 7), 16);
-  // One white and three black in each: four quarters of variance 1 / 4. The mean's variance is a
-  // 16th of a quarter's, 0.125 squared.
+  // Each quarter has one white and three black samples, and hence a variance of 1 / 4. The variance
+  // of the mean is 1/16 of that, 0.125 squared.
   samples.clear();
   std::set<int> seen;
   for (int i = 0; i < 16; ++i)
     samples.push_back(make_sample(seen.insert(group_of(i)).second ? 1 : 0));
-  // With 16 samples half of the error for 64 is allowed.
+  // With 16 samples, half of the error for 64 is allowed.
   EXPECT_EQ(find_wanted(0.252, samples, 7), 16);
   EXPECT_EQ(find_wanted(0.248, samples, 7), 32);
   // Values brighter than white count as white.
@@ -207,7 +209,7 @@ double eval_rmse(const Samples& a, const Samples& b, const Area& area) {
 }
 
 TEST(Adaptive, SavesRaysAtTheSameError) {
-  // A part of a larger image, full of borders. (docs/manual covers whole images.)
+  // A part of a larger image that is full of borders. (docs/manual covers whole images.)
   const Scene scene = make_spheres(200);
   Params params = make_adaptive(512, 0);
   params.area = {200, 210, 32, 32};
@@ -221,7 +223,7 @@ TEST(Adaptive, SavesRaysAtTheSameError) {
   EXPECT_LT(found.rays.total(), 0.7 * uniform.rays.total());
 }
 
-// Pixels whose grid of rays meets several objects, or an object and the background.
+// Pixels in which a grid of rays meets several objects, or an object and the background.
 std::vector<bool> find_borders(const Scene& scene, const Params& params, int grid) {
   Params fine = params;
   fine.sampling = {};
@@ -259,7 +261,7 @@ TEST(Adaptive, NoStraightBorderIsWithoutExtraSamples) {
   Random random{12};
   int borders = 0;
   for (int round = 0; round < 20; ++round) {
-    // A half plane, black on black: only its border requires more samples.
+    // A black half plane on black, where only its border requires more samples.
     Scene scene;
     scene.view.from = {0, 0, 8};
     scene.surfaces.push_back({.colour = {}, .kd = 0});
@@ -278,7 +280,8 @@ TEST(Adaptive, NoStraightBorderIsWithoutExtraSamples) {
   EXPECT_GT(borders, 500);
 }
 
-// Balls smaller than a pixel, or that touch one between its corners and samples, may be missed.
+// Adaptive sampling may miss balls smaller than a pixel, and balls that touch a pixel between its
+// corners and samples.
 TEST(Adaptive, HardlyABallsBorderIsWithoutExtraSamples) {
   for (const int spheres : {200, 3200}) {
     const Params params = make_adaptive(32, 0.01);

@@ -22,7 +22,7 @@ Surface make_textured(std::uint32_t texture) {
   return surface;
 }
 
-// A floor z = 0 to the horizon with a checkerboard of period 1, in ambient light alone.
+// A floor z = 0 to the horizon with a checkerboard of period 1, in ambient light only.
 Scene make_floor(const Vec& from, const Vec& at) {
   Scene scene;
   scene.view.from = from;
@@ -58,7 +58,7 @@ Moments find_spread(const std::vector<double>& values) {
 }
 
 TEST(Colour, ACheckerboardFarAwayIsGrey) {
-  // 40 to 100 periods away: a pixel covers more than a period.
+  // The floor is 40 to 100 periods away, so a pixel covers more than a period.
   const Scene scene = make_floor({0.3, 0.2, 2}, {60, 7, 0});
   Params params = make_ambient(80, 60);
   params.area = {0, 30, 80, 8};
@@ -76,11 +76,11 @@ TEST(Colour, ACheckerboardFarAwayIsGrey) {
     }
   EXPECT_NEAR(find_spread(filtered).mean, 0.5, 0.005);
   EXPECT_LT(find_spread(filtered).variance, 1e-4);
-  EXPECT_GT(find_spread(unfiltered).variance, 0.15);  // for black and white it is 0.25
+  EXPECT_GT(find_spread(unfiltered).variance, 0.15);  // the variance of black and white is 0.25
 }
 
 TEST(Colour, ACheckerboardNearbyIsSharp) {
-  // A pixel is 1 / 100 of a period, a texel 1 / 64: unfiltered.
+  // A pixel is 1/100 of a period and a texel 1/64, so the texture is not filtered.
   const Scene scene = make_floor({0.3, 0.2, 1}, {0.3, 0.21, 0});
   Params params = make_ambient(64, 64);
   params.height = params.width = 83;
@@ -135,7 +135,7 @@ TEST(Colour, TimesTheSurfacesInAmbientAndDiffuseLight) {
   EXPECT_NEAR(colour.r, 0.8 * 1.1 * 0.5, 1e-9);
   EXPECT_NEAR(colour.g, 0.8 * 1.1 * 0.5 * 0.2, 1e-9);
   EXPECT_EQ(colour.b, 0);
-  // Once for ambient light, once for all feelers.
+  // Once for ambient light, and once for all feelers.
   EXPECT_EQ(found.work[Op::texture_mapped], 2u);
   EXPECT_EQ(found.work[Op::texel_mixed], 8u);
 }

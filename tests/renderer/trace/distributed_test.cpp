@@ -12,7 +12,7 @@ namespace {
 
 constexpr int DISC_SIDE = 64;
 
-// Objects that glow by themselves: ambient light alone, no lights.
+// Parameters that make objects glow by ambient light only, without lights.
 Params make_glow(int samples) {
   Params params = make_params(DISC_SIDE, DISC_SIDE, 1);
   params.sample = SamplePosition::center;
@@ -57,9 +57,10 @@ Scene make_glowing_sphere(double depth, double radius, double half_height) {
   return scene;
 }
 
-// M. Potmesil and I. Chakravarty: a lens of focal length F focused on distance s has its film at v
-// = F s / (s - F). There a point at distance d is a disc of diameter c = A |d - s| / d * v / s. The
-// image plane here is at distance 1 from the lens, not at v: a size c on the film is c / v on it.
+// By M. Potmesil and I. Chakravarty, a lens of focal length F focused on distance s has its film at
+// v = F s / (s - F). There, a point at distance d is a disc of diameter c = A |d - s| / d * v / s.
+// The image plane here is at distance 1 from the lens instead of v, so a size c on the film is c /
+// v on it.
 TEST(Distributed, CircleOfConfusion) {
   constexpr double A = 0.5, S = 5, F = 0.05, V = F * S / (S - F);
   for (const double d : {2.5, 3.5, 4.2, 7.0, 12.0, 40.0}) {
@@ -68,7 +69,8 @@ TEST(Distributed, CircleOfConfusion) {
     Scene scene = make_glowing_sphere(d, radius, 0.7 * on_plane);
     scene.view.lens = {A, S};
     finish(scene);
-    // A disc of diameter D has the variance D^2 / 16; the sphere's own image adds its variance.
+    // A disc of diameter D has the variance D^2 / 16. The variance of the sphere's own image is
+    // added.
     const Spread found = eval_spread(scene, make_glow(256));
     const double own = radius * radius / (d * d) / 4;
     EXPECT_NEAR(V * 4 * std::sqrt(found.across - own), c, 0.02 * c) << "distance " << d;
@@ -88,7 +90,7 @@ TEST(Distributed, WhatIsInFocusIsSharp) {
   EXPECT_NEAR(lens.up, pinhole.up, 0.02 * pinhole.up);
 }
 
-// Motion blur is as long as the movement while the shutter is open, seen from its distance.
+// Motion blur is as long as the movement while the shutter is open, as seen from its distance.
 TEST(Distributed, BlurIsSpeedTimesShutter) {
   constexpr double DEPTH = 10, RADIUS = 0.3, SPEED = 3;
   for (const bool is_camera : {false, true})
@@ -98,7 +100,7 @@ TEST(Distributed, BlurIsSpeedTimesShutter) {
         scene.view.from_move = scene.view.at_move = {SPEED, 0, 0};
       else
         scene.moves = {{SPEED, 0, 0}};
-      // The movement is centred in the picture.
+      // Centres the movement in the picture.
       scene.view.from.x = scene.view.at.x = (is_camera ? -0.5 : 0.5) * SPEED * shutter;
       finish(scene);
       Params params = make_glow(96);
@@ -113,7 +115,7 @@ TEST(Distributed, BlurIsSpeedTimesShutter) {
     }
 }
 
-// The width that fits `shape` best; `shape` rises from 0 to 1 between -0.5 and 0.5.
+// The width of the best fit of `shape`, which rises from 0 to 1 between -0.5 and 0.5.
 double fit_width(const std::vector<double>& at, const std::vector<double>& found, double expected,
                  const std::function<double(double)>& shape) {
   double best = 0, least = 1e300;
@@ -158,7 +160,8 @@ double eval_lit(const Scene& scene, double x, int samples) {
   return 1.0 * lit / samples;
 }
 
-// A light of width L at distance d1 from an edge that is d2 above the floor: w = L d2 / d1.
+// Measures the penumbra of a light of width L at distance d1 from an edge that is d2 above the
+// floor. Its width is w = L d2 / d1.
 double measure_penumbra(const std::string& light, double above, double edge, double expected,
                         const std::function<double(double)>& shape) {
   const Scene scene = parse(fmt::format(
@@ -198,8 +201,8 @@ TEST(Distributed, PenumbraOfASphere) {
 }
 
 // The share of rays that a surface sends beyond an edge. Directions fill a disc of radius S at
-// distance 1, across the axis. An edge, e from the axis in a plane across it at distance D, cuts
-// off a segment at q = e / (D S) of the disc's radius.
+// distance 1, perpendicular to the axis. The edge lies in a perpendicular plane at distance D, e
+// from the axis. It cuts off a segment at q = e / (D S) of the disc's radius.
 double eval_beyond(const std::string& surface, bool is_mirror, double angle, double edge,
                    double distance, int samples) {
   const Vec in{std::sin(angle), 0, -std::cos(angle)};
@@ -251,7 +254,7 @@ TEST(Distributed, AnEdgeBehindATranslucentPlate) {
     expect_segments(fmt::format("f 0 0 0 0 0 1 1 1\n# translucent {}\n", radius), false, radius);
 }
 
-// Rays that would pass through the surface are turned back.
+// Rays that would pass through the surface are mirrored back.
 TEST(Distributed, GlossStaysOnItsSide) {
   const Scene scene = parse(
       "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nf 0 0 0 0 1 1 1 1.2\n# gloss 1\n# translucent 1\n"
@@ -297,7 +300,7 @@ void follow(const Scene& scene, const Params& params, const Ray& ray, Furnace& f
   for (const Ray& child : rays) follow(scene, params, child, found);
 }
 
-// The mean of 100 samples at a place on the sphere's disc: 0 is its middle, 1 its rim.
+// The mean of 100 samples at a position on the sphere's disc: 0 is its middle, 1 its rim.
 Furnace look_at_disc(const Scene& scene, double place, int depth) {
   constexpr int SAMPLES = 100;
   Params params = make_params(10, 10, depth);
@@ -309,11 +312,11 @@ Furnace look_at_disc(const Scene& scene, double place, int depth) {
     ray.pass = static_cast<std::uint16_t>(pass);
     follow(scene, params, ray, sum);
   }
-  return {sum.light, sum.cut / SAMPLES};  // each sample's light is weighted already
+  return {sum.light, sum.cut / SAMPLES};  // the light of each sample is already weighted
 }
 
-// Only the depth loses light: rough glass reflects a ray that cannot leave. At the rim this happens
-// many times to a few rays.
+// Only the depth loses light. Rough glass reflects a ray that cannot leave, and at the rim this
+// happens many times to a few rays.
 TEST(Distributed, AWhiteFurnaceOfRoughGlassIsWhite) {
   for (const double roughness : {0.0, 0.1, 0.3, 1.0})
     for (const double place : {0.0, 0.5, 0.9, 0.98, 0.999}) {
@@ -329,7 +332,7 @@ TEST(Distributed, AWhiteFurnaceOfRoughGlassIsWhite) {
     }
 }
 
-// The thesis's rays: clear glass loses totally reflected light.
+// By the thesis's rays, clear glass loses totally reflected light.
 TEST(Distributed, TotalInternalReflectionInClearGlassLeavesNoRay) {
   for (const bool is_rough : {false, true}) {
     const Scene scene =
@@ -352,7 +355,7 @@ TEST(Distributed, TotalInternalReflectionInClearGlassLeavesNoRay) {
   }
 }
 
-// A rectangle emits evenly over its area, a sphere over its visible disc.
+// A rectangle emits uniformly over its area, a sphere over its visible disc.
 TEST(Distributed, LightsShineFromAllTheirPoints) {
   const Scene scene = parse(
       "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nf 1 1 1 1 0 0 0 0\n"
@@ -384,7 +387,8 @@ TEST(Distributed, LightsShineFromAllTheirPoints) {
     square += (1 - way.z) / 900;
   }
   EXPECT_LT(length(mean - Vec{1, 2, 3}), 0.005);
-  // Uniform in solid angle: 1 - cosine ranges from 0 to 1 - sqrt(15 / 16), with half of it as mean.
+  // Points are uniform in solid angle: 1 - cosine ranges from 0 to 1 - sqrt(15 / 16), with half of
+  // it as mean.
   EXPECT_NEAR(square, (1 - std::sqrt(15.0 / 16)) / 2, 1e-4);
 }
 

@@ -78,7 +78,7 @@ TEST(Incremental, OneSphereByHand) {
   EXPECT_NEAR(found.b, 0.25 + 0.125, 1e-9);
 }
 
-// The direction to such a light is the normal.
+// The direction to a light on the surface itself is the normal.
 TEST(Incremental, ALightOnTheSurfaceShinesFromAbove) {
   const Scene scene = parse(
       "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nl 0 0 0 1 1 1\nf 0.5 1 0 0.5 0 8 0 0\n"

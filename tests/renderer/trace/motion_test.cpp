@@ -10,7 +10,7 @@ namespace {
 
 constexpr Traversal TRACED_WAYS[] = {Traversal::linear, Traversal::exhaustive, Traversal::nearest};
 
-// Most objects of a random scene move, some far.
+// Most objects of a random scene move, some of them far.
 Scene make_moving_scene(std::uint64_t seed, int objects, double extent) {
   Scene scene = make_random_scene(seed, objects);
   Random random{seed + 1000};
@@ -20,7 +20,7 @@ Scene make_moving_scene(std::uint64_t seed, int objects, double extent) {
   return scene;
 }
 
-// The same scene at rest, at a time.
+// The scene at rest, as it is at a time.
 Scene stop(Scene scene, float time) {
   for (std::uint32_t i = 0; i < object_count(scene); ++i)
     translate(scene, i, eval_shift(scene, i, time));
@@ -148,7 +148,7 @@ TEST(Motion, AnyNumberOfThreadsAndAnyOrderGiveTheSameBits) {
       EXPECT_EQ(many.rays, one.rays);
     }
     if (adaptive > 0) continue;
-    // Samples from the last to the first.
+    // Renders the samples in reverse order.
     Samples backwards(30, 21);
     SampleTracer tracer(scene, params);
     for (int i = 30 * 21 * 7 - 1; i >= 0; --i)

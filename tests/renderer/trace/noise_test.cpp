@@ -1,4 +1,4 @@
-// Noise falls with the number of samples, whatever they are distributed over.
+// Noise decreases with the number of samples, whatever they are distributed over.
 
 #include <gtest/gtest.h>
 

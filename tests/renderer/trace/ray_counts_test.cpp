@@ -1,4 +1,4 @@
-// Ray counts: those behind the thesis's tables 4.2 and 4.7, and the published ones of the SPD.
+// Ray counts: those of the thesis's tables 4.2 and 4.7, and the published ones of the SPD.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ void expect_within(double share, std::uint64_t found, double expected) {
 struct Row {
   int spheres;
   std::uint64_t total;
-  double box_tests, sphere_tests;  // per ray, by another program's Goldsmith & Salmon tree
+  double box_tests, sphere_tests;  // per ray, for the Goldsmith-Salmon tree of another program
 };
 
 class Spheres : public testing::TestWithParam<Row> {};
@@ -53,7 +53,7 @@ TEST(RayCounts, PublishedBalls) {
 }
 
 TEST(RayCounts, InfluenceEndsTreesAsDepthDoes) {
-  // All reflectances are 0.5: level 10 has influence 0.5^9.
+  // All reflectances are 0.5, so level 10 has the influence 0.5^9.
   Params params = make_params(40, 40, 10);
   const Scene scene = make_spheres(91);
   const RayCounts by_depth = render(scene, params).rays;

@@ -1,4 +1,4 @@
-// Transmission.
+// Transmission through transparent objects.
 
 #include <gtest/gtest.h>
 
@@ -63,7 +63,7 @@ TEST(Refraction, ThroughABallARayEntersAndLeaves) {
     EXPECT_EQ(inner.level, 2);
     ASSERT_TRUE(step());
     ASSERT_EQ(rays.size(), 1u);
-    // Leaves at its angle of entry to the centre line.
+    // The ray leaves at the angle to the centre line at which it entered.
     EXPECT_NEAR(length(cross(rays[0].direction, rays[0].origin)),
                 length(cross(ray.direction, inner.origin)), 1e-9);
     EXPECT_FALSE(step()) << "outside again";

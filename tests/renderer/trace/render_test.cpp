@@ -63,7 +63,7 @@ TEST(Render, AreaOfInterestIsACutOut) {
 }
 
 TEST(Render, RaysInAnyOrderGiveTheSameBits) {
-  // A ray store that returns the newest, the oldest or a random ray.
+  // The ray store returns the newest, the oldest or a random ray.
   const Scene scene = make_random_scene(23, 30);
   const Params params = make_params(12, 12, 5);
   const Samples expected = render(scene, params).samples;

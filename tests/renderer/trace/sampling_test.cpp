@@ -67,7 +67,7 @@ TEST(Sampling, RegionsAreEqualAndTileTheSquare) {
   }
 }
 
-// All samples of a pixel: one in each region of a square and of a line.
+// Expects that the samples of a pixel are one in each region of a square and of a line.
 void expect_one_in_each(const Sampling& sampling, SampleKey key, int count) {
   for (const Dimension dimension : DIMENSIONS) {
     std::vector<int> in_square(static_cast<std::size_t>(count)), in_line(in_square);
@@ -97,8 +97,8 @@ TEST(Sampling, EveryRegionHasOneSample) {
   }
 }
 
-// A sample's regions in two dimensions, or in two pixels, are independent. All pairs of regions are
-// equally frequent, within 5 standard deviations.
+// The regions of a sample in two dimensions, or in two pixels, are independent. All pairs of
+// regions are equally frequent, within 5 standard deviations.
 TEST(Sampling, RegionsArePairedAtRandom) {
   constexpr int COUNT = 5, PIXELS = 20000;
   Sampling sampling;

@@ -1,4 +1,4 @@
-// The hit does not depend on the search.
+// The hit does not depend on the traversal.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -51,8 +51,8 @@ TEST(Traversal, HitsAreEqualToTheLastBit) {
   EXPECT_GT(hits, 1000);
 }
 
-// Coplanar rectangles whose sizes and places make the hierarchy's order differ from the file's.
-// (Sides are powers of two, so that distances have no rounding.)
+// Coplanar rectangles have sizes and positions that make the hierarchy's order differ from that of
+// the file. (Sides are powers of two, so that distances have no rounding.)
 TEST(Traversal, OfCoincidentObjectsTheFirstIsHit) {
   Random random{11};
   struct Rectangle {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr int SIDE = 16;  // pixels
 
-// The view from the origin along y; a pixel has size 1 at distance 100.
+// A view from the origin along y. A pixel has size 1 at distance 100.
 Scene make_view() {
   Scene scene;
   scene.view.from = {0, 0, 0};
@@ -19,13 +19,13 @@ Scene make_view() {
   return scene;
 }
 
-// The half plane beyond x, at distance 100.
+// Adds the half plane beyond x, at distance 100.
 void add_half_plane(Scene& scene, double x) {
   add_polygon(scene,
               std::vector<Vec>{{x, 100, -500}, {999, 100, -500}, {999, 100, 500}, {x, 100, 500}});
 }
 
-// A half plane behind the plane in focus: its edge is blurred over 6.4 pixels.
+// A half plane behind the plane in focus, whose edge is blurred over 6.4 pixels.
 Scene make_blurred_edge() {
   Scene scene = make_view();
   scene.view.lens = {.aperture = 6.4, .focus = 50};
@@ -33,7 +33,7 @@ Scene make_blurred_edge() {
   return scene;
 }
 
-// In every pixel a sphere that covers a twentieth of it.
+// Each pixel has a sphere that covers 1/20 of it.
 Scene make_dots() {
   Scene scene = make_view();
   Random random{5};
@@ -44,7 +44,7 @@ Scene make_dots() {
   return scene;
 }
 
-// In every row of pixels a slanted cylinder, an eighth of a pixel wide.
+// Each row of pixels has a slanted cylinder, 1/8 of a pixel wide.
 Scene make_hairs() {
   Scene scene = make_view();
   for (int i = 0; i < SIDE; ++i) {
@@ -54,7 +54,7 @@ Scene make_hairs() {
   return scene;
 }
 
-// White lines on black, a sixth of a pixel wide, 5.3 pixels apart.
+// White lines on black, 1/6 of a pixel wide, 5.3 pixels apart.
 Scene make_lines() {
   Scene scene = make_view();
   std::vector<std::uint8_t> texels(3 * 32, 0);
@@ -66,7 +66,7 @@ Scene make_lines() {
   return scene;
 }
 
-// The shadow, on a wall, of a half plane out of view; the light is 4 pixels wide.
+// The shadow, on a wall, of a half plane out of view. The light is 4 pixels wide.
 Scene make_shadow_edge() {
   Scene scene = make_view();
   add_half_plane(scene, -500);

@@ -1,4 +1,4 @@
-// Image cells, their orders, and the display's picture, compared with a plain oracle.
+// Image cells, their orders, and the display's picture, compared with a simple oracle.
 #include "simulator/farm/rays/cells.hpp"
 
 #include <gtest/gtest.h>
@@ -148,7 +148,7 @@ TEST(FrameBuffer, IsTheImageWhenAllSamplesAreThere) {
   }
 }
 
-// Four samples at the corners of a cell of 4 pixels: a ramp between them.
+// Four samples at the corners of a cell of 4 pixels yield a ramp.
 TEST(FrameBuffer, SmoothCellsAreBilinear) {
   FrameBuffer picture(8, 8, {.width = 8, .max_cell = 4}, CellLight::smooth);
   renderer::Work work;
@@ -175,7 +175,7 @@ TEST(FrameBuffer, ShowsTheMeanOfSamples) {
     renderer::Ray ray = ray_of(5);
     ray.pass = static_cast<std::uint16_t>(pass);
     picture.add(ray, {0.12 * (pass + 1) / 4, 0, 0}, work);
-    ray.level = 2;  // contribution of the sample's other rays
+    ray.level = 2;  // a contribution of another ray of the sample
     picture.add(ray, {0, 0.2 / 4, 0}, work);
     const double mean = 0.12 * (pass + 2) / 2;
     EXPECT_EQ(picture.rgb8()[15], renderer::make_rgb8(renderer::Rgb{mean, 0, 0})[0]) << pass;
@@ -186,7 +186,7 @@ TEST(FrameBuffer, ShowsTheMeanOfSamples) {
   FrameBuffer means(4, 4, {.width = 4, .max_cell = 1}, CellLight::constant, {}, sampling);
   for (const double red : {0.2, 0.6, 0.7}) means.add(ray_of(3), {red, 0, 0}, work);
   EXPECT_NEAR(means.samples().get(3).r, 0.5, 1e-9);
-  // Samples of different weights.
+  // Samples have different weights.
   renderer::Samples::Sums sums;
   add(sums, renderer::Rgb{3 * 0.6, 0, 0});
   means.finish({3, sums}, work);
@@ -194,7 +194,8 @@ TEST(FrameBuffer, ShowsTheMeanOfSamples) {
   EXPECT_EQ(means.rgb8()[9], 153);
 }
 
-// Samples of quadrants come in any order: each pixel has the colour of the latest in the queue.
+// Samples of quadrants come in any order. Each pixel has the colour of the latest quadrant in the
+// queue.
 TEST(FrameBuffer, PaintsQuadrants) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -226,8 +227,8 @@ TEST(FrameBuffer, PaintsQuadrants) {
   }
 }
 
-// A cell's size and place identify its samples. Division yields every sample exactly once, except
-// those of the largest cells.
+// The size and place of a cell identify its samples. Division yields every sample exactly once,
+// except those of the largest cells.
 TEST(Cells, AreDividedIntoAllSamples) {
   for (const int max_cell : {1, 2, 8, 32}) {
     const Cells cells{.width = WIDTH, .max_cell = max_cell, .order = CellOrder::adaptive};
@@ -262,7 +263,7 @@ TEST(Cells, ComeInTheirOrder) {
   EXPECT_EQ(take().size(), 4u);
 }
 
-// Cells begin at the corner of the area: every pixel of the area belongs to one.
+// Cells begin at the corner of the area, so that every pixel of the area belongs to one.
 TEST(Cells, BeginAtTheArea) {
   const Cells cells{.width = WIDTH, .max_cell = 8, .x = 5, .y = 3};
   EXPECT_EQ(cells.size_of(3 * WIDTH + 5), 8);

@@ -59,7 +59,7 @@ TEST(FarmBlocks, TileTheArea) {
   }
 }
 
-// A worker performs on a block the work that the centre of a farm of rays shares out. One worker is
+// For a block, a worker does the work that the centre does in a farm of rays. One worker is
 // therefore nearly as fast, without messages for every ray.
 TEST(FarmBlocks, OneWorkerTakesTheTreesCycles) {
   const auto scene = renderer::make_spheres(100);
@@ -80,7 +80,7 @@ TEST(FarmBlocks, WithWholePixelsThereAreNoStagesOrOrders) {
   EXPECT_THROW(check(block_params(0, 8)), base::BadInput);
 }
 
-// Every link of the tree carries the whole scene once; the image is unchanged.
+// Every link of the tree carries the whole scene once. The image is unchanged.
 TEST(FarmScene, IsSentDownEveryLink) {
   const auto scene = renderer::make_spheres(60);
   for (const bool blocks : {false, true}) {
@@ -91,7 +91,7 @@ TEST(FarmScene, IsSentDownEveryLink) {
       const auto oracle = renderer::render(scene, params.image);
       const auto farm = run(params, "tree:9", scene);
       const double least = double(object_count(scene) * get_bytes(model, "object")) /
-                           model.link.one_way_rate;  // s, over one link
+                           model.link.one_way_rate;  // time over one link, s
       EXPECT_TRUE(farm.samples == oracle.samples);
       EXPECT_GT(farm.setup_s, least);
     });
@@ -104,8 +104,8 @@ std::string limit_of(const Params& params, const std::string& topology, int sphe
   });
 }
 
-// One worker is always busy; twelve with cheap rays wait for the centre; many with few blocks wait
-// for the last block.
+// One worker is always busy. Twelve workers with cheap rays wait for the centre. Many workers with
+// few blocks wait for the last block.
 TEST(FarmBottleneck, IsWhatOthersWaitFor) {
   EXPECT_EQ(limit_of(small_params(), "tree:1", 60), "workers");
   EXPECT_EQ(limit_of(small_params(), "tree:12", 60), "coordination");
@@ -113,7 +113,7 @@ TEST(FarmBottleneck, IsWhatOthersWaitFor) {
   EXPECT_EQ(limit_of(block_params(8, 9), "tree:40", 60), "tasks");
 }
 
-// Waiting time and CPU idle time agree: the database's only process waits whenever its CPU is idle.
+// Waiting time equals the CPU's idle time, since the database has only one process.
 TEST(FarmBottleneck, WaitsFillTheTimeThatTheCpuDoesNot) {
   const auto sum = isolated([&] {
     const auto use = run(small_params(), "tree:5", renderer::make_spheres(60)).use;

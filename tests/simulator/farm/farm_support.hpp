@@ -1,5 +1,5 @@
 #pragma once
-// Shared by the farm's tests.
+// Functions that the farm's tests share.
 #include <random>
 #include <sstream>
 #include <string>

@@ -1,4 +1,4 @@
-// The farm: on any machine, the picture equals the sequential renderer's.
+// The farm: on any machine, its picture equals the sequential renderer's.
 #include "simulator/farm/farm.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,7 @@
 namespace farm {
 namespace {
 
-// Runs the farm; returns its difference from the sequential renderer, or "".
+// Runs the farm. Returns its difference from the sequential renderer, or "".
 std::string compare(const std::string& topology, const renderer::Scene& scene,
                     const Params& params) {
   return isolated([&]() -> std::string {
@@ -38,13 +38,13 @@ TEST(Farm, ImageEqualsTheSequentialRenderersOnEveryTopology) {
   }
 }
 
-// Workers of two models on a board with double links: faster workers do proportionally more.
+// Workers of two models are on a board with double links. Faster workers do proportionally more.
 TEST(Farm, MixedMachinesShareTheWorkBySpeed) {
   EXPECT_EQ(
       isolated([]() -> std::string {
         const auto scene = renderer::make_spheres(200);
         auto params = small_params();
-        params.image.width = params.image.height = 64;  // enough tasks for a ratio
+        params.image.width = params.image.height = 64;  // enough tasks for an accurate ratio
         const auto slow = std::make_shared<const machine::Model>(machine::load_model("t800-20"));
         for (const int id : {0, 3}) params.others.emplace(id, slow);
         auto star = topologies::make_topology("star:4");
@@ -59,7 +59,7 @@ TEST(Farm, MixedMachinesShareTheWorkBySpeed) {
           of[cpu.model] += cpu.role == Role::worker ? static_cast<double>(cpu.tasks.value()) : 0;
         }
         if (sum != farm.tasks) return fmt::format("{} tasks, not {}", sum, farm.tasks);
-        // Two workers of each model; a slow one passes on the rays of all others.
+        // There are two workers of each model. A slow one passes on the rays of all others.
         const double ratio = of["t805-30"] / of["t800-20"];
         return ratio > 1.45 && ratio < 1.75 ? "" : fmt::format("{} times as much", ratio);
       }),
@@ -88,7 +88,7 @@ TEST(Farm, ImageDoesNotDependOnLimitsOrdersSeedsOrCells) {
   }
 }
 
-// The scene is sent first, which takes longer than the order's time.
+// The scene is sent first, and takes longer than the time of the order.
 TEST(Farm, OrdersCountFromTheFirstTask) {
   run_isolated([] {
     Params params = small_params();
@@ -102,7 +102,7 @@ TEST(Farm, OrdersCountFromTheFirstTask) {
   });
 }
 
-// The second order is obeyed; the others have no effect.
+// The second order is executed; the others have no effect.
 TEST(Farm, OrdersWithoutAnEffectAreNamed) {
   run_isolated([] {
     Params params = small_params();
@@ -152,7 +152,7 @@ TEST(Farm, UseDoesNotCountTheScene) {
   EXPECT_EQ(bytes_with(64), bytes_with(0));
 }
 
-// A task is a ray; its answer is the ray, with the hit if there is one.
+// A task is a ray. Its answer is the ray, with the hit if there is one.
 TEST(Farm, MissesAreShorterThanHits) {
   run_isolated([] {
     const auto scene = renderer::parse_scene(
@@ -177,13 +177,13 @@ TEST(Farm, MissesAreShorterThanHits) {
   });
 }
 
-// Eq 4.24 and 4.25: rays in the farm never exceed its buffers, nor waiting feelers their
-// descendants. A worker buffers a ray in its router, in each sender, before and in its application
-// and in its results router; the coordinator in its sender.
+// Eq 4.24 and 4.25: the rays in the farm never exceed its buffers, nor waiting feelers their
+// descendants. A worker has a buffer in its router, in each sender, before and in its application,
+// and in its results router. The coordinator has one in its sender.
 TEST(Farm, RaysInFarmAndFeelersAreBounded) {
   for (int workers : {1, 2, 5, 13}) {
     const std::size_t buffers = 1 + static_cast<std::size_t>(workers) * 4 +
-                                static_cast<std::size_t>(workers - 1);  // a sender per child
+                                static_cast<std::size_t>(workers - 1);  // one sender per child
     run_isolated([&] {
       const auto r = run_farm(machine::load_model("t805-25"),
                               topologies::make_topology(fmt::format("tree:{}", workers)),
@@ -252,7 +252,7 @@ TEST(Farm, FaultsSayWhoAndWhat) {
   }
 }
 
-// Messages take no other route: the farm waits for the part cut off.
+// Messages take no other route, so the farm waits for the part that is cut off.
 TEST(Farm, ACutLinkIsADeadlockUnlessTheFarmIsOver) {
   const auto run_cut = [](double at_s) {
     return isolated([&] {
@@ -280,7 +280,8 @@ TEST(Farm, TheDatabaseCanRunOutOfMemory) {
   try {
     isolated([] {
       Params params = small_params();
-      params.database_memory = 131072 + 80 * 24 * 18;  // the program and the initial rays
+      // memory for the program and the initial rays
+      params.database_memory = 131072 + 80 * 24 * 18;
       run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:1"),
                renderer::make_spheres(60), params);
       return std::string();
@@ -294,7 +295,7 @@ TEST(Farm, TheDatabaseCanRunOutOfMemory) {
   }
 }
 
-// Areas of the picture itself are checked too.
+// Areas are checked against the size of the picture.
 TEST(Farm, AreasOfStagesAndOrdersAreWithinThePicture) {
   const auto error_of = [](const Params& params) {
     try {

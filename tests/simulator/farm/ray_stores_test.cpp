@@ -1,4 +1,4 @@
-// The ray database's stores, compared with a plain oracle.
+// The stores of the ray database, compared with a simple oracle.
 #include "simulator/farm/rays/ray_stores.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ double largest_factor(const renderer::Ray& ray) {
   return std::max({ray.influence.r, ray.influence.g, ray.influence.b});
 }
 
-// The keys of 4.3.4, smaller ones first: each key decides if all before it are equal.
+// The keys of 4.3.4, smaller ones first. Each key decides if all keys before it are equal.
 std::tuple<int, double, int, int> keys_of(const renderer::Ray& ray) {
   return {ray.pass, -largest_factor(ray), ray.level, -cell_size(ray) * (ray.is_urgent ? 4 : 1)};
 }
@@ -55,16 +55,16 @@ bool is_within(const renderer::Ray& ray, const Limits& limits) {
          largest_factor(ray) >= limits.min_influence && size >= limits.min_cell && is_observed;
 }
 
-// A searched list: the behaviour of the stores without their structure.
+// A searched list with the behaviour of the stores.
 struct Oracle {
   std::vector<renderer::Ray> rays;
   Limits limits;
 
-  // 0: feelers, 1: within the limits, 2: beyond.
+  // Ranks: 0 feelers, 1 rays within the limits, 2 rays beyond.
   int rank(const renderer::Ray& r) const {
     return r.kind == renderer::RayKind::shadow ? 0 : is_within(r, limits) ? 1 : 2;
   }
-  // True if `taken` may come first; removes an equal ray.
+  // True if `taken` may come first; then removes an equal ray.
   bool take(const renderer::Ray& taken) {
     const auto same = std::ranges::find_if(rays, [&](const renderer::Ray& r) {
       return r.sample == taken.sample && r.kind == taken.kind && r.through == taken.through &&
@@ -111,7 +111,7 @@ TEST(RayStores, GiveEveryRayOnceByPriority) {
   }
 }
 
-// For any influence, level and weights.
+// This holds for any influence, level and weights.
 TEST(Priority, FirstSamplesOfPixelsComeFirst) {
   renderer::Ray first, second;
   first.influence = {0.001, 0, 0};
@@ -124,7 +124,7 @@ TEST(Priority, FirstSamplesOfPixelsComeFirst) {
   }
 }
 
-// The weighted sum of the largest factor, 1 / level, and log(cell size) / log(largest cell). Two
+// The weighted sum has the largest factor, 1 / level, and log(cell size) / log(largest cell). Two
 // rays with nearly equal sums may come in either order.
 TEST(Priority, IsTheWeightedSumOfItsKeys) {
   std::mt19937_64 random(1);
@@ -149,7 +149,7 @@ TEST(RayStores, CountTheirWork) {
   strong.influence = {1, 1, 1};
   stores.add(weak, work);
   EXPECT_EQ(work.heap_step, 0u);
-  stores.add(strong, work);  // passes the weak one
+  stores.add(strong, work);  // rises above the weak ray
   EXPECT_EQ(work.heap_step, 1u);
   EXPECT_EQ(work.record_stored, 2u);
   EXPECT_EQ(work.ray_classified, 2u);
@@ -157,7 +157,7 @@ TEST(RayStores, CountTheirWork) {
   EXPECT_EQ(stores.peaks().heap, 2u);
 }
 
-// A heap of n rays has depth log2(n): no operation takes more steps.
+// A heap of n rays has depth log2(n), and no operation takes more steps.
 TEST(RayStores, HeapStepsAreLogarithmic) {
   std::mt19937_64 random(7);
   RayStores stores(CELLS, {});

@@ -13,8 +13,8 @@ using namespace occam;
 
 constexpr int WAYS = 4, ROUNDS = 6;
 
-// The input of each result, in output order. Each input sends a result whenever possible, then a
-// stop; -1 marks the stop that comes out.
+// Runs the results router, and returns the input of each result in output order. Each input sends a
+// result whenever possible, then a stop. -1 marks the stop that comes out.
 Numbers run_results_router() {
   return isolated_numbers([] {
     Lab lab;
@@ -39,7 +39,7 @@ Numbers run_results_router() {
         active = !answer.stop();
         const auto* hit = std::get_if<Intersection>(&answer.content);
         found.push_back(hit ? static_cast<double>(hit->ray.sample) : -1);
-        compute(10'000);  // by then every input waits
+        compute(10'000);  // by then, every input waits
       }
     });
     lab.machine.run();

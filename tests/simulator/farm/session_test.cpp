@@ -41,14 +41,14 @@ std::ptrdiff_t black_pixels(const std::vector<std::uint8_t>& rgb8) {
   return n;
 }
 
-// The first rays come from the top, with two mirrors, and the last ones miss everything. No ray
-// returns to the database that would make it ask again.
+// The first rays come from the top, which has two mirrors; the last ones hit nothing. Hence no ray
+// returns to the database and makes it ask again.
 TEST(Session, RaysThatNewLimitsAdmitAreAskedForAtOnce) {
   const auto scene = renderer::parse_scene(
       "v\nfrom 0 -4 0\nat 0 0 0\nup 0 0 1\nangle 40\nhither 0.01\nresolution 24 24\n"
       "b 0.2 0.4 0.7\nf 1 1 1 0.1 0.9 20 0 1\ns -0.4 0 1 0.4\ns 0.4 0 1 0.4\n",
       "mirrors");
-  // The total time, and that of the interactive phase.
+  // The total time, and the time of the interactive phase.
   const auto run_with = [&](std::vector<Order> script) {
     return test::isolated_numbers([&]() -> std::vector<double> {
       Params params = small_params();
@@ -70,7 +70,7 @@ TEST(Session, RaysThatNewLimitsAdmitAreAskedForAtOnce) {
   }
 }
 
-// Any order, cells, weights and session give the sequential renderer's image.
+// Whatever the order, cells, weights and session, the result is the sequential renderer's image.
 TEST(Session, EndsWithTheImage) {
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -101,7 +101,7 @@ TEST(Session, EndsWithTheImage) {
   }
 }
 
-// The same with several samples a pixel, a lens, area lights and rough surfaces.
+// The result is also equal with several samples per pixel, a lens, area lights and rough surfaces.
 TEST(Session, EndsWithTheImageOfSeveralSamples) {
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -128,7 +128,8 @@ TEST(Session, EndsWithTheImageOfSeveralSamples) {
   }
 }
 
-// Key images: only pixels that are black in the scene are black; their level is the last one's.
+// In key images, only pixels that are black in the scene are black. Their level is that of the last
+// one.
 TEST(Session, KeyImagesAreWholePictures) {
   for (const auto light : {CellLight::constant, CellLight::smooth}) {
     const std::string told = isolated([light] {
@@ -159,7 +160,7 @@ TEST(Session, PointsAreDark) {
   EXPECT_EQ(told, "9 108 true");  // 3 x 3 cells of 8 pixels; 12 x 9 of 2
 }
 
-// The first limits are exhausted long before the order comes: the farm waits for it.
+// The first limits are exhausted long before the order comes. The farm waits for it.
 TEST(Session, TheNullModeWaitsForTheNextOrder) {
   const std::string told = isolated([] {
     Params params = staged_params();

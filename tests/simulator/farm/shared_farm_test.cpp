@@ -1,4 +1,4 @@
-// The farm with a scene shared among its workers: its results and its times.
+// The farm with a scene distributed over its workers: its results and times.
 #include "simulator/farm/shared_farm.hpp"
 #include "base/errors.hpp"
 
@@ -93,7 +93,7 @@ TEST(SharedFarm, ImageEqualsTheSequentialRenderers) {
       }
 }
 
-// If all records fit, a worker asks for none twice, and the disk reads each once.
+// If all records fit, a worker requests none twice, and the disk reads each once.
 TEST(SharedFarm, OfACacheThatHoldsAllEveryRecordIsAskedForOnce) {
   const auto scene = renderer::make_spheres(60);
   run_isolated([&] {
@@ -104,7 +104,7 @@ TEST(SharedFarm, OfACacheThatHoldsAllEveryRecordIsAskedForOnce) {
   });
 }
 
-// Without InPathTo only the coordinator answers; a queue needs requests that are offered.
+// Without InPathTo, only the coordinator answers. Requests must be offered to be queued.
 TEST(SharedFarm, RequestsAreAnsweredOnTheWayOnlyIfTheyAreOffered) {
   const auto scene = renderer::make_spheres(60);
   SharedParams data = shared_params(20);
@@ -122,7 +122,8 @@ TEST(SharedFarm, RequestsAreAnsweredOnTheWayOnlyIfTheyAreOffered) {
   expect_answers(false, false);
 }
 
-// One worker with everything in its cache: kernel + accesses * data_access cycles, and little else.
+// One worker with everything in its cache takes the kernel's cycles, accesses * data_access, and
+// little else.
 TEST(SharedFarm, AnAccessTakesTheModelsCycles) {
   const auto scene = renderer::make_spheres(20);
   run_isolated([&] {
@@ -140,8 +141,8 @@ TEST(SharedFarm, AnAccessTakesTheModelsCycles) {
   });
 }
 
-// Memory for program, buffers and 10 % of the scene: too little for a farm in which every worker
-// holds the whole scene.
+// The memory is enough for program, buffers and 10 % of the scene, but not for a farm in which
+// every worker has the whole scene.
 TEST(SharedFarm, RendersWhatWorkersCannotHold) {
   const auto scene = renderer::make_spheres(800);
   auto params = small_block_params(8, 6);

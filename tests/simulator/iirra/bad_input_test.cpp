@@ -78,7 +78,7 @@ TEST(IirraInput, StagesAndOrdersAreLookedAt) {
   EXPECT_NE(error_of(params).find("\"a\""), std::string::npos) << error_of(params);
 }
 
-// On a line the coordinator's neighbour is between the coordinator and all others.
+// On a line, the coordinator's neighbour is between the coordinator and all others.
 TEST(IirraInput, GreensTreeGoesRoundTheDisplay) {
   auto params = small_params();
   params.balance = BalanceMethod::green;
@@ -90,7 +90,7 @@ TEST(IirraInput, GreensTreeGoesRoundTheDisplay) {
   EXPECT_EQ(error_of(params, "tree:5"), "");
 }
 
-// Refused before anything runs.
+// Input is refused before anything runs.
 TEST(IirraInput, ARunRefusesToo) {
   auto params = small_params();
   params.max_cell = 3;

@@ -1,4 +1,4 @@
-// IIRRA on nodes with two processors sharing a memory: results and times.
+// IIRRA on nodes with two processors that share a memory: results and times.
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
@@ -55,7 +55,7 @@ TEST(DoubleNode, ImageEqualsTheRenderers) {
         });
 }
 
-// One worker: only the nodes' work makes a difference, since tasks do not move.
+// With one worker, tasks do not move, so only the work of the nodes differs.
 TEST(DoubleNode, IsFasterThanOneProcessor) {
   const auto eval_time = [](bool is_double) {
     return test::isolated_numbers(
@@ -64,7 +64,7 @@ TEST(DoubleNode, IsFasterThanOneProcessor) {
   EXPECT_LT(eval_time(true).at(0), eval_time(false).at(0));
 }
 
-// The computing CPUs are workers; the others route, and order lists of accesses.
+// The CPUs that compute are workers. The others route, and sort lists of accesses.
 TEST(DoubleNode, HasTwoRoles) {
   test::run_isolated([&] {
     const auto twice = run("mesh:3x3", 20, true);

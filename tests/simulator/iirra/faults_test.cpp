@@ -1,5 +1,5 @@
-// Stopping processors and cut links: the right image, or a fault that names the culprit. Never a
-// wrong image, and never an endless run.
+// Stopping processors and cut links. The image is right, or a fault names the cause; it is never
+// wrong, and the run always ends.
 #include <gtest/gtest.h>
 
 #include "simulator/machine/faults.hpp"
@@ -8,7 +8,7 @@
 namespace iirra {
 namespace {
 
-constexpr unsigned LIMIT_S = 20;  // host time; a run takes well under one second
+constexpr unsigned LIMIT_S = 20;  // host time, s; a run takes well under one second
 
 // "right" or "wrong" for the image, or the exception, such as "machine::Fault: ...".
 std::string outcome(const Params& params, const std::string& topology) {
@@ -70,7 +70,7 @@ TEST(IirraFaults, ACutLinkIsGoneAround) {
     }
 }
 
-// Without another route a part of the picture is missing, or some workers do not learn the end.
+// Without another route, a part of the picture is missing, or some workers do not learn of the end.
 TEST(IirraFaults, ACutLinkWithoutAnotherWayIsTold) {
   for (int balance = 0; balance < 7; ++balance)
     for (const std::uint64_t seed : {1, 2, 3}) {

@@ -1,4 +1,4 @@
-// Shared by the tests of IIRRA.
+// Functions that the tests of IIRRA share.
 #pragma once
 
 #include <fmt/format.h>

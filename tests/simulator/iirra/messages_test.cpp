@@ -6,7 +6,7 @@
 namespace iirra {
 namespace {
 
-// In words: each begins with a tag.
+// Lengths are in words, and each message begins with a tag.
 TEST(IirraMessages, AreAsLongAsWhatTheySay) {
   const Sizes sizes(machine::load_model("t805-25"));
   const auto words_of = [&](const IirraMessage::Content& content) {
@@ -17,7 +17,7 @@ TEST(IirraMessages, AreAsLongAsWhatTheySay) {
   constexpr std::uint64_t TAG = 1, NUMBER = 1, LIMITS = 6, AREA = 4, WEIGHTS = 6;
   EXPECT_EQ(words_of(UserOrder{}), TAG + NUMBER + LIMITS + AREA);
   NewPhase phase;
-  EXPECT_EQ(words_of(phase), TAG + 2 * NUMBER + LIMITS + AREA);  // of phase and order
+  EXPECT_EQ(words_of(phase), TAG + 2 * NUMBER + LIMITS + AREA);  // numbers of phase and order
   phase.limits.weights = Weights{};
   EXPECT_EQ(words_of(phase), TAG + 2 * NUMBER + LIMITS + AREA + WEIGHTS);
   EXPECT_EQ(words_of(Report{}), TAG + 3 * NUMBER);

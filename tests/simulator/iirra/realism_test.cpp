@@ -1,4 +1,4 @@
-// The choice of the next cell, and of the next step on it.
+// Choice of the next cell, and of the next step on it.
 #include "simulator/iirra/realism.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using renderer::Area;
 
-constexpr int SAMPLES[] = {0, 5, 9, 13};  // by level
+constexpr int SAMPLES[] = {0, 5, 9, 13};  // samples of a cell at each level
 
 // --- Bayer's matrix -----------------------------------------------------------------------------
 
@@ -35,7 +35,7 @@ TEST(IirraOrder, BayersMatrixHasEachNumberOnce) {
   }
 }
 
-// The first numbers of a matrix stand where those of the next smaller matrix are, spread out.
+// The first numbers of a matrix are where those of the next smaller matrix are, spread out.
 TEST(IirraOrder, BayersMatrixIsEvenAtAnyTime) {
   for (const int drawn : {4, 16, 64}) {
     const int block = 16 / (drawn == 4 ? 2 : drawn == 16 ? 4 : 8);
@@ -106,8 +106,8 @@ TEST(IirraAdvance, NothingIsDoneOutsideTheAreaOfInterest) {
     return choose({x, y, 4, 0}, waiting(1, 1, 1), limits) != Advance::none;
   };
   EXPECT_TRUE(chosen(20, 10));
-  EXPECT_TRUE(chosen(17, 7));    // its last pixel is the area's first
-  EXPECT_FALSE(chosen(16, 10));  // only its border, which belongs to its neighbour
+  EXPECT_TRUE(chosen(17, 7));    // its last pixel is the first of the area
+  EXPECT_FALSE(chosen(16, 10));  // only its border lies in the area, and belongs to its neighbour
   EXPECT_FALSE(chosen(20, 6));
   EXPECT_TRUE(chosen(24, 14));
   EXPECT_FALSE(chosen(25, 14));
@@ -157,7 +157,7 @@ Quantities random_quantities(std::mt19937_64& random) {
   return {contrast, depth, depth > 0 ? any() : 0};
 }
 
-// The chosen step is possible and within the limits; none is chosen only if none is possible.
+// The chosen step is possible and within the limits. None is chosen only if none is possible.
 TEST(IirraAdvance, IsPossibleAndAllowed) {
   for (std::uint64_t seed = 1; seed <= 4000; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -170,7 +170,7 @@ TEST(IirraAdvance, IsPossibleAndAllowed) {
     const bool is_sampled = cell.level == (side > 2 ? 3 : 2);
     const bool is_inside = limits.area == Area{} ||
                            (cell.x < 14 && cell.x + side > 4 && cell.y < 14 && cell.y + side > 4);
-    // The first level of the first cells is always allowed: nothing is known before it.
+    // The first level of the first cells is always allowed, since nothing is known before it.
     const bool may_sample = is_inside && !is_sampled &&
                             (cell.level == 0 || (side >= limits.min_cell &&
                                                  SAMPLES[cell.level + 1] <= limits.max_samples));
@@ -194,7 +194,7 @@ TEST(IirraAdvance, IsPossibleAndAllowed) {
   }
 }
 
-// Without limits every cell is finished, whatever its samples: all its pixels are sampled then, and
+// Without limits every cell is finished, whatever its samples. Then all its pixels are sampled, and
 // no ray waits.
 TEST(IirraAdvance, EndsWithoutLimits) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
@@ -248,7 +248,7 @@ struct Judged {
   Quantities quantities = {};
 };
 
-// Checks that importance by this weight alone falls from each cell to the next.
+// Expects that importance by this weight alone decreases from each cell to the next.
 void expect_falling(double Weights::*weight, const std::vector<Judged>& cells,
                     const Limits& limits = {}) {
   Ordering ordering{{0, 0, 64, 64}, 16, CellOrder::bayer, 1, NOTHING};
@@ -301,8 +301,8 @@ TEST(IirraImportance, TheLimitsWeightsComeBeforeTheProgrammes) {
   EXPECT_DOUBLE_EQ(ordering.eval(cell, {0.25, 0, 0}, limits).sum, 0.75);
 }
 
-// Columns and rows of 4 x 4 cells, sorted by place in the order; the image does not begin at the
-// origin.
+// Columns and rows of 4 x 4 cells, sorted by their place in the order. The image does not begin at
+// the origin.
 std::vector<std::pair<int, int>> places(CellOrder order, std::uint64_t seed = 1) {
   const Ordering ordering{{3, 5, 64, 64}, 16, order, seed, {}};
   std::vector<std::pair<std::uint64_t, std::pair<int, int>>> all;

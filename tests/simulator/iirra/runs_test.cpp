@@ -1,5 +1,5 @@
-// Complete runs of IIRRA on random machines, compared with the sequential renderer and with a plain
-// count of the necessary work.
+// Complete runs of IIRRA on random machines, compared with the sequential renderer and with a
+// simple count of the necessary work.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ struct Case {
 using Random = std::mt19937_64;
 int below(Random& random, int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); }
 
-// 3 to 20 processors.
+// A topology of 3 to 20 processors.
 std::string random_topology(Random& random) {
   const auto from = [&](int least, int most) { return least + below(random, most - least + 1); };
   switch (below(random, 7)) {
@@ -108,7 +108,8 @@ Case make_case(std::uint64_t seed) {
   const char* const scenes[] = {"own glass", "spheres", "glass.nff", "mirrors.nff"};
   made.scene = scenes[below(random, 4)];
   auto& params = made.params;
-  const bool is_shared = random() % 2;  // the scene: a cache that is too small slows the run
+  // a scene in shared memory, with a cache that is too small, slows the run
+  const bool is_shared = random() % 2;
   params.image.width = 8 + below(random, is_shared ? 9 : 33);
   params.image.height = 8 + below(random, is_shared ? 9 : 33);
   params.image.limits.depth = 1 + below(random, is_shared ? 2 : 4);
@@ -151,7 +152,7 @@ renderer::Scene load(const std::string& scene) {
   return renderer::load_scene(::test::in_sources("experiments/scenes/" + scene));
 }
 
-// In every third case about half of the links that can be doubled are double.
+// Makes a board. In every third case, about half of the links that can be doubled are double.
 topologies::Topology make_board(const Case& c) {
   auto board = topologies::make_topology(c.topology);
   if (c.seed % 3 != 0) return board;
@@ -166,7 +167,7 @@ topologies::Topology make_board(const Case& c) {
   return board;
 }
 
-// In every fourth case some processors are slower.
+// Makes some processors slower, in every fourth case.
 programs::OtherModels make_others(const Case& c, int processors) {
   programs::OtherModels others;
   if (c.seed % 4 != 0) return others;
@@ -192,11 +193,11 @@ Result run_case(const Case& c) {
 
 // --- necessary work -----------------------------------------------------------------------------
 
-// Samples that a worker needs if it keeps all its cells.
+// The samples that a worker needs if it keeps all its cells.
 struct Needed {
   std::set<std::pair<int, int>> points;
   std::uint64_t asked = 0;    // samples of all levels, including repeated ones
-  std::uint64_t divided = 0;  // cells
+  std::uint64_t divided = 0;  // number of cells
 };
 
 void need(Needed& needed, SampledCell cell, const renderer::Area& area) {
@@ -324,7 +325,7 @@ void expect_messages(const Case& c, const Result& result) {
   }
 }
 
-// Every bit of a run's times, counts and pictures; times with `digits` digits.
+// Formats every bit of a run's times, counts and pictures. Times have `digits` digits.
 std::string tell(const Result& r, int digits = 17) {
   const auto& n = r.counts;
   std::string told =
@@ -366,7 +367,7 @@ TEST_P(IirraRuns, EndWithTheImageAndCountAllOfIt) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, IirraRuns, testing::Range<std::uint64_t>(1, 25));
 
-// Every balancing method with every start: random cases may leave some out.
+// Runs every balancing method with every start, since random cases may leave some out.
 TEST(IirraRun, EveryBalancingAndStartGivesTheImage) {
   for (int balance = 0; balance < 7; ++balance)
     for (int start = 0; start < 3; ++start) {
@@ -384,8 +385,8 @@ TEST(IirraRun, EveryBalancingAndStartGivesTheImage) {
     }
 }
 
-// SimGrid's actors instead of fibers: equal to the last bit. Links without SimGrid: equal up to the
-// summation of times.
+// With SimGrid's actors instead of fibers, results are equal to the last bit. With links outside
+// SimGrid, they are equal up to the summation of times.
 TEST(IirraRun, EveryEngineDoesTheSame) {
   if (test::IS_SANITIZED) GTEST_SKIP() << "the sanitizer does not know the stacks of actors";
   Case c{"torus:2x4", "own glass", small_params(), {}};
@@ -400,7 +401,7 @@ TEST(IirraRun, EveryEngineDoesTheSame) {
   EXPECT_TRUE(told({}, 12) == told({.links = machine::Links::direct}, 12));
 }
 
-// Host time instead of counted work: other times, the same image.
+// Host time instead of counted work yields other times, but the same image.
 TEST(IirraRun, TimedKernelsGiveTheImage) {
   for (const bool is_shared : {false, true}) {
     Case c{"ring:5", "own glass", small_params(), {}};
@@ -436,7 +437,7 @@ TEST(IirraRun, LargeCellsAreShownInStrips) {
   }
 }
 
-// A single worker computes every sample once; two workers both compute their common border.
+// A single worker computes every sample once. Two workers both compute their common border.
 TEST(IirraRun, SamplesOnBordersAreSharedWithinAProcessor) {
   Case c{"line:3", "own glass", small_params(), {}};
   run_isolated([&] {

@@ -1,4 +1,4 @@
-// Several samples a pixel, over lens, lights and rough surfaces, compared with the sequential
+// Several samples per pixel, over lens, lights and rough surfaces, compared with the sequential
 // renderer.
 #include <gtest/gtest.h>
 

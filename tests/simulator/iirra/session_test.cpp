@@ -28,7 +28,7 @@ std::string notes(const Result& result) {
   return all;
 }
 
-// 16 processors, 800 spheres: the selected area changes immediately.
+// With 16 processors and 800 spheres, the selected area changes immediately.
 TEST(IirraSession, AnOrderReachesTheScreenWithinATenthOfASecond) {
   for (const double at_s : {0.3, 1.0}) {
     const double waited_s = test::isolated_numbers([&] {
@@ -60,7 +60,7 @@ TEST(IirraSession, KeyImagesHaveNames) {
   }
 }
 
-// The user's first limits are reached long before the next order: everything waits for it.
+// The user's first limits are reached long before the next order. Everything waits for it.
 TEST(IirraSession, TheNullModeWaitsForTheNextOrder) {
   for (const bool is_polled : {true, false}) {
     SCOPED_TRACE(is_polled);
@@ -121,7 +121,7 @@ TEST(IirraSession, MeasuresTheColumnsThatItDeclares) {
   });
 }
 
-// The stage is complete and the user aborts: no new work begins.
+// The stage is complete and the user aborts. No new work begins.
 TEST(IirraSession, AnAbortWhileNothingIsLeftToDoEndsTheRun) {
   run_isolated([] {
     Params params = small_params();
@@ -135,7 +135,7 @@ TEST(IirraSession, AnAbortWhileNothingIsLeftToDoEndsTheRun) {
   });
 }
 
-// Limits arrive while unrequested pictures are on their way: no worker waits for ever.
+// Limits arrive while unrequested pictures are on their way. No worker may wait for ever.
 TEST(IirraSession, OrdersWhilePicturesAreSentLoseNothing) {
   for (int order = 0; order < 12; ++order)
     run_isolated([&] {
@@ -213,7 +213,7 @@ TEST(IirraSession, StagesThatWereNotNeededAreNoted) {
   EXPECT_EQ(told({coarse(8), Limits{}}), "");
 }
 
-// After the end is known to the coordinator, orders have no effect.
+// Once the coordinator knows the end, orders have no effect.
 TEST(IirraSession, OrdersAfterTheEndAreNoted) {
   run_isolated([] {
     Params params = small_params();
@@ -271,7 +271,7 @@ TEST(IirraSession, TheAreaOfInterestIsAllThatIsComputed) {
   });
 }
 
-// Work remains between the last task's start and the last pixel.
+// Work remains between the start of the last task and the last pixel.
 TEST(Columns, TheDrainIsTheEndOfTheTime) {
   run_isolated([] {
     const Measured measured(run(small_params()), {});

@@ -14,7 +14,7 @@
 namespace iirra {
 namespace {
 
-// 16 x 16 cells on 16 processors, which the figure counts from 1.
+// There are 16 x 16 cells on 16 processors, which the figure counts from 1.
 TEST(IirraStart, ScattersAsInFigure524) {
   const auto worker_of = assign(Start::scattered, 16, 16, 16);
   ASSERT_EQ(worker_of.size(), 256u);
@@ -31,7 +31,7 @@ std::vector<int> count_cells(const std::vector<int>& worker_of, int workers) {
   return counts;
 }
 
-// Whole macro-cells. Their surplus cells go to the workers in turn.
+// The image has whole macro-cells. Their surplus cells go to the workers in turn.
 TEST(IirraStart, EveryWorkerHasItsShare) {
   std::mt19937_64 random(20261123);
   for (int round = 0; round < 200; ++round) {
@@ -48,8 +48,8 @@ TEST(IirraStart, EveryWorkerHasItsShare) {
   }
 }
 
-// Macro-cells cut off at the image's borders leave some workers out of one row and one column: at
-// most that many cells.
+// Macro-cells that the image's borders cut off omit some workers in one row and one column, so
+// shares differ by at most that many cells.
 TEST(IirraStart, ScatteringIsNearlyEvenInAnyImage) {
   std::mt19937_64 random(20261124);
   for (int round = 0; round < 200; ++round) {
@@ -64,8 +64,8 @@ TEST(IirraStart, ScatteringIsNearlyEvenInAnyImage) {
   }
 }
 
-// Blocks: equal numbers of adjacent cells. A stretch of the quadrant curve has at most two pieces
-// within a square of a power of two.
+// Blocks have equal numbers of adjacent cells. A section of the quadrant curve has at most two
+// pieces inside a square whose side is a power of two.
 TEST(IirraStart, BlocksArePiecesOfTheImage) {
   for (const int side : {8, 16, 32})
     for (const int workers : {1, 2, 3, 4, 7, 13, 16, 33, 64}) {

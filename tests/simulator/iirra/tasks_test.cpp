@@ -1,4 +1,4 @@
-// The stores of a task manager, compared with a plain list, and the properties of cells.
+// The stores of a task manager, compared with a simple list, and the properties of cells.
 #include "simulator/iirra/tasks.hpp"
 
 #include <gtest/gtest.h>
@@ -49,7 +49,7 @@ TEST(IirraTasks, TheMostImportantComesFirstAndNothingIsLost) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
-    const auto most_adds = 4 + random() % 5;  // in ten steps
+    const auto most_adds = 4 + random() % 5;  // number of additions in ten steps
     const auto may_go = [](const Task& task) { return !task.has_just_come; };
     TaskStores stores;
     TaskWork work;
@@ -94,7 +94,7 @@ TEST(IirraTasks, TheMostImportantComesFirstAndNothingIsLost) {
   }
 }
 
-// Among few tasks any that may go is found; among many one outside the most important.
+// Among few tasks, any that may move is found; among many, one outside the most important.
 TEST(IirraTasks, OnlyTasksThatMayGoAreGivenAway) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -134,7 +134,7 @@ TEST(IirraTasks, WorkIsCounted) {
   TaskWork work;
   for (int i = 0; i < 8; ++i) {
     Task task{{2 * i, 0, 2, 1}};
-    task.importance.sum = i;  // each goes to the top
+    task.importance.sum = i;  // each becomes the most important
     stores.add(task, work);
   }
   EXPECT_EQ(work.record_stored, 8u);
@@ -169,7 +169,7 @@ TEST(IirraTasks, QuantitiesAreThoseOfTheSamples) {
   samples.at({0, 0}).waiting = {make_ray(4, 0.2), make_ray(3, 0.1)};
   samples.at({4, 4}).waiting = {make_ray(2, 0.7, true)};
   const auto found = find_quantities(cell, samples, {}, work);
-  EXPECT_DOUBLE_EQ(found.contrast, 0.5);  // (0.75 - 0.25) / (0.75 + 0.25), green alone
+  EXPECT_DOUBLE_EQ(found.contrast, 0.5);  // (0.75 - 0.25) / (0.75 + 0.25), for green only
   EXPECT_EQ(found.depth, 2);
   EXPECT_EQ(found.influence, 0.7);
   Limits limits;
@@ -209,8 +209,8 @@ TEST(IirraTasks, ACellIsFinishedWithItsOwnPixels) {
   EXPECT_EQ(points_to_deepen(large).size(), 13u);
 }
 
-// A cell reports its waiting rays of the earliest samples only. These wait for finer cells, and for
-// all tasks of first samples.
+// A cell reports its waiting rays of the earliest samples only. Later samples wait for finer cells,
+// and for all tasks of first samples.
 TEST(Quantities, FirstSamplesOfPixelsComeFirst) {
   const SampledCell cell{4, 6, 4, 3};
   auto samples = grey_samples(cell, 0.5);

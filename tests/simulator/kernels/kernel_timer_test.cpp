@@ -44,7 +44,7 @@ TEST(KernelTimer, WhatOtherProgramsAddNowAndThenIsMetByRepetition) {
   for (int i = 0; i < 10; ++i) EXPECT_NEAR(timer.eval(replay, 1), 3e-3, 1e-12);
 }
 
-// Long disturbances slow the yardstick too.
+// Long disturbances slow the reference computation too.
 TEST(KernelTimer, ASlowerHostIsMetByTheYardstick) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -54,7 +54,7 @@ TEST(KernelTimer, ASlowerHostIsMetByTheYardstick) {
   }
 }
 
-// Calls shorter than a clock reading: their sum is right, with fewer readings than calls.
+// Calls are shorter than a clock reading. Their sum is right, with fewer readings than calls.
 TEST(KernelTimer, ShortCallsAreMeasuredTogether) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -67,7 +67,7 @@ TEST(KernelTimer, ShortCallsAreMeasuredTogether) {
   EXPECT_NEAR(timer.longest_batch_s(), KernelTimer::MOST_CALLS * 0.1e-6, 1e-9);
 }
 
-// A batch's time is shared among its calls by weight; a batch ends when it is long enough.
+// The time of a batch is shared among its calls by weight. A batch ends when it is long enough.
 TEST(KernelTimer, CallsOfABatchShareItByWeight) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -83,8 +83,8 @@ TEST(KernelTimer, CallsOfABatchShareItByWeight) {
   EXPECT_LT(timer.longest_batch_s(), KernelTimer::BATCH_S + 120e-6);
 }
 
-// The time per weight falls: an overcharge of a batch is deducted from the next one's calls, a
-// share from each.
+// The time per weight decreases. An overcharge of a batch is deducted from the calls of the next
+// one, a share from each.
 TEST(KernelTimer, ChargesAllThatBatchesTook) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -100,7 +100,7 @@ TEST(KernelTimer, ChargesAllThatBatchesTook) {
   EXPECT_NEAR(sum_s / taken_s, 1, 1e-5);
 }
 
-// A batch's overcharge is returned in parts: no call is charged less than zero.
+// The overcharge of a batch is returned in parts, so no call is charged less than zero.
 TEST(KernelTimer, GivesBackInParts) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -118,7 +118,8 @@ TEST(KernelTimer, FollowsWhatCallsTake) {
   EXPECT_NEAR(s, 2e-6, 1e-12);
 }
 
-// Too few calls for the batch length that the clock needs: they are measured nevertheless.
+// There are too few calls for the batch length that the clock needs. They are measured
+// nevertheless.
 TEST(KernelTimer, KnowsKernelsThatAreTooShort) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -155,7 +156,7 @@ TEST(KernelUse, ThoseTooShortAreNamed) {
   EXPECT_TRUE(notes[0].starts_with("timed: the kernel \"settle\", 4 calls of 2 us, is too short"))
       << notes[0];
   EXPECT_NE(notes[0].find("the longest batch of calls took 6 us"), std::string::npos) << notes[0];
-  std::smatch reading;  // for any host clock below a second
+  std::smatch reading;  // matches any host clock below a second
   ASSERT_TRUE(std::regex_search(notes[0], reading, std::regex("[(]([0-9.e+-]+) us a reading[)]")));
   EXPECT_LT(std::stod(reading[1]), 1e6);
 }

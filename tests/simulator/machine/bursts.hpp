@@ -12,11 +12,12 @@ struct Burst {
 };
 
 struct Load {
-  std::int64_t low;  // cycles of a low process
+  std::int64_t low;  // cycles of a low-priority process
   std::vector<Burst> bursts;
 };
 
-// Dates are ticks; low lengths are odd, so that none ends on a tick.
+// Makes a random load. Times are in ticks. Low-priority lengths are odd, so that none ends on a
+// tick.
 inline Load make_load(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto blocked = make_exact_model().channel.blocked.value;
@@ -35,8 +36,8 @@ struct Recorded {
   std::vector<double> burst_ends;
 };
 
-// Each burst's process then waits for a message that never comes, so that it leaves the CPU ahead
-// of the clock. Its start is part of the burst.
+// Starts the processes. The process of each burst then waits for a message that never comes, so
+// that it leaves the CPU ahead of the clock. Its start is part of the burst.
 inline void start_load(Lab& lab, Processor& cpu, const Load& load, Recorded& recorded) {
   recorded.burst_ends.resize(load.bursts.size());
   for (std::size_t i = 0; i < load.bursts.size(); ++i) {
@@ -51,7 +52,8 @@ inline void start_load(Lab& lab, Processor& cpu, const Load& load, Recorded& rec
     };
     cpu.start("burst", Priority::high, body).set_server();
   }
-  lab.cpu().start("end", Priority::low, [] { wait_until_cycle(1 << 24); });  // after all else
+  // after everything else
+  lab.cpu().start("end", Priority::low, [] { wait_until_cycle(1 << 24); });
   cpu.start("low", Priority::low, [&load, &recorded] {
     compute(load.low);
     this_process().sync();

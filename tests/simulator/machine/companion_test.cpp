@@ -1,4 +1,4 @@
-// Two processors sharing a memory, and soft channels between them.
+// Two processors that share a memory, and soft channels between them.
 #include <random>
 
 #include "tests/simulator/machine/failures.hpp"
@@ -17,7 +17,7 @@ struct Pair {
 };
 
 // The first process pays `blocked`, at any priority. The second pays, on its own CPU, the copy and
-// the event that wakes the first. Then both go on, and neither waits for the other's CPU.
+// the event that wakes the first. Then both continue, and neither waits for the other's CPU.
 TEST(Companion, ARendezvousCostsThatOfASoftChannelAndAnEvent) {
   constexpr std::int64_t date = 100'000;
   const Model model = make_exact_model();
@@ -108,7 +108,7 @@ TEST(Companion, AnOutputWakesAnAltOfTheOther) {
 }
 
 // Messages in both directions between random computations arrive in order, and not before they were
-// sent. Neither CPU is busy longer than the time that passes.
+// sent. Neither CPU is busy longer than the elapsed time.
 TEST(Companion, AnyProgramOfTwoCpusKeepsItsOrder) {
   for (unsigned seed = 0; seed < 20; ++seed)
     test::run_isolated([&] {
@@ -185,7 +185,7 @@ TEST(Companion, LinksOfOneStealFromTheOther) {
     lab.machine.run();
     return Numbers{took};
   });
-  EXPECT_NEAR(found.at(0), 32'000, ROUNDING);  // 1/32 is stolen
+  EXPECT_NEAR(found.at(0), 32'000, ROUNDING);  // 1/32 of the cycles is stolen
 }
 
 TEST(Companion, TheyHaveOneMemory) {

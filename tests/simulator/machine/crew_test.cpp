@@ -8,7 +8,7 @@
 namespace machine {
 namespace {
 
-// Each thread called does its share once a round, before work() returns.
+// Each called thread does its share once per round, before work() returns.
 TEST(Crew, DoesTheSharesOfThoseCalled) {
   for (const std::size_t size : {1, 2, 3, 8}) {
     std::vector<int> done(size);

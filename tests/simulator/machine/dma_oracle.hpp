@@ -1,5 +1,5 @@
-// An independent simulation of relayed messages beside DMA: a list of activities, without code of
-// the simulator.
+// Independent simulation of relayed messages beside DMA: a list of activities, without code of the
+// simulator.
 //
 // Every process has high priority and relays the messages of one stream: it inputs, computes and
 // outputs. A CPU serves its processes first come, first served; each keeps the CPU until it comes
@@ -18,18 +18,18 @@ namespace dma_oracle {
 
 struct Machine {
   double clock;               // cycles/s
-  double one_way, both_ways;  // bytes/s of a link, in both directions together
+  double one_way, both_ways;  // rate of a link with one direction, and with both together, bytes/s
   double steal_byte;          // cycles that DMA takes for each byte, at both ends
   double come_to_link;        // cycles of the instruction that inputs or outputs
 };
 
 struct Relay {
   int processor;
-  double computes;  // cycles a message
+  double computes;  // cycles of computation per message
 };
 struct Stream {
-  std::vector<Relay> relays;    // from source to sink
-  std::vector<double> lengths;  // bytes of its messages
+  std::vector<Relay> relays;    // in order from source to sink
+  std::vector<double> lengths;  // lengths of its messages, bytes
 };
 
 class Simulation {
@@ -45,7 +45,7 @@ class Simulation {
     }
   }
 
-  // Dates at which the sinks of the streams have computed their messages.
+  // The times at which the sinks of the streams have computed their messages.
   std::vector<std::vector<double>> run() {
     for (;;) {
       for (Cpu& cpu : cpus_)
@@ -65,10 +65,10 @@ class Simulation {
   enum class Step { comes_to_input, computes, comes_to_output };
   struct Process {
     const Stream* stream;
-    std::size_t number, place;  // of the stream, and of the relay within it
+    std::size_t number, place;  // numbers of the stream, and of the relay within it
     std::size_t message = 0;
     Step step{};
-    double left = 0;  // cycles
+    double left = 0;  // cycles that remain
     const Relay& relay() const { return stream->relays[place]; }
     bool is_source() const { return place == 0; }
     bool is_sink() const { return place + 1 == stream->relays.size(); }
@@ -79,7 +79,7 @@ class Simulation {
   };
   struct Direction {
     Process *writer = nullptr, *reader = nullptr;
-    double left = 0;  // bytes of the current transfer
+    double left = 0;  // bytes of the current transfer that remain
   };
 
   void spend(Process& process, Step step, double cycles) {

@@ -1,4 +1,4 @@
-// Dates of messages relayed beside DMA, compared with an independent simulation.
+// Times of messages relayed beside DMA, compared with an independent simulation.
 #include "tests/simulator/machine/dma_oracle.hpp"
 
 #include <gtest/gtest.h>
@@ -8,10 +8,10 @@
 namespace occam {
 namespace {
 
-constexpr std::int64_t MOST_COMPUTED = 1500;  // cycles a message: below and above LONG_DEBT
-constexpr double STOLEN = 10;                 // cycles a word: up to two thirds of a CPU
+constexpr std::int64_t MOST_COMPUTED = 1500;  // cycles per message, below and above LONG_DEBT
+constexpr double STOLEN = 10;                 // cycles per word; up to two thirds of a CPU
 
-// Rates without a common measure: simultaneous events have a common cause.
+// A model whose rates are incommensurable, so that simultaneous events have a common cause.
 Model make_slowed_model() {
   Model model = machine::override_model("t805-25", {{"instruction.fetch", "0"}}, "tests");
   for (Cycles* beside : {&model.channel.operands, &model.channel.out_word}) *beside = {0};
@@ -33,7 +33,7 @@ Plan make_relays(std::uint64_t seed) {
   return plan;
 }
 
-// Dates in seconds, stream by stream.
+// Runs the plan, and returns arrival times in seconds, stream by stream.
 Numbers run_machine(const Plan& plan, machine::EngineParams engine) {
   return isolated_numbers([&] {
     Lab lab(make_slowed_model(), machine::Code::bare, engine);
@@ -107,9 +107,9 @@ TEST(DmaOracle, AgreesOnWhenRelayedMessagesArrive) {
   EXPECT_GT(messages, 1000u);
 }
 
-// Each stage has two processes: one inputs from the link, the other takes the message by an ALT on
-// a soft channel, and both compute. Returns arrival dates in seconds, by stream. With `pays`, each
-// pays its debt before it communicates.
+// Each stage has two processes. One inputs from the link; the other takes the message by an ALT on
+// a soft channel. Both compute. Returns arrival times in seconds, by stream. With `pays`, each pays
+// its debt of computed time before it communicates.
 Numbers run_pairs(const Plan& plan, bool pays) {
   return isolated_numbers([&] {
     Lab lab(make_slowed_model(), machine::Code::bare, {.links = machine::Links::direct});

@@ -1,4 +1,4 @@
-// Cost of links for the CPU: the DMA's memory cycles.
+// Cost of links for the CPU: the memory cycles of DMA.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -12,7 +12,7 @@ double cycles_to_move(const Model& model, std::uint64_t bytes) {
   return static_cast<double>(bytes) / model.link.one_way_rate * model.cpu.clock.value;
 }
 
-// Two processors; high-priority processes send a message from 0 to 1, and a low one computes beside
+// High-priority processes send a message from processor 0 to 1, and a low-priority one computes on
 // each. Returns the ends of the two computations, and the end of the run.
 Numbers compute_beside_transfer(const Model& model, std::int64_t cycles, std::uint64_t bytes) {
   return isolated_numbers([&] {
@@ -35,7 +35,7 @@ Numbers compute_beside_transfer(const Model& model, std::int64_t cycles, std::ui
   });
 }
 
-// blocked, then C / (1 - share).
+// The computation takes `blocked`, then C / (1 - share).
 TEST(Dma, SlowsAComputationDownByItsShareWhileWordsMove) {
   const Model model = make_stealing_model();
   const std::int64_t cycles = 31 * 1000;
@@ -45,7 +45,8 @@ TEST(Dma, SlowsAComputationDownByItsShareWhileWordsMove) {
   EXPECT_NEAR(found.at(2), blocked + cycles_to_move(model, 10'000), ROUNDING);
 }
 
-// blocked, then C and two cycles a word, and two switches when the message has arrived.
+// The computation takes `blocked`, then C and two cycles per word, and two switches when the
+// message has arrived.
 TEST(Dma, TakesItsCyclesFromAComputationThatLastsLonger) {
   const std::int64_t cycles = 200'000, words = 1000;
   for (const Model& model : {make_stealing_model(), machine::load_model("t805-25"),
@@ -59,7 +60,7 @@ TEST(Dma, TakesItsCyclesFromAComputationThatLastsLonger) {
                     (s.preemption + s.return_to_low).value,
                 1e-3)
         << model.name;
-    // The reader came first: with or without outword, the operands are equal here.
+    // The reader came first. Its operands take equal time with and without outword.
     EXPECT_NEAR(found.at(1), found.at(0), 1e-3) << model.name;
   }
 }
@@ -70,7 +71,7 @@ TEST(Dma, TakesItsCyclesFromAComputationThatLastsLonger) {
 TEST(Dma, EndsBeforeAnAltIsPaidFor) {
   constexpr double TICK = 1024;  // cycles
   constexpr std::int64_t MOST_OWED = 1000, BEFORE = 64;
-  constexpr double ALT = 200;  // upper bound, with the reader and its message
+  constexpr double ALT = 200;  // upper bound in cycles, with the reader and its message
   Model model = make_stealing_model();
   model.memory.steal_word = 16;
   for (const bool may_skip : {false, true})
@@ -89,7 +90,7 @@ TEST(Dma, EndsBeforeAnAltIsPaidFor) {
           bool skipped = false;
           a.start("waits", priority, [&] {
             compute(BEFORE);
-            this_process().sync();  // the message is under way
+            this_process().sync();  // the message is being transferred
             compute(owes);
             auto tick = after(priority == Priority::high ? 64 : 1, [] {});
             Words message;
@@ -112,8 +113,8 @@ TEST(Dma, EndsBeforeAnAltIsPaidFor) {
       }
 }
 
-// Overlapping messages on several links, in both directions: every word takes its cycles from both
-// its CPUs, in any order.
+// Messages overlap on several links, in both directions. Every word takes its cycles from both its
+// CPUs, in any order.
 TEST(Dma, EveryWordOfEveryLinkAndDirectionTakesItsCycles) {
   struct Flow {
     int from, to;
@@ -152,7 +153,7 @@ TEST(Dma, EveryWordOfEveryLinkAndDirectionTakesItsCycles) {
     for (const Flow& flow : flows)
       expected +=
           static_cast<double>(model.channel.blocked.value + words_in(flow.bytes) * STEAL_WORD);
-    // (A message may end before the computation begins, or two at once.)
+    // (A message may end before the computation begins, or two messages at once.)
     expected += found.at(1) * static_cast<double>((s.preemption + s.return_to_low).value);
     EXPECT_LE(found.at(1), flows.size());
     EXPECT_GE(found.at(1), 1);
@@ -181,8 +182,8 @@ TEST(Dma, SlowsAHighPriorityProcessFromItsStart) {
   EXPECT_EQ(found.at(0), 4096 + 32 * 100);
 }
 
-// After the message has arrived, during the computation, its cycles are no longer taken. The end is
-// C and two cycles a word, and at low priority the two switches. A sync before now() changes
+// During the computation, after the message has arrived, its cycles are no longer taken. The end is
+// C and two cycles per word, and at low priority the two switches. A sync before now() changes
 // nothing.
 TEST(Dma, NowIsExactBesideIt) {
   const Model model = make_stealing_model();
@@ -214,7 +215,7 @@ TEST(Dma, NowIsExactBesideIt) {
   }
 }
 
-// With free switches, a counting process of lowest priority gets all cycles that processes and DMA
+// Switches are free. A counting process of lowest priority gets all cycles that processes and DMA
 // leave.
 TEST(Dma, LeavesAMonitorWhatIsNotTaken) {
   Model model = make_stealing_model();
@@ -263,7 +264,7 @@ TEST(Dma, LeavesAMonitorWhatIsNotTaken) {
   }
 }
 
-// Random messages beside random computation: no cycle is lost or taken twice.
+// There are random messages beside random computation. No cycle is lost or taken twice.
 TEST(Dma, ConservesCyclesUnderRandomTraffic) {
   const Model model = make_stealing_model();
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
@@ -309,7 +310,7 @@ TEST(Dma, ConservesCyclesUnderRandomTraffic) {
       const double n = found.at(2 * cpu + 1), stolen = static_cast<double>(words * STEAL_WORD);
       const auto there = static_cast<double>(s.preemption.value),
                  back = static_cast<double>(s.return_to_low.value);
-      // During its return a low process may lose the CPU again.
+      // While it returns, a low-priority process may lose the CPU again.
       EXPECT_GE(found.at(2 * cpu), stolen + n * there - ROUNDING);
       EXPECT_LE(found.at(2 * cpu), stolen + n * (there + back) + ROUNDING);
     }

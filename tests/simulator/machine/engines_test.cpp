@@ -1,4 +1,5 @@
-// Links by SimGrid or by our own rules, processes on fibers or on SimGrid's actors: equal results.
+// Links by SimGrid or by tlab's own rules, processes on fibers or on SimGrid's actors: results are
+// equal.
 #include <gtest/gtest.h>
 
 #include "simulator/machine/faults.hpp"
@@ -21,13 +22,14 @@ struct Engines : testing::Test {
   }
 };
 
-// Runs a random machine; returns arrival dates, the end, busy times and, in one part, event counts.
+// Runs a random machine. Returns arrival times, the end and busy times; for a machine in one part,
+// also event counts.
 std::string run_random(std::uint64_t seed, EngineParams engine, bool cuts_a_link,
                        bool is_different = false) {
   return isolated([&] {
     Plan plan = make_plan(seed);
     for (Stream& stream : plan.streams) stream.lengths.back() = 0;
-    if (!cuts_a_link) let_some_poll(plan, seed);  // they never deadlock
+    if (!cuts_a_link) let_some_poll(plan, seed);  // programs that poll never deadlock
     if (is_different) make_different(plan, seed);
     Lab lab(make_stealing_model(), machine::Code::bare, engine);
     std::vector<std::string> logs(plan.streams.size()), wrongs(plan.streams.size());
@@ -68,11 +70,11 @@ TEST_F(Engines, RunRandomMachinesTheSame) {
   EXPECT_GE(deadlocks, 3);
 }
 
-// On 2 to 16 threads, for any division into parts.
+// This holds on 2 to 16 threads, for any division into parts.
 TEST_F(Engines, RunRandomMachinesTheSameInParts) {
   for (std::uint64_t seed = 0; seed < 42; ++seed) {
     EngineParams one = DIRECT;
-    one.parts = {0};  // events are not counted: several parts have more
+    one.parts = {0};  // without event counts, since several parts have more events
     const std::string in_one[] = {run_random(seed, one, false), run_random(seed, one, false, true)};
     std::mt19937_64 random(seed);
     for (const int parts : {2, 3, 4, 8, 16}) {
@@ -87,7 +89,7 @@ TEST_F(Engines, RunRandomMachinesTheSameInParts) {
   }
 }
 
-// Otherwise the parts would only take turns.
+// Parts run in common time windows. Otherwise they would only take turns.
 TEST_F(Engines, PartsShareWindows) {
   const Plan plan = make_plan(3);
   EngineParams engine = DIRECT;
@@ -104,7 +106,7 @@ TEST_F(Engines, PartsShareWindows) {
 }
 
 // One process waits for ever, one computes for ever, one waits in a PAR, one has not begun. At the
-// limit all are unwound, innermost objects first; the last one drops only what its body holds.
+// limit all are unwound, innermost objects first. The last one drops only what its body holds.
 TEST_F(Engines, BodiesThatHaveNotEndedAreUnwound) {
   for (const auto& engine : ALL_KINDS) {
     const auto log = isolated([&] {

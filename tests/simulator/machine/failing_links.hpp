@@ -9,7 +9,7 @@ inline machine::Seconds at_cycle(const Lab& lab, double cycle) {
   return {cycle / lab.machine.model().cpu.clock.value};
 }
 
-// Two joined processors; their link is cut at `cycle`.
+// Two joined processors whose link is cut at `cycle`.
 struct CutPair {
   CutPair(double cycle, const Model& model = make_exact_model(), int switches = 0) : lab(model) {
     lab.machine.connect(a, b, switches);
@@ -20,7 +20,8 @@ struct CutPair {
   Processor& b = lab.cpu();
 };
 
-// A process that outputs or inputs one message. Result: 1 if the message was moved, and the time.
+// A process that outputs or inputs one message. Its result is 1 if the message was moved, and the
+// time.
 struct Attempt {
   Processor& on;
   Priority priority;

@@ -10,7 +10,7 @@
 namespace occam {
 
 // Runs a machine that fails. The first line of the result is the exception's type, with the place
-// and cycle of a fault; the rest is the message.
+// and cycle of a fault. The rest is the message.
 inline std::string failure_of(const std::function<void(Lab&)>& body) {
   return isolated([&]() -> std::string {
     Lab lab;

@@ -27,8 +27,9 @@ std::vector<HardCase> make_hard_cases(bool by_alt) {
   return cases;
 }
 
-// Both ends pay their operands and the start of their instruction; the later one starts the
-// transfer. An ALT sees the output at its guard's turn or at altwt, or is woken by it.
+// The expected end of the transfer. Both ends pay their operands and the start of their
+// instruction; the later one starts the transfer. An ALT sees the output at its guard's turn or at
+// altwt, or is woken by it.
 double expected_end(const Model& model, const HardCase& c) {
   const auto& alt = model.alternative;
   const auto written = c.writer_computes + cost_first(model, Side::writer, c.bytes);
@@ -100,7 +101,7 @@ TEST(HardRendezvous, AltReaderPaysItsInstructionsFirst) {
   expect_hard_times(machine::load_model("t805-25"), make_hard_cases(true));
 }
 
-// The output comes at any cycle of the ALT: before, while its guard is enabled, during altwt,
+// The output comes at any cycle of the ALT: before it, while its guard is enabled, during altwt, or
 // after. (In the cycle of the instruction that checks, either order is possible.)
 TEST(HardRendezvous, OutputMayComeAtAnyCycleOfAnAlt) {
   const Model model = make_complete_model();
@@ -119,7 +120,7 @@ TEST(HardRendezvous, OutputMayComeAtAnyCycleOfAnAlt) {
   expect_hard_times(model, cases);
 }
 
-// The second process: a writer waits in output, a reader in input, both until the transfer ends.
+// The second process waits until the transfer ends, a writer in output and a reader in input.
 TEST(HardRendezvous, EachEndWaitsInItsOwnDirection) {
   for (const bool writer_is_second : {false, true}) {
     const auto waited = isolated_numbers([&] {

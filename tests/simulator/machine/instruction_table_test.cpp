@@ -1,4 +1,4 @@
-// The rows of the built-in models, compared with the published tables, everything on chip.
+// Entries of the built-in models, compared with the published tables, with everything on chip.
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
@@ -7,7 +7,7 @@
 namespace occam {
 namespace {
 
-// Loads of operands, on chip, and the prefix of a two-byte instruction.
+// Loads of operands on chip, and the prefix of a two-byte instruction.
 constexpr int LDLP = 1, LDL = 2, LDC = 1, PREFIX = 1;
 
 struct Row {
@@ -56,7 +56,8 @@ TEST(InstructionTable, IsThePublishedOneInEveryModel) {
   for (const auto& name : machine::builtin_models()) {
     const Model model = machine::override_model(name,
                                                 {{"memory.data_word", "\"memory.on_chip_word\""},
-                                                 {"instruction.fetch", "0"}},  // in no table
+                                                 // in no published table
+                                                 {"instruction.fetch", "0"}},
                                                 "tests");
     for (const Row& row : make_rows(model))
       EXPECT_EQ(row.found.value, row.published) << name << ": " << row.instruction;
@@ -66,7 +67,7 @@ TEST(InstructionTable, IsThePublishedOneInEveryModel) {
   }
 }
 
-// Absent from the tables: the fetch of a word of code at each break of the instruction stream.
+// The tables do not contain the fetch of a word of code at each break of the instruction stream.
 TEST(InstructionTable, BreaksOfTheStreamFetchTheNextInstructions) {
   const Model without_fetch = make_on_chip_model(),
               on_chip = machine::override_model(

@@ -6,7 +6,8 @@
 namespace occam {
 namespace {
 
-// The n-th byte arrives after n periods; each switch delays the first, and lengthens the period.
+// The n-th byte arrives after n periods. Each switch delays the first byte, and lengthens the
+// period.
 double time_through(const Model& model, int switches, std::uint64_t bytes) {
   return isolated_numbers([&] {
            Lab lab(model);

@@ -1,4 +1,4 @@
-// Links: transfer times alone, both ways, beside others and over several hops.
+// Links: transfer times alone, in both directions, beside others, and over several hops.
 #include <gtest/gtest.h>
 
 #include "tests/support/lab.hpp"
@@ -8,7 +8,8 @@ namespace {
 
 constexpr double HAIR_CYCLES = 1e-3;  // SimGrid resolves a picosecond
 
-// All flows start simultaneously. Returns each one's arrival, in cycles after the start.
+// A message between two processors. run_flows() starts all at once, and returns their arrivals in
+// cycles after the start.
 struct Flow {
   int from, to;
   std::uint64_t bytes;
@@ -38,11 +39,11 @@ Numbers run_flows(int processors, const std::vector<std::pair<int, int>>& links,
   });
 }
 
-// Slack: a CPU starts its transfers one after the other.
+// Directions need a tolerance, since a CPU starts its transfers one after the other.
 TEST(Link, DirectionsAloneReachOneRateAndTogetherShareTheOther) {
   const Model model = make_exact_model();
   const double clock = model.cpu.clock.value, one = model.link.one_way_rate / clock,
-               half = model.link.both_ways_rate / clock / 2;  // bytes a cycle
+               half = model.link.both_ways_rate / clock / 2;  // bytes per cycle
   constexpr std::uint64_t n = 100'000, m = 40'000;
   constexpr double slack = 200;
   EXPECT_NEAR(run_flows(2, {{0, 1}}, {{0, 1, n}}).at(0), n / one, slack);
@@ -51,17 +52,17 @@ TEST(Link, DirectionsAloneReachOneRateAndTogetherShareTheOther) {
   const auto uneven = run_flows(2, {{0, 1}}, {{0, 1, n}, {1, 0, m}});
   EXPECT_NEAR(uneven.at(1), m / half, slack);
   EXPECT_NEAR(uneven.at(0), m / half + (n - m) / one, slack);
-  // A star: in on two links, out on two.
+  // A star whose centre receives on two links and sends on two.
   for (double end :
        run_flows(5, {{0, 1}, {0, 2}, {3, 0}, {4, 0}}, {{0, 1, n}, {0, 2, n}, {3, 0, n}, {4, 0, n}}))
     EXPECT_NEAR(end, n / one, slack);
 }
 
-// A message that an opposite one meets and leaves again.
+// A message that meets an opposite one on its way.
 TEST(Link, WhatHasPassedGrowsAsTheBytesMove) {
   const Model model = make_exact_model();
   const double clock = model.cpu.clock.value, one = model.link.one_way_rate / clock,
-               half = model.link.both_ways_rate / clock / 2;  // bytes a cycle
+               half = model.link.both_ways_rate / clock / 2;  // bytes per cycle
   constexpr double n = 10'000, m = 2'000, met_at = 40'000, every = 2'000;
   const auto passed = isolated_numbers([&] {
     Lab lab;
@@ -97,7 +98,7 @@ TEST(Link, WhatHasPassedGrowsAsTheBytesMove) {
     before = passed[i];
   }
   EXPECT_GT(before, 0.9);
-  EXPECT_EQ(passed.back(), 0);  // it has arrived
+  EXPECT_EQ(passed.back(), 0);  // the message has arrived
 }
 
 // If nothing happens until a future date, its forecast comes true.
@@ -135,7 +136,8 @@ TEST(Link, UseIsForeseen) {
   }
 }
 
-// Unloaded, over d links: each hop takes its sender's start (the reader waits), then bytes/rate.
+// Over d unloaded links, each hop takes the start of its sender (the reader waits), then
+// bytes/rate.
 TEST(Link, StoreAndForwardOverALine) {
   for (int hops : {1, 2, 7})
     for (std::uint64_t bytes : {1, 80, 3000}) {
@@ -165,8 +167,8 @@ TEST(Link, StoreAndForwardOverALine) {
     }
 }
 
-// The real models at every link speed: the slope equals the table's rate, for one direction and for
-// both.
+// For the real models at every link speed, the slope equals the table's rate, for one direction and
+// for both.
 TEST(Link, RatesOfTheModelsAtEverySpeed) {
   constexpr std::uint64_t bytes = 100'000;
   for (const auto& name : machine::builtin_models())
@@ -200,7 +202,7 @@ TEST(Link, RatesOfTheModelsAtEverySpeed) {
     }
 }
 
-// 45 bit times a word, as measured: 2.25 us; 1000 words in 2.25 ms.
+// A word takes 45 bit times as measured, 2.25 us; 1000 words take 2.25 ms.
 TEST(Link, WordOfTheRealMachineTakesItsMeasuredTime) {
   const Model model = machine::load_model("t805-25");
   EXPECT_NEAR(4 / model.link.one_way_rate, 2.25e-6, 1e-15);

@@ -34,7 +34,7 @@ double time_rendezvous(const Model& model, std::uint64_t bytes) {
       .at(0);
 }
 
-// External memory of 3 cycles and s wait states: a word is read and written in 2 (3 + s).
+// With external memory of 3 cycles and s wait states, a word is read and written in 2 (3 + s).
 TEST(Memory, WaitStatesLengthenTheCopy) {
   for (int s : {0, 1, 2, 5})
     for (std::int64_t w : {2, 10, 1000}) {
@@ -42,14 +42,14 @@ TEST(Memory, WaitStatesLengthenTheCopy) {
       EXPECT_NEAR(time_rendezvous(model, static_cast<std::uint64_t>(4 * w)),
                   (4 + 20) + (4 + 19) + w * 2 * (3 + s), ROUNDING);
       EXPECT_EQ(model.memory.steal_word, 3 + s - 1);
-      // A workspace on chip: all other costs are unchanged.
+      // The workspace is on chip, so all other costs are unchanged.
       EXPECT_EQ(model.alternative.enable_not.value, 5 + 1 + 2 + 1);
       EXPECT_EQ(machine::get_instruction(model, "ldl").value, 2);
       EXPECT_EQ(machine::get_instruction(model, "load").value, 3 + (3 + s) - 1);
     }
 }
 
-// A variable takes 3 + s cycles instead of one; a descheduling instruction touches three.
+// A variable takes 3 + s cycles instead of one. A descheduling instruction touches three variables.
 TEST(Memory, WorkspacesOffChipLengthenEveryInstruction) {
   for (int s : {0, 1, 2}) {
     SCOPED_TRACE(fmt::format("{} wait states", s));
@@ -95,7 +95,7 @@ TEST(Memory, NoRowIsLessWithMoreWaitStatesOrOffChip) {
     }
 }
 
-// Runs a random program; returns its end, and the time spent by every CPU.
+// Runs a random program. Returns its end, and the time spent by every CPU.
 Numbers run_plan(const Plan& plan, const Model& model) {
   return isolated_numbers([&] {
     Lab lab(model);
@@ -110,7 +110,7 @@ Numbers run_plan(const Plan& plan, const Model& model) {
   });
 }
 
-// One stream through a chain of processes: each wait only delays others.
+// With one stream through a chain of processes, each wait only delays others.
 TEST(Memory, MoreWaitStatesAreNeverFaster) {
   for (std::uint64_t seed = 400; seed < 416; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
@@ -140,7 +140,7 @@ TEST(Memory, OffChipIsNeverFasterThanOnChip) {
   }
 }
 
-// The four models and the three link speeds: a slower one is never faster, over random programs
+// For the four models and three link speeds, a slower one is never faster, over random programs
 // with one stream.
 TEST(Models, SlowerClocksAndLinksAreNeverFaster) {
   for (std::uint64_t seed = 500; seed < 508; ++seed) {

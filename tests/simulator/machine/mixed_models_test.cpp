@@ -14,7 +14,7 @@ std::shared_ptr<const Model> share(const char* name) {
   return std::make_shared<const Model>(load_model(name));
 }
 
-// Instruction times scale with the clock; compiled occam has its own factor on each model.
+// Instruction times scale with the clock. Compiled occam has its own factor on each model.
 TEST(MixedModels, EachProcessorHasItsOwnClockAndCosts) {
   const auto slow = share("t800-20");
   Model quick = load_model("t805-30");
@@ -30,7 +30,7 @@ TEST(MixedModels, EachProcessorHasItsOwnClockAndCosts) {
         compute(6000);
         end = this_process().now().value;
         charge(Cycles{600});
-        end = this_process().now().value - end + 1000 * end;  // both in one number
+        end = this_process().now().value - end + 1000 * end;  // both times in one number
       });
     }
     machine.run();
@@ -71,7 +71,7 @@ TEST(MixedModels, ALinkIsAsFastAsItsSlowerEnd) {
   EXPECT_NEAR(time_between(t800, t414, bytes), slow, 1e-5);
 }
 
-// Both lose equally many cycles a word, hence the slower clock loses a larger share.
+// Both ends lose equally many cycles per word, so the slower clock loses a larger share.
 TEST(MixedModels, DmaTakesCyclesOfEachEndsOwnClock) {
   const auto slow = share("t800-20"), quick = share("t805-30");
   const auto lost_per_s = isolated_numbers([&] {
@@ -112,7 +112,7 @@ TEST(MixedModels, LinksOfOneSpeedOnly) {
                  });
 }
 
-// Two messages one way, each on its own link or both on one.
+// Duration of two messages in one direction, each on its own link or both on one.
 double time_of_two(int links, bool both_ways) {
   return isolated_numbers([&] {
            Lab lab(load_model("t805-25"));

@@ -111,7 +111,7 @@ TEST(Model, FileIsFoundByItsPath) {
   std::filesystem::remove(path);
   EXPECT_THROW(load_model(path.string()), base::BadInput);
   std::ofstream(path) << "name = \"mine\"\nbase = \"" << path.filename().string() << "\"\n";
-  EXPECT_THROW(load_model(path.string()), base::BadInput);  // its own base
+  EXPECT_THROW(load_model(path.string()), base::BadInput);  // refuses a model that is its own base
   std::filesystem::remove(path);
 }
 
@@ -124,7 +124,7 @@ TEST(Model, HasALimitedNumberOfEntries) {
 struct Malformed {
   const char* what;
   const char* text;
-  std::vector<const char*> parts;  // of the message
+  std::vector<const char*> parts;  // expected parts of the message
 };
 
 TEST(Model, RefusesMalformedFilesNamingTheLineAndTheKey) {

@@ -1,4 +1,4 @@
-// An observer's notifications over random machines: the spans add up to the counts.
+// Observer notifications over random machines: spans of activity add up to the counts.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/machine/bursts.hpp"
@@ -134,7 +134,7 @@ TEST(Observer, ChangesNothing) {
   }
 }
 
-// Pre-emptions cut switches short, over several low processes in time slices.
+// Pre-emptions cut switches short, over several low-priority processes in time slices.
 TEST(Observer, SwitchesAndSlicesAddUpToo) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));

@@ -9,8 +9,9 @@ namespace {
 
 // The cost of the plan, counted outside the simulator.
 struct Counts {
-  std::vector<std::int64_t> cycles;  // a processor, without switches
-  std::map<std::string, std::pair<std::uint64_t, std::uint64_t>> links;  // messages, bytes
+  std::vector<std::int64_t> cycles;  // cycles of each processor, without switches
+  // numbers of messages and bytes
+  std::map<std::string, std::pair<std::uint64_t, std::uint64_t>> links;
 };
 
 std::string cpu_name(int processor) { return fmt::format("cpu {}", processor); }
@@ -110,7 +111,7 @@ TEST(Machine, RepeatsItselfToTheLastBit) {
   }
 }
 
-// One message through one chain, alone in the machine.
+// One message passes one chain, alone in the machine.
 TEST(Machine, FasterClockOrLinkNeverMakesAnUnloadedLatencyLonger) {
   const Model slow = machine::load_model("t805-25");
   for (std::uint64_t seed = 200; seed < 214; ++seed) {

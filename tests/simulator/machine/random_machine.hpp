@@ -13,28 +13,28 @@
 
 namespace occam {
 
-// One processor on a stream's route: two processes joined by a soft channel, or one.
+// One processor on a stream's route: two processes joined by a soft channel, or one process.
 struct Stage {
   int processor;
   bool two;
   Priority priority[2];
-  std::int64_t computes;      // a message
+  std::int64_t computes;      // cycles of computation per message
   int polls = 0;              // ticks of waiting for a message before other work; 0: for ever
-  bool in_par = false;        // the two are branches of one process
-  bool by_companion = false;  // the companion relays between the two
+  bool in_par = false;        // the two processes are branches of another one
+  bool by_companion = false;  // the companion processor relays between the two
 };
 
 struct Stream {
   std::vector<Stage> stages;
-  std::vector<std::uint64_t> lengths;  // of its messages
+  std::vector<std::uint64_t> lengths;  // lengths of its messages
   machine::Seconds begins = {};
 };
 
 struct Plan {
   topologies::Topology topology;
   std::vector<Stream> streams;     // at most one on each link direction
-  std::vector<bool> is_slow = {};  // by processor: half the clock; empty: no slow ones
-  std::vector<int> switches = {};  // by link; empty: none
+  std::vector<bool> is_slow = {};  // processors with half the clock rate; empty: none
+  std::vector<int> switches = {};  // number of switches on each link; empty: none
 };
 
 inline Plan make_plan(std::uint64_t seed) {
@@ -46,7 +46,7 @@ inline Plan make_plan(std::uint64_t seed) {
   const auto neighbours = topologies::neighbours(plan.topology);
   std::map<std::pair<int, int>, bool> taken;
   const auto pick = [&] { return static_cast<int>(random() % plan.topology.processors); };
-  const auto kind = random() % 3;  // all high, all low, mixed
+  const auto kind = random() % 3;  // all high, all low, mixed priorities
   const auto priority = [&] { return BOTH_PRIORITIES[kind < 2 ? kind : random() % 2]; };
   for (int tries = 3 * plan.topology.processors; tries > 0; --tries) {
     std::vector<int> path{pick()};
@@ -72,7 +72,7 @@ inline Plan make_plan(std::uint64_t seed) {
   return plan;
 }
 
-// Some processes wait for their messages in ALTs with timeouts.
+// Makes some processes wait for their messages in ALTs with timeouts.
 inline void let_some_poll(Plan& plan, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   for (Stream& stream : plan.streams)
@@ -80,8 +80,8 @@ inline void let_some_poll(Plan& plan, std::uint64_t seed) {
       if (random() % 2 == 0) stage.polls = 1 + static_cast<int>(random() % 40);
 }
 
-// Processors of two kinds, some with companions, links with switches, processes in PARs, late
-// dates.
+// Varies the machine: processors of two kinds, some with companions, links with switches, processes
+// in PARs, late starts.
 inline void make_different(Plan& plan, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   for (int i = 0; i < plan.topology.processors; ++i) plan.is_slow.push_back(random() % 2 == 0);
@@ -92,7 +92,7 @@ inline void make_different(Plan& plan, std::uint64_t seed) {
     for (Stage& stage : stream.stages) {
       stage.in_par = random() % 2 == 0;
       stage.by_companion = random() % 2 == 0;
-      // On a slow processor an ALT may take longer than a few ticks and would never wait.
+      // Waits longer on a slow processor, whose ALT may take more than a few ticks.
       if (stage.polls > 0) stage.polls += 40;
     }
   }
@@ -107,7 +107,7 @@ inline Words poll(Channel<Words>& channel, int ticks) {
   return *message;
 }
 
-// Starts the processes of a stream. The sink records errors and arrival dates.
+// Starts the processes of a stream. The sink records errors and arrival times.
 inline void start_stream(Lab& lab, const Stream& stream, std::string& log, std::string& wrong) {
   const auto& cpus = lab.machine.processors();
   Channel<Words>* from = nullptr;

@@ -18,7 +18,7 @@ Seconds date_of_cycle(const Lab& lab, std::int64_t cycle) {
   return Cycles{cycle} / lab.machine.model().cpu.clock;
 }
 
-// Two processors that compute and exchange messages for ever.
+// Starts two processors that compute and exchange messages for ever.
 void start_endless(Lab& lab) {
   Processor& a = lab.cpu();
   Processor& b = lab.neighbour(a);
@@ -58,7 +58,7 @@ TEST(Run, EndsAtItsLimitWithNothingBeyond) {
   }
 }
 
-// For any kind of wait, and any number of parts.
+// This holds for any kind of wait, and any number of parts.
 TEST(Run, EndsAtItsLimitThoughAProcessWaitsFromALaterTimeOn) {
   constexpr std::int64_t LIMIT = 100;  // cycles
   using Waits = void (*)(Channel<Words>&);
@@ -93,7 +93,7 @@ TEST(Run, EndsAtItsLimitThoughAProcessWaitsFromALaterTimeOn) {
         }
 }
 
-// The process neither syncs nor blocks.
+// Starts a process that neither syncs nor blocks.
 void start_computing(Processor& cpu, Priority priority, std::int64_t step) {
   cpu.start("busy", priority, [step] {
     for (;;) compute(step);
@@ -129,7 +129,7 @@ TEST(Run, WithoutALimitEndsThoughAProcessOnlyComputes) {
   EXPECT_EQ(found, (Numbers{1, 12'345, 12'345}));
 }
 
-// The same run seen at a limit and beyond it: events up to the limit are equal.
+// Observes the same run up to a limit and beyond it. Events up to the limit are equal.
 TEST(Run, LimitDoesNotChangeWhatHappensBefore) {
   const auto seen = [](std::int64_t limit, std::int64_t until) {
     return isolated([&] {
@@ -181,7 +181,7 @@ TEST(Run, StopsWhenTheUserWants) {
   EXPECT_LE(found.at(1), 41'000);
 }
 
-// SimGrid would end the program at the signal, while it starts.
+// SimGrid would end the program if the signal came while it starts.
 TEST(Run, BeginsWhileTheUserAsksForItsEnd) {
   test::run_isolated([] {
     static std::atomic<int> asked = 0;
@@ -198,8 +198,8 @@ TEST(Run, BeginsWhileTheUserAsksForItsEnd) {
   });
 }
 
-// A pre-empted computation, an unneeded slice and a timeout that did not fire: none of their timers
-// moves the final clock.
+// There are a pre-empted computation, an unneeded slice and a timeout that does not fire. None of
+// their timers moves the final clock.
 TEST(Run, EndsWithItsLastProcess) {
   const Model model = make_exact_model();
   const auto found = isolated_numbers([&] {
@@ -218,7 +218,7 @@ TEST(Run, EndsWithItsLastProcess) {
   EXPECT_EQ(found.at(0), 0);
 }
 
-// A limit unwinds running processes: objects they hold are destroyed.
+// A limit unwinds running processes and destroys the objects they hold.
 TEST(Run, UnwindsWhatHasNotEnded) {
   const auto found = isolated_numbers([] {
     double released = 0;

@@ -17,8 +17,9 @@ struct Outcome {
   std::vector<std::int64_t> burst_ends;
 };
 
-// Each burst's high process first waits for its date. A burst that finds the low process running
-// pre-empts it. A return to the low process has a cost, and another burst may cut it short.
+// Calculates the outcome. Each burst's high-priority process first waits for its time. If a burst
+// finds the low-priority process running, it pre-empts it. A return to the low-priority process has
+// a cost, and another burst may cut it short.
 Outcome predict(const Model& model, const Load& load) {
   const auto wait = model.timer.wait_future.value * static_cast<std::int64_t>(load.bursts.size());
   const auto there = model.scheduler.preemption.value, back = model.scheduler.return_to_low.value;
@@ -86,7 +87,7 @@ TEST(Engine, EventsHappenByDateThenInTheOrderAskedFor) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     std::mt19937_64 random(seed);
-    std::vector<std::pair<double, double>> asked;  // date, order
+    std::vector<std::pair<double, double>> asked;  // time and order of each request
     for (int i = 0; i < 200; ++i) asked.emplace_back(static_cast<double>(random() % 20), i);
     const auto found = isolated_numbers([&] {
       Lab lab;
@@ -103,7 +104,7 @@ TEST(Engine, EventsHappenByDateThenInTheOrderAskedFor) {
   }
 }
 
-// An observer's view at any instant: past time was busy or idle, never negative.
+// At any instant, an observer sees past time as busy or idle, never negative.
 TEST(Scheduler, UseNeverRunsBackwardsNorAheadOfTheClock) {
   for (int seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
@@ -145,8 +146,8 @@ TEST(Scheduler, ProcessEndsWhenItsTimeHasPassed) {
   }
 }
 
-// High processes run in the order they became ready, by simulated time. One made ready ahead of the
-// clock comes after one that a link makes ready earlier.
+// High-priority processes run in the order in which they became ready, by simulated time. One made
+// ready ahead of the clock comes after one that a link makes ready earlier.
 TEST(Scheduler, ReadyQueuesAreFirstComeFirstServedBySimulatedTime) {
   const auto found = isolated_numbers([] {
     Lab lab;

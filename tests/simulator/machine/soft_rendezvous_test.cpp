@@ -24,13 +24,14 @@ std::vector<SoftCase> make_soft_cases() {
 }
 
 // The first process pays its operands and `blocked`. The second, at `date`, pays its operands,
-// set-up and copy. Then both go on, and a high one pre-empts a low one.
+// set-up and copy. Then both continue, and a high-priority one pre-empts a low-priority one.
 void expect_soft_times(const Model& model) {
   constexpr std::int64_t date = 102'400;  // a tick of every clock
   const auto cases = make_soft_cases();
   const auto found = isolated_numbers([&] {
     Lab lab(model);
-    std::deque<std::array<double, 3>> ends(cases.size());  // first, second, received value
+    // ends of the first and the second process, and the received value
+    std::deque<std::array<double, 3>> ends(cases.size());
     for (std::size_t i = 0; i < cases.size(); ++i) {
       auto& channel = lab.soft();
       auto meet = [&, i](bool writes) {
@@ -86,7 +87,7 @@ TEST(SoftRendezvous, TakesTheOperandsSetupAndCopyOfTheSecondToCome) {
   expect_soft_times(machine::load_model("t414-20"));
 }
 
-// The published form, on chip: in and out 2w+19, outword 2 more; 20 for the first process; operands
+// The published costs on chip: in and out 2w+19, outword 2 more; 20 for the first process; operands
 // 4.
 TEST(SoftRendezvous, OnChipIsThePublishedNumber) {
   const Model model = make_on_chip_model();
@@ -99,7 +100,7 @@ TEST(SoftRendezvous, OnChipIsThePublishedNumber) {
   }
 }
 
-// No bytes: nothing is copied, and the two still meet.
+// Nothing is copied, and the two processes still meet.
 TEST(SoftRendezvous, OfNoBytes) {
   const Model model = make_complete_model();
   for (auto first : BOTH_PRIORITIES)
@@ -134,7 +135,7 @@ TEST(SoftRendezvous, CompiledOccamMultipliesItsInstructions) {
     cpu.start("writer", Priority::low, [&] { out(channel, {8}); });
     cpu.start("reader", Priority::low, [&] {
       channel.in();
-      compute(1000);  // computation has its own scales
+      compute(1000);  // computation scales differently
       end = own_cycles();
       this_process().sync();
     });
@@ -143,12 +144,13 @@ TEST(SoftRendezvous, CompiledOccamMultipliesItsInstructions) {
   });
   const auto blocked = static_cast<double>(model.channel.blocked.value);
   const auto setup = static_cast<double>(model.channel.soft_setup.value);
-  const auto copy = static_cast<double>(soft_cost(model, 8)) - setup;  // the microcode's share
+  const auto copy = static_cast<double>(soft_cost(model, 8)) - setup;  // share of the microcode
   EXPECT_EQ(found.at(0), std::round(2.5 * blocked) + std::round(2.5 * setup) + copy + 1000);
 }
 
-// On the machine `in` and `out` are single instructions: the second process copies. A high process
-// may come during a low one's instruction, and is then first or second.
+// On a transputer, `in` and `out` are single instructions, and the second process copies. A
+// high-priority process may come during a low-priority one's instruction, and is then first or
+// second.
 TEST(SoftRendezvous, IsCopiedWhenAHighProcessComesDuringTheInstructionOfALowOne) {
   constexpr std::uint64_t bytes = 4000;
   const Model model = make_exact_model();

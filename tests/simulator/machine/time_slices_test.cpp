@@ -8,13 +8,13 @@
 namespace occam {
 namespace {
 
-// A low process's uninterrupted stretch of computation among the low processes.
+// An interval in which one low-priority process computes without a turn of another one.
 struct Stretch {
   std::size_t process;
   double begin, end;
 };
 
-// Low processes of random lengths compute in small pieces and log them.
+// Runs low-priority processes of random lengths, which compute in small pieces and log them.
 std::string check_slices(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   constexpr std::int64_t piece = 16;
@@ -56,7 +56,7 @@ std::string check_slices(std::uint64_t seed) {
       const auto next = queue.front();
       queue.pop_front();
       expect(s.process == next, "out of turn");
-      if (s.end == ends[s.process]) continue;  // has ended
+      if (s.end == ends[s.process]) continue;  // the process has ended
       queue.push_back(s.process);
       expect(s.end - s.begin >= period, "gave way before one period");
       expect(s.end - s.begin <= 2 * period, "did not give way after two periods");
@@ -73,7 +73,7 @@ TEST(TimeSlices, GiveWayAfterOneToTwoPeriodsInTurn) {
   }
 }
 
-// A low process computes, alone at first; another wakes from a timer or a link meanwhile.
+// A low-priority process computes, alone at first. Another wakes from a timer or a link meanwhile.
 TEST(TimeSlices, WokenLowProcessWaitsForAtMostTwoPeriods) {
   const Model model = make_exact_model();
   const auto found = isolated_numbers([] {
@@ -99,7 +99,8 @@ TEST(TimeSlices, WokenLowProcessWaitsForAtMostTwoPeriods) {
   EXPECT_EQ(found.at(3), 200'000 + model.timer.wait_future.value);
 }
 
-// Several low processes under random bursts: their computation, plus the switches.
+// Several low-priority processes run under random bursts. The total is their computation plus the
+// switches.
 TEST(TimeSlices, AndPreemptionsTogetherConserveTime) {
   const Model model = make_exact_model();
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -131,7 +132,7 @@ TEST(TimeSlices, AndPreemptionsTogetherConserveTime) {
   }
 }
 
-// A slice that ends while the high process has the CPU.
+// A slice ends while the high-priority process has the CPU.
 TEST(TimeSlices, EndDuringAPreemption) {
   const Model model = make_exact_model();
   const auto period = model.scheduler.slice.value;
@@ -165,8 +166,8 @@ struct Turns : machine::Observer {
   Numbers begins;
 };
 
-// Long computations of the real machine: each turn lasts exactly two periods, since it begins on a
-// tick. No late tick is lost to rounding.
+// Long computations run on the real machine. Each turn lasts exactly two periods, since it begins
+// on a tick. No late tick is lost to rounding.
 TEST(TimeSlices, TurnsOfTheRealMachineAreTwoPeriods) {
   const Model model = machine::load_model("t805-25");
   const double period = 5120 / 5e6;
@@ -185,8 +186,8 @@ TEST(TimeSlices, TurnsOfTheRealMachineAreTwoPeriods) {
     EXPECT_NEAR(found[i], 2 * period * static_cast<double>(i), 1e-9) << "turn " << i;
 }
 
-// A lone low process continues. If another becomes ready after more than two periods, it yields at
-// the next tick, but never within its first period.
+// A lone low-priority process continues. If another becomes ready after more than two periods, it
+// yields at the next tick, but never within its first period.
 TEST(TimeSlices, LateComerWaitsForTheNextTick) {
   const Model model = make_exact_model();
   const auto period = model.scheduler.slice.value;
@@ -198,7 +199,7 @@ TEST(TimeSlices, LateComerWaitsForTheNextTick) {
       Processor& other = lab.neighbour(cpu);
       auto& channel = lab.hard(other, cpu);
       double begins = 0;
-      // It waits for its message first: the busy process begins after its 20 cycles.
+      // It waits for its message first, so the busy process begins after its 20 cycles.
       cpu.start("late", Priority::low, [&] { channel.in(), begins = own_cycles(); });
       cpu.start("busy", Priority::low, [&] { compute(20 * period), this_process().sync(); });
       other.start("writer", Priority::high, [&] {
@@ -213,8 +214,8 @@ TEST(TimeSlices, LateComerWaitsForTheNextTick) {
   }
 }
 
-// The tick passes, and the other process becomes ready, during a high process: the low one yields
-// as soon as it returns.
+// During a high-priority process, the tick passes and the other process becomes ready. The
+// low-priority one yields as soon as it returns.
 TEST(TimeSlices, TickThatPassesDuringAPreemptionCounts) {
   const Model model = make_exact_model();
   const auto period = model.scheduler.slice.value;
@@ -239,9 +240,10 @@ TEST(TimeSlices, TickThatPassesDuringAPreemptionCounts) {
                              s.return_to_low.value);
 }
 
-// A low process computes. A high one makes another low process ready, ahead of the clock unless it
-// `pays` first, and waits. Meanwhile a third low process, or a message whose DMA delays the work
-// ahead, comes shortly before the tick. Returns the cycles at which the other two end.
+// A low-priority process computes. A high-priority one makes another low-priority process ready,
+// ahead of the clock unless it `pays` first, and waits. Shortly before the tick comes a third
+// low-priority process, or a message whose DMA delays the work ahead. Returns the cycles at which
+// the other two end.
 Numbers end_around_tick(std::int64_t wakes, bool has_message, bool pays) {
   return isolated_numbers([&] {
     Model model = make_exact_model();

@@ -8,7 +8,7 @@
 namespace occam {
 namespace {
 
-// The real model: 1 us at high priority, 64 us at low; 25 cycles a microsecond.
+// Ticks of the real model: 1 us at high priority, 64 us at low, and 25 cycles per microsecond.
 TEST(Timer, CountsWholeTicksOfItsPriority) {
   const Model model = machine::load_model("t805-25");
   const std::int64_t cycles_a_us = 25;
@@ -72,7 +72,7 @@ TEST(Timer, WaitsUntilATickAndNotForThePast) {
 // never.
 struct Timeout {
   Priority priority;
-  std::int64_t starts, output_at, tick;  // cycles, cycles, ticks of the reader's clock
+  std::int64_t starts, output_at, tick;  // in cycles, cycles, and ticks of the reader's clock
   bool timer_first;
 };
 
@@ -109,7 +109,7 @@ std::pair<double, bool> expect_timeout(const Model& model, const Timeout& c) {
           true};
 }
 
-// For each case: the end, and whether the channel was chosen. Otherwise the message is taken later.
+// For each case, the end, and whether the channel was chosen. Otherwise the message is taken later.
 Numbers run_timeouts(const Model& model, const std::vector<Timeout>& cases) {
   return isolated_numbers([&] {
     Lab lab(model);
@@ -169,7 +169,7 @@ TEST(Timeout, FiresOrNotAtTheSumOfItsRows) {
   }
 }
 
-// The time comes at any cycle of the ALT: it is past, or passes while the guards are enabled,
+// The timeout comes at any cycle of the ALT: it is past, or passes while the guards are enabled,
 // during taltwt, or after.
 TEST(Timeout, MayComeAtAnyCycleOfTheAlt) {
   const Model model = make_complete_model();
@@ -183,7 +183,7 @@ TEST(Timeout, MayComeAtAnyCycleOfTheAlt) {
 }
 
 // The timer wakes the ALT, and the output comes while the guards are disabled. It is chosen if it
-// is ready at its guard's turn and no earlier guard was. (In the same cycle either may be first.)
+// is ready at its guard's turn and no earlier guard was. (In the same cycle, either may be first.)
 TEST(Timeout, GuardIsTakenThatIsReadyAtItsOwnTurn) {
   const Model model = make_complete_model();
   const auto date = 4096, turn = date + static_cast<int>(model.alternative.disable.value);
@@ -197,7 +197,7 @@ TEST(Timeout, GuardIsTakenThatIsReadyAtItsOwnTurn) {
   expect_timeouts(model, cases);
 }
 
-// A timeout that did not fire leaves nothing behind: the run ends with its processes.
+// A timeout that does not fire leaves nothing behind: the run ends with its processes.
 TEST(Timeout, ThatDoesNotFireDoesNotProlongTheRun) {
   for (auto priority : BOTH_PRIORITIES) {
     const auto found = isolated_numbers([&] {
@@ -231,7 +231,7 @@ TEST(Timer, WakesAtTheTickAndReadsIt) {
       Numbers seen;
       lab.cpu().start("waiter", priority, [&] {
         for (std::int64_t tick : {10, 20, 21, 1000}) {
-          if (tick == 21) wait_until(0);  // past: takes 7 cycles, and never a tick
+          if (tick == 21) wait_until(0);  // a past time, which takes 7 cycles and never a tick
           wait_until(tick);
           seen.push_back(this_process().now().value * 1e6);
           seen.push_back(static_cast<double>(read_timer()));
@@ -240,8 +240,8 @@ TEST(Timer, WakesAtTheTickAndReadsIt) {
       lab.machine.run();
       return seen;
     });
-    // The third wait begins 3 cycles after tick 20, and takes 7 and 33. At high priority that
-    // ends after tick 21 (25 cycles), without another look at the clock.
+    // The third wait begins 3 cycles after tick 20, and takes 7 and 33 cycles. At high priority
+    // that ends after tick 21 (25 cycles), without another look at the clock.
     const double third = us == 1 ? 20 + (3 + 7 + 33) / 25.0 : 21 * us;
     const double dates[] = {10 * us, 20 * us, third, 1000 * us}, reads[] = {10, 20, 21, 1000};
     for (std::size_t i = 0; i < std::size(dates); ++i) {

@@ -9,7 +9,7 @@
 namespace machine {
 namespace {
 
-// Halves of whole numbers, and their neighbours, at all magnitudes of cycles.
+// Tests halves of whole numbers, and their neighbours, at all magnitudes of cycles.
 TEST(Units, CyclesAreRoundedAsTheStandardLibraryDoes) {
   constexpr unsigned SEED = 20;
   std::mt19937_64 random(SEED);

@@ -1,4 +1,4 @@
-// Routes of the acyclic router under link cuts, compared with an independent wait graph.
+// Routes of the acyclic router under link cuts, compared with an independent wait-for graph.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -11,7 +11,7 @@
 namespace network {
 namespace {
 
-using Way = std::pair<int, int>;  // a processor and a message's output port
+using Way = std::pair<int, int>;  // a processor, and a message's output port
 using Waits = std::map<Way, std::set<Way>>;
 
 // A message that holds a link waits for the next one on its route.
@@ -34,7 +34,7 @@ void add_routes(const Routing& routing, Waits& waits) {
   }
 }
 
-// A message to all waits for every link that passes it on; it reaches every processor.
+// A message to all waits for every link that passes it on, and reaches every processor.
 void add_messages_to_all(const Routing& routing, Waits& waits) {
   const auto epoch = routing.epoch();
   for (int sender = 0; sender < routing.processors(); ++sender) {
@@ -51,7 +51,7 @@ void add_messages_to_all(const Routing& routing, Waits& waits) {
   }
 }
 
-// Removes entries that wait for nothing, until none remains or a cycle does.
+// Removes entries that wait for nothing, until none remains or only cycles do.
 bool has_cycle(Waits waits) {
   for (bool is_smaller = true; is_smaller;) {
     const auto waits_for_nothing = [&](const auto& entry) {
@@ -103,7 +103,7 @@ TEST(AcyclicCuts, NoRoutesCloseACycleOfWaitingLinks) {
   }
 }
 
-// The graph above does find the cycles of shortest routes.
+// The wait-for graph does find the cycles of shortest routes.
 TEST(AcyclicCuts, ShortestRoutesDoCloseSome) {
   const auto closes = [](const char* spec) {
     const auto topology = topologies::make_topology(spec);

@@ -15,7 +15,7 @@ using occam::Numbers;
 using programs::Settings;
 
 constexpr const char* ALL_METHODS[] = {"naive", "chalmers", "green", "acyclic"};
-constexpr int FEWEST = 4, MOST = 200;  // processors
+constexpr int FEWEST = 4, MOST = 200;  // number of processors
 
 struct Trial {
   const char* program;
@@ -25,13 +25,13 @@ struct Trial {
 
 topologies::Topology make_network(std::uint64_t seed) {
   for (auto number = static_cast<unsigned>(seed);; number += 1000) {
-    const int largest = seed % 8 == 0 ? MOST : MOST / 5;  // most are small, for the test's time
+    const int largest = seed % 8 == 0 ? MOST : MOST / 5;  // most machines are small, to save time
     auto topology = random_topology(number, largest);
     if (topology.processors >= FEWEST) return topology;
   }
 }
 
-// Links and processors that fail during the soak.
+// Chooses links and processors that fail during the soak test.
 std::vector<programs::PlannedFault> plan_faults(const topologies::Topology& topology,
                                                 std::mt19937_64& random) {
   std::vector<programs::PlannedFault> faults;
@@ -46,7 +46,7 @@ std::vector<programs::PlannedFault> plan_faults(const topologies::Topology& topo
   return faults;
 }
 
-// A soak with faults, or a load between light and several times the routers' capacity.
+// Makes a soak test with faults, or a load between light and several times the routers' capacity.
 Trial make_trial(const machine::Model& model, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   Trial trial{"soak", {}, {model, make_network(seed)}};
@@ -71,7 +71,7 @@ Trial make_trial(const machine::Model& model, std::uint64_t seed) {
   return trial;
 }
 
-// The program's measurements; for a deadlock its date.
+// The program's measurements; for a deadlock its time.
 Numbers measure(Trial trial, machine::Links links) {
   return isolated_numbers([&] {
     trial.setup.engine.links = links;
@@ -92,7 +92,8 @@ Numbers measure(Trial trial, machine::Links links) {
 
 TEST(EnginesAgree, OnRandomMachinesOfRouters) {
   const auto model = machine::load_model("t805-25");
-  // TLAB_MACHINES=200 sets the number of machines; the default is small.
+  // The environment variable TLAB_MACHINES sets the number of machines, such as 200. The default is
+  // small.
   const char* asked = std::getenv("TLAB_MACHINES");
   const int machines = asked ? std::stoi(asked) : 24;
   for (int seed = 1; seed <= machines; ++seed) {

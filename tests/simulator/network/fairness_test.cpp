@@ -8,7 +8,7 @@
 namespace network {
 namespace {
 
-// Processors 1 to 3 of a star send to the fourth, over the hub, as fast as possible. Returns the
+// Processors 1 to 3 of a star send to the fourth over the hub, as fast as possible. Returns the
 // sender of each message, in order of arrival.
 std::vector<double> find_senders(Method method, std::uint64_t bytes) {
   return test::isolated_numbers([&] {
@@ -26,7 +26,7 @@ std::vector<double> find_senders(Method method, std::uint64_t bytes) {
   });
 }
 
-// While all three have messages to send, none waits long. The hub has more inputs; turns of idle
+// While all three have messages to send, none waits long. The hub has more inputs. Turns of idle
 // inputs go to the next active one, so that shares differ.
 TEST(RouterFairness, EveryLinkInHasItsTurn) {
   for (const Method method : {Method::chalmers, Method::green, Method::acyclic, Method::naive})

@@ -52,9 +52,9 @@ std::string time_of(int links, Method method) {
   });
 }
 
-// The acyclic method's inputs work concurrently: four streams on two links take half the time, or
-// three quarters if three share one link. Chalmers' and Green's routers input one message at a
-// time.
+// The inputs of the acyclic method work concurrently. Four streams on two links take half the time,
+// or three quarters if three of them share a link. Chalmers' and Green's routers input one message
+// at a time.
 TEST(ParallelLinks, CarryStreamsSideBySideAndKeepEachInOrder) {
   for (const Method method : METHODS) {
     const double one = std::stod(time_of(1, method)), two = std::stod(time_of(2, method));
@@ -82,7 +82,7 @@ std::vector<double> loads_of(int links, Method method) {
   });
 }
 
-// docs/manual/topologies.md, parallel links: each link has its own load.
+// Parallel links as in docs/manual/topologies.md: each link has its own load.
 TEST(ParallelLinks, RoutersPutAPairOfProcessesOnOne) {
   for (const Method method : METHODS) {
     const double one = loads_of(1, method).at(0);
@@ -106,7 +106,7 @@ TEST(ParallelLinks, TrafficAlternates) {
   };
   EXPECT_NEAR(busy(2), busy(1) / 2, 1e-3 * busy(1));
   EXPECT_NEAR(busy(3), busy(1) / 3, 1e-3 * busy(1));
-  EXPECT_NEAR(busy(4), busy(1) / 3, 1e-3 * busy(1));  // two, two, one and one
+  EXPECT_NEAR(busy(4), busy(1) / 3, 1e-3 * busy(1));  // messages divide into two, two, one and one
 }
 
 TEST(ParallelLinks, TakeMessagesToAllOnce) {

@@ -10,7 +10,7 @@ namespace network {
 namespace {
 
 // Every processor sends `each` messages to a nonexistent process on every other, then receives the
-// returns. The result is the number of messages returned with the reason.
+// returned messages. The result is the number of messages that return with the reason.
 double send_to_nobody(Method method, const std::string& spec, int each) {
   const auto topology = topologies::make_topology(spec);
   machine::Machine machine(machine::load_model("t805-25"));

@@ -1,4 +1,5 @@
-// On random networks every message arrives once, at its destination and in order, for any method.
+// Soak test: on random networks every message arrives once, at its destination and in order, for
+// any method.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -88,7 +89,7 @@ TEST(RouterSoak, TheSameTwice) {
   }
 }
 
-// Between running processors every undelivered message returns, or is reported as lost.
+// Between running processors, every undelivered message returns or is reported as lost.
 TEST(RouterSoak, FailuresLoseNothingUnsaid) {
   for (std::uint64_t seed = 1; seed <= 45; ++seed) {
     SCOPED_TRACE(seed);
@@ -119,7 +120,7 @@ TEST(RouterSoak, FailuresLoseNothingUnsaid) {
           get_number(row, "delivered") + get_number(row, "returned") + get_number(row, "lost"),
           get_number(row, "expected"));
       EXPECT_EQ(outcome.notes.empty(), get_number(row, "lost") == 0);
-      // If only links fail, only a message with both ends out of reach may be lost.
+      // If only links fail, a message may be lost only if both its ends are out of reach.
       const bool may_lose = !only_links || !stays_joined(topology, faults);
       EXPECT_TRUE(may_lose || get_number(row, "lost") == 0) << to_text(outcome);
       if (testing::Test::HasFailure()) throw std::runtime_error(to_text(outcome));

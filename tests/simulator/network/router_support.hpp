@@ -1,4 +1,4 @@
-// Shared by the tests of routers.
+// Functions that the tests of routers share.
 #pragma once
 
 #include "simulator/network/network.hpp"

@@ -1,4 +1,4 @@
-// Addresses, GLOBAL, InPathTo, room, and link cuts.
+// Routers: addresses, GLOBAL, InPathTo, memory limits, and link cuts.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -99,13 +99,14 @@ TEST(Router, GlobalReachesEveryOtherProcessorAlongEitherKindOfTree) {
         });
 }
 
-// Each processor on the route with that process gets the offer, nearest first, until one keeps it.
+// Each processor on the route that has the process gets the offer, nearest first, until one keeps
+// it.
 TEST(Router, InPathToIsOfferedOnTheWay) {
   for (const Method method : METHODS)
     expect_in_child([&] {
       Params params = with(method);
       params.processes.assign(6, {1});
-      params.processes[2] = {0b10};  // has no process 0: passed without an offer
+      params.processes[2] = {0b10};  // has no process 0, so messages pass without an offer
       Bench bench(topologies::make_topology("line:6"), params);
       std::vector<int> asked;
       for (int id = 1; id < 6; ++id)
@@ -133,7 +134,7 @@ TEST(Router, NoRoomIsAFaultThatNamesTheRouter) {
       bench.start(0, [](Client& client) {
         for (int i = 0; i < 20; ++i) client.send(make_message({1, 0}));
       });
-      bench.start(1, [](Client&) { occam::wait_until(1'000'000); });  // takes nothing
+      bench.start(1, [](Client&) { occam::wait_until(1'000'000); });  // takes no message
       try {
         bench.machine.run();
       } catch (const Overflow& overflow) {
@@ -160,7 +161,8 @@ TEST(Router, BuffersAndMessagesMustFitTheMemory) {
   EXPECT_NE(text.find("4194304 bytes left"), std::string::npos) << text;
 }
 
-// ring:4: 0 to 2 goes by 1 or by 3; without 0-1 by 3; without 0-3 too there is no way.
+// In ring:4, the route from 0 to 2 passes 1 or 3; without link 0-1 it passes 3. Without 0-3 as
+// well, there is no route.
 TEST(Router, GoesAroundACutLinkOrSaysThatNoWayIsLeft) {
   for (const Method method : METHODS)
     expect_in_child([&] {
@@ -184,7 +186,7 @@ TEST(Router, GoesAroundACutLinkOrSaysThatNoWayIsLeft) {
     });
 }
 
-// Messages under way when a link is cut take another route, long ones too.
+// Messages in transit when a link is cut take another route, long ones too.
 TEST(Router, MessagesUnderWayWhenALinkIsCutArriveOnce) {
   for (const Method method : METHODS)
     for (int at_us = 300; at_us < 3000; at_us += 130)
@@ -208,8 +210,9 @@ TEST(Router, MessagesUnderWayWhenALinkIsCutArriveOnce) {
       });
 }
 
-// A message by pointer costs no copies: its time grows only by the links' and the CPUs' part. A
-// copied one grows by three copies a byte: into the router, to the client's sender, to the client.
+// A message by pointer costs no copies: its time grows only by the links' and the CPUs' part. That
+// of a copied message grows by three copies per byte: into the router, to the client's sender, to
+// the client.
 TEST(Router, CopiesCostMemoryCyclesAByte) {
   const auto latency = [](bool pointers, std::uint64_t bytes) {
     return occam::isolated_numbers([&] {

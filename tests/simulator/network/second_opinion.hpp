@@ -1,4 +1,4 @@
-// A second opinion on store-and-forward networks: a plain event queue, without code of the
+// Independent simulation of store-and-forward networks: a simple event queue, without code of the
 // simulator.
 //
 // Packets of equal length pass from processor to processor. Each outgoing link is serial, with an
@@ -17,7 +17,7 @@
 namespace second_opinion {
 
 struct Packet {
-  double at_s;  // when it enters the network
+  double at_s;  // time at which it enters the network
   int from, to;
 };
 
@@ -26,7 +26,7 @@ using NextHop = std::function<int(int from, int to)>;
 
 class Network {
  public:
-  // `service_s`: time of a packet on a link.
+  // `service_s` is the time of a packet on a link.
   Network(const std::vector<Packet>& packets, double service_s, NextHop next)
       : packets_(packets), service_s_(service_s), next_(std::move(next)) {}
 
@@ -50,15 +50,15 @@ class Network {
     bool busy = false;
     std::deque<std::size_t> waiting;
   };
-  // Handles a packet that its source sends at processor `at`, or that arrives there and frees its
+  // The event that a packet is sent by its source at processor `at`, or arrives there and frees its
   // link.
   struct Event {
     double at_s;
-    std::uint64_t order;  // of events of one date
+    std::uint64_t order;  // order of events at the same time
     std::size_t packet;
     int at;
     Link* freed;
-    bool operator<(const Event& o) const {  // for a queue whose top is the next event
+    bool operator<(const Event& o) const {  // reversed for a queue whose top is the next event
       return at_s != o.at_s ? at_s > o.at_s : order > o.order;
     }
   };

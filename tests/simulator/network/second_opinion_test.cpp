@@ -1,6 +1,6 @@
 // The machine's networks, compared with an independent simulation, and both with queueing theory.
 //
-// The CPUs are so fast here that routing takes no time, and links do not slow each other down: only
+// The CPUs are so fast here that routing takes no time, and links do not slow each other down. Only
 // store and forward over serial links remains.
 #include "tests/simulator/network/second_opinion.hpp"
 
@@ -20,7 +20,7 @@
 namespace programs {
 namespace {
 
-constexpr std::uint64_t BYTES = 97;  // a packet; its service time is no multiple of 1 us
+constexpr std::uint64_t BYTES = 97;  // length of a packet; its service time is no multiple of 1 us
 
 machine::Model make_ideal_model() {
   return machine::override_model("t805-25",
@@ -68,7 +68,7 @@ double mean_of(std::span<const double> numbers) {
   return sum / static_cast<double>(numbers.size());
 }
 
-// Packets a second from each processor that saturate the busiest link.
+// The rate of packets from each processor that saturates the busiest link, 1/s.
 double saturating_rate(const topologies::Topology& topology) {
   const auto busiest = eval_metrics(topology).all_to_all.messages;
   return (topology.processors - 1) / static_cast<double>(busiest) / service_of(make_ideal_model());
@@ -76,14 +76,14 @@ double saturating_rate(const topologies::Topology& topology) {
 
 struct Case {
   std::string topology;
-  double share;  // of the saturating load
+  double share;  // share of the saturating load
   double window_us;
 };
 
 class SecondOpinion : public testing::TestWithParam<Case> {};
 
-// The same packets at the same times on the same routes; the difference is the fraction of a
-// nanosecond that a processor takes.
+// The same packets go at the same times on the same routes. The only difference is the fraction of
+// a nanosecond that a processor takes.
 TEST_P(SecondOpinion, AgreesOnTheMeanLatencyOfUniformTraffic) {
   const auto& [name, share, window_us] = GetParam();
   const auto topology = topologies::make_topology(name);
@@ -110,8 +110,8 @@ INSTANTIATE_TEST_SUITE_P(Traffic, SecondOpinion,
                            return name;
                          });
 
-// One link, Poisson arrivals, a constant service s: an M/D/1 queue. A packet waits
-// rho s / (2 (1 - rho)) in the mean (Pollaczek and Khinchine).
+// One link, Poisson arrivals and a constant service time s are an M/D/1 queue. A packet waits rho s
+// / (2 (1 - rho)) on average (Pollaczek and Khinchine).
 TEST(QueueingTheory, APacketWaitsAsInAnMD1Queue) {
   const double service_s = service_of(make_ideal_model());
   const auto topology = topologies::make_topology("line:2");
@@ -120,7 +120,7 @@ TEST(QueueingTheory, APacketWaitsAsInAnMD1Queue) {
     auto arrivals = make_uniform_traffic(2, rho / service_s, 8e6, seed);
     std::erase_if(arrivals, [](const Arrival& a) { return a.from != 0; });
     const auto latencies = run_machine_on(topology, arrivals);
-    // The mean's error comes from the means of long batches, which are nearly independent.
+    // The error of the mean follows from the means of long batches, which are nearly independent.
     constexpr std::size_t BATCHES = 20;
     const std::size_t length = latencies.size() / BATCHES;
     std::vector<double> waits;

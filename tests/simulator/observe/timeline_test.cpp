@@ -1,4 +1,4 @@
-// The SVG time line: its sums and its drawing.
+// The Gantt chart as SVG: its sums and its drawing.
 #include "simulator/observe/timeline.hpp"
 
 #include <gtest/gtest.h>
@@ -52,10 +52,10 @@ TEST(Timeline, LeavesIdleColumnsEmpty) {
   const auto& farmer = timeline.cpus[0].columns;
   EXPECT_NEAR(farmer[0][static_cast<std::size_t>(Trace::Doing::low)], 1, 1e-12);
   for (std::size_t i = 1; i < 10; ++i) EXPECT_LT(sum(farmer[i]), 1e-12);
-  EXPECT_TRUE(timeline.links[1].columns.empty());  // without messages
+  EXPECT_TRUE(timeline.links[1].columns.empty());  // a link without messages
 }
 
-// A process interrupted for less than a column keeps its stretch; a longer gap ends it.
+// A process interrupted for less than a column keeps its bar. A longer gap ends it.
 TEST(Timeline, JoinsWhatBelongsToOneProcess) {
   using enum Trace::Doing;
   Trace trace = make_small_trace();
@@ -75,7 +75,7 @@ TEST(Timeline, JoinsWhatBelongsToOneProcess) {
   }
 }
 
-// Checks that elements close in order, attributes are quoted, and no & or < is unescaped.
+// Expects that elements close in order, attributes are quoted, and no & or < is unescaped.
 void expect_well_formed(const std::string& xml) {
   static const std::regex token(
       R"re(<(/?)([a-z]+)((?: [a-zA-Z-]+="[^"<]*")*) ?(/?)>|[^<&\x01-\x08]|&(?:amp|lt|gt|quot);)re");
@@ -109,7 +109,7 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// A page has 1380 columns: a tenth of the window is 138 of them; a CPU's row is 26 pixels high.
+// A page has 1380 columns, so a tenth of the window is 138 of them. A CPU's row is 26 pixels high.
 TEST(TimelineSvg, DrawsBarsWhereTimeIsBusy) {
   const auto svg = saved(save_timeline, make_small_trace());
   EXPECT_TRUE(contains(svg, R"(<path class="low" fill="#9ecae1" d="M0 0H0V-26H138V0H1380V0Z"/>)"));
@@ -136,7 +136,7 @@ TEST(TimelineSvg, DrawsTheShortestSpan) {
   EXPECT_TRUE(contains(saved(save_timeline, trace), "d=\"M0 0H690V-1H691V0H1380V0Z\""));
 }
 
-// Half of each column, too fine to draw: half the height.
+// Half of each column is busy, too fine to draw, so bars have half the height.
 TEST(TimelineSvg, DrawsSharesAsHeights) {
   Trace trace = make_small_trace();
   trace.spans.clear();

@@ -1,4 +1,4 @@
-// Paje, read back by the rules of its own header.
+// Traces in the Paje format, read back by the rules of their own header.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -20,7 +20,7 @@ struct Event {
   double time_s() const { return fields.contains("Time") ? std::stod(at("Time")) : 0; }
 };
 
-// Words, and quoted texts with their quotation marks.
+// Splits a line into words, and quoted texts with their quotation marks.
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> words;
   for (std::size_t at = 0; at < line.size();) {
@@ -54,12 +54,13 @@ std::vector<Event> read(const std::string& text) {
   return events;
 }
 
-// A viewer's state during reading; checks the invariants of every trace.
+// The state of a viewer during reading. It checks the invariants of every trace.
 struct Viewer {
   std::set<std::string> types, values, containers;
-  std::map<std::string, std::pair<std::string, double>> states;  // by container: value, since
-  std::map<std::string, std::map<std::string, double>> totals;   // by container and value
-  std::map<std::string, Event> arrows;                           // open, by key
+  // by container: value and start time
+  std::map<std::string, std::pair<std::string, double>> states;
+  std::map<std::string, std::map<std::string, double>> totals;  // by container and value
+  std::map<std::string, Event> arrows;                          // open arrows, by key
   double now_s = 0;
 
   void read(const Event& event) {

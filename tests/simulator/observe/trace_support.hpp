@@ -1,4 +1,4 @@
-// Shared by the tests of traces: a small trace, and random ones.
+// Traces for tests: a small one, and random ones.
 #pragma once
 
 #include <fmt/format.h>
@@ -34,7 +34,7 @@ inline Trace make_small_trace() {
   return trace;
 }
 
-// Names that need care; full, sparse or empty lanes; spans without length.
+// Names have special characters; lanes are full, sparse or empty; spans may have no length.
 inline Trace make_random_trace(std::uint64_t seed) {
   static const std::string names[] = {"worker 1", "\"quoted\"",  "<a> & b", "two\nlines\t\x01",
                                       "é 漢字",   "back\\slash", "",        "%EventDef #1"};
@@ -54,7 +54,7 @@ inline Trace make_random_trace(std::uint64_t seed) {
   const double scale_s = std::pow(10, -static_cast<double>(below(9)));
   trace.end_s = trace.begin_s + scale_s;
 
-  // The next piece of a lane, from its end so far; false at the end of the window.
+  // Chooses the next span of a lane after its current end. Returns false at the end of the window.
   const auto pick = [&](double& from_s, double& to_s) {
     const auto step = [&] { return below(3) == 0 ? 0 : scale_s * below(1000) / 2e4; };
     from_s = to_s + step();

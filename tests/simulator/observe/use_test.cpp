@@ -1,4 +1,4 @@
-// Busy times between two instants, calculated by hand.
+// Busy times between two instants, compared with values calculated by hand.
 #include "simulator/observe/use.hpp"
 
 #include <gtest/gtest.h>

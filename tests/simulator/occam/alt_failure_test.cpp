@@ -51,7 +51,7 @@ TEST(AltFailure, AGuardOnACutLinkIsNeverReady) {
     for (auto reader : BOTH_PRIORITIES) {
       const auto silent = wait_in_alt({1e9, writer, reader, 0, false});
       ASSERT_EQ(silent.at(0), 0);
-      // Cut from the start; before the writer comes; while it is ahead of the clock.
+      // The link is cut from the start, before the writer comes, or while it is ahead of the clock.
       for (const auto& [cut, computes] : {std::pair{0.0, 0}, {500.0, 3000}, {500.0, 900}}) {
         const auto found = wait_in_alt({cut, writer, reader, computes});
         EXPECT_EQ(found.at(0), 0) << cut;
@@ -101,7 +101,7 @@ std::string deadlock_of(double cut, const std::function<void(Lab&, Processor&, P
   });
 }
 
-// A cut that does not affect a deadlock does not postpone its date.
+// A cut that does not affect a deadlock does not postpone its time.
 TEST(FailureDeadlock, SaysThatTheLinkIsCut) {
   const auto blocked = make_exact_model().channel.blocked.value;
   for (double cut : {0.0, 5000.0}) {
@@ -119,7 +119,7 @@ TEST(FailureDeadlock, SaysThatTheLinkIsCut) {
   }
 }
 
-// The same while the process is ahead of the clock.
+// The deadlock is also not postponed while the process is ahead of the clock.
 TEST(FailureDeadlock, IsNotPutOffByACutBeforeTheProcessComes) {
   const auto blocked = static_cast<double>(make_exact_model().channel.blocked.value);
   const auto report = deadlock_of(blocked / 2, [](Lab& lab, Processor& a, Processor& b) {
@@ -129,7 +129,8 @@ TEST(FailureDeadlock, IsNotPutOffByACutBeforeTheProcessComes) {
   EXPECT_TRUE(report.starts_with("Deadlock of machine at 0\n")) << report;
 }
 
-// The end with a failure alternative continues, the other blocks for ever; an inputting server may.
+// The end with a failure alternative continues, and the other blocks for ever. An inputting server
+// may do so.
 TEST(FailureDeadlock, OfATransferThatWasCut) {
   const auto run = [](bool is_server, bool writer_may_fail) {
     return deadlock_of(500, [=](Lab& lab, Processor& a, Processor& b) {

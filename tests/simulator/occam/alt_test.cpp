@@ -11,10 +11,10 @@ namespace occam {
 namespace {
 
 constexpr int CHANNELS = 3;
-constexpr std::int64_t LATE = 64 * 1024;  // by then every writer waits
+constexpr std::int64_t LATE = 64 * 1024;  // by then, every writer waits
 
 struct Choice {
-  unsigned waiting, open;  // one bit a channel
+  unsigned waiting, open;  // one bit per channel
   int skip;                // place in the order, or -1
 };
 
@@ -40,7 +40,7 @@ bool is_ready(const Choice& c, int guard) {
   return guard < 0 || (c.waiting & c.open & 1u << guard) != 0;
 }
 
-// The instructions alt, enbc or enbs, altwt, disc or diss, altend, and in.
+// The cycles of the instructions alt, enbc or enbs, altwt, disc or diss, altend, and in.
 double expected_cost(const Model& model, const Choice& c, int taken) {
   const auto& alt = model.alternative;
   Cycles cost = alt.setup + alt.wait_ready + alt.end;
@@ -50,7 +50,7 @@ double expected_cost(const Model& model, const Choice& c, int taken) {
   return static_cast<double>(cost.value + (taken < 0 ? 0 : soft_cost(model, 4)));
 }
 
-// For each choice: the chosen index, and the cycles from before the ALT to after the input.
+// For each choice, the chosen index, and the cycles from before the ALT to after the input.
 Numbers run_choices(const std::vector<Choice>& choices, Priority priority) {
   return isolated_numbers([&] {
     Lab lab;
@@ -111,7 +111,7 @@ TEST(Alt, CostsItsInstructionsAndTheInput) {
   EXPECT_EQ(excess_of_input, std::set<double>{0});
 }
 
-// The first output wakes a waiting ALT, soft or hard, ahead of the clock or not; the second waits
+// The first output wakes a waiting ALT, soft or hard, ahead of the clock or not. The second waits
 // for the next ALT. `dates` are those of the two outputs, in cycles after LATE.
 struct Wake {
   bool hard[2];
@@ -144,7 +144,7 @@ TEST(Alt, IsWokenByTheFirstOfTwoWritersAndLosesNeither) {
         channels[i] = wake.hard[i] ? &lab.hard(from, cpu) : &lab.soft();
         from.start("writer", wake.writer, [&wake, channel = channels[i], i] {
           wait_until_cycle(LATE);
-          compute(wake.dates[i]);  // ahead of the clock, if it has high priority
+          compute(wake.dates[i]);  // ahead of the clock if it has high priority
           out(*channel, {4, static_cast<std::uint64_t>(i)});
         });
       }
@@ -165,7 +165,7 @@ TEST(Alt, IsWokenByTheFirstOfTwoWritersAndLosesNeither) {
     const Wake& w = wakes[n];
     SCOPED_TRACE(fmt::format("case {}: {} {}, dates {} {}", n, w.hard[0] ? "hard" : "soft",
                              w.hard[1] ? "hard" : "soft", w.dates[0], w.dates[1]));
-    EXPECT_EQ(found[2 * n] + found[2 * n + 1], 3);  // both, each once
+    EXPECT_EQ(found[2 * n] + found[2 * n + 1], 3);  // both inputs, each once
     // (A soft writer computes on the reader's CPU, which may delay the reader.)
     const bool apart = std::abs(w.dates[0] - w.dates[1]) > 100 && w.hard[0] && w.hard[1];
     if (apart) {
@@ -174,8 +174,8 @@ TEST(Alt, IsWokenByTheFirstOfTwoWritersAndLosesNeither) {
   }
 }
 
-// Waits for an open guard although a closed one is ready; takes SKIP only if no earlier guard is
-// ready.
+// An ALT waits for an open guard even if a closed one is ready. It takes SKIP only if no earlier
+// guard is ready.
 TEST(Alt, WordsOfOccam) {
   const auto found = isolated_numbers([] {
     Lab lab;
@@ -199,7 +199,7 @@ TEST(Alt, WordsOfOccam) {
   EXPECT_EQ(found, (Numbers{2, 1, -2}));
 }
 
-// A high process is ahead of the clock at its ALT; outputs of the meantime are ready.
+// A high-priority process is ahead of the clock at its ALT. Outputs that came before are ready.
 TEST(Alt, AheadOfTheClockSeesTheOutputsThatCameBefore) {
   for (bool reader_first : {false, true})
     for (auto priority : BOTH_PRIORITIES) {
@@ -225,7 +225,7 @@ TEST(Alt, AheadOfTheClockSeesTheOutputsThatCameBefore) {
     }
 }
 
-// Writers have random work between their messages; the reader favours the one after the last. Every
+// Writers have random work between their messages. The reader favours the one after the last. Every
 // waiting writer is served within as many turns as there are channels.
 std::string check_fairness(std::uint64_t seed) {
   std::mt19937_64 random(seed);
@@ -253,7 +253,7 @@ std::string check_fairness(std::uint64_t seed) {
     }
     std::string wrong;
     cpu.start("reader", reader_priority, [&] {
-      std::vector<std::uint64_t> next(n), turns(n);  // turns: of waiting
+      std::vector<std::uint64_t> next(n), turns(n);  // turns of waiting
       std::uint64_t left = 0;
       for (auto count : messages) left += count;
       for (std::size_t favourite = 0; left > 0; --left) {

@@ -1,4 +1,4 @@
-// Cost of an ALT on one processor, for both orders of arrival: every time is a sum of rows.
+// Cost of an ALT on one processor for both orders of arrival: every time is a sum of model entries.
 #include <gtest/gtest.h>
 
 #include "tests/support/lab.hpp"
@@ -27,7 +27,7 @@ std::vector<Case> make_cases() {
   return cases;
 }
 
-constexpr std::int64_t DATE = 102'400;  // arrival of the second
+constexpr std::int64_t DATE = 102'400;  // arrival of the second process
 
 struct Times {
   double reader, writer, busy;
@@ -43,7 +43,8 @@ Times expect_times(const Model& model, const Case& c) {
     enable += alt.enable_skip.value;
     disable += alt.disable_skip.value;
   }
-  // The input finds its partner, and copies. A low reader that wakes a high writer loses the CPU.
+  // The input finds its partner, and copies. A low-priority reader that wakes a high-priority
+  // writer loses the CPU.
   const auto write = cost_first(model, Side::writer, c.bytes),
              read = cost_second(model, Side::reader, c.bytes);
   const bool preempted = c.reader == Priority::low && c.writer == Priority::high;
@@ -51,7 +52,7 @@ Times expect_times(const Model& model, const Case& c) {
              back = preempted ? s.return_to_low.value : 0;
   std::int64_t now = DATE, busy = wait;
   if (c.alt_first) {
-    enable += alt.wait_not.value;  // long ago
+    enable += alt.wait_not.value;  // the writer came long before
     now += write + disable + read;
   } else {
     enable += (alt.enable_ready.value - alt.enable_not.value) + alt.wait_ready.value;
@@ -115,8 +116,8 @@ TEST(AltTimes, AreSumsOfRowsForBothOrdersOfArrival) {
   expect_alt_times(machine::load_model("t800-20"));
 }
 
-// Published, on chip, n guards, none ready: alt 2+1, n enbc 5+1, altwt 17+1; n disc 8+1, altend
-// 4+1; and the operands of each enbc and disc: ldl 2, ldc 1, and disc's offset 1.
+// The published costs on chip for n guards, none ready: alt 2+1, n enbc 5+1, altwt 17+1; n disc
+// 8+1, altend 4+1; and the operands of each enbc and disc: ldl 2, ldc 1, and disc's offset 1.
 TEST(AltTimes, OnChipAreThePublishedNumbers) {
   const auto alt = make_on_chip_model().alternative;
   for (std::int64_t n : {1, 2, 5}) {
@@ -125,7 +126,7 @@ TEST(AltTimes, OnChipAreThePublishedNumbers) {
   }
 }
 
-// SKIP alone: alt, enbs, altwt ready, diss, altend; nothing is input.
+// The costs of SKIP alone: alt, enbs, altwt ready, diss, altend; nothing is input.
 TEST(AltTimes, SkipIsNeverWaitedFor) {
   for (const Model& model : {make_complete_model(), machine::load_model("t805-25")})
     for (auto priority : BOTH_PRIORITIES)
@@ -153,7 +154,7 @@ TEST(AltTimes, SkipIsNeverWaitedFor) {
       }
 }
 
-// The software factor multiplies each of an ALT's instructions, not the machine's own work.
+// The software factor multiplies each of an ALT's instructions, but not the work of the hardware.
 TEST(AltTimes, SoftwareFactorMultipliesInstructionsOnly) {
   const Model model = make_complete_model();
   const auto cost = [&](double factor) {

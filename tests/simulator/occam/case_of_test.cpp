@@ -1,4 +1,4 @@
-// PROTOCOL with CASE.
+// Variant protocols: PROTOCOL with CASE.
 #include "simulator/occam/case_of.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(CaseOf, CallsTheCaseOfTheAlternative) {
   EXPECT_EQ(name(std::variant<int, double>{4.0}), "else");
 }
 
-// It takes no simulated time: the tag has already been input.
+// It takes no simulated time, since the tag has already been input.
 TEST(CaseOf, OfAMessageFromAChannel) {
   const auto found = isolated_numbers([] {
     Lab lab;

@@ -10,9 +10,9 @@ namespace occam {
 namespace {
 
 constexpr std::size_t INPUTS = 4;
-constexpr int MESSAGES = 6;  // of each writer
+constexpr int MESSAGES = 6;  // number from each writer
 
-// A reader's log: the input of each message, its content, and the cycle after it.
+// A reader logs the input of each message, its content, and the cycle after it.
 using Reader = std::function<void(std::span<Channel<Words>* const>, Numbers&)>;
 
 void note(Numbers& seen, std::size_t input, const Words& message) {
@@ -45,7 +45,7 @@ Numbers run(std::uint64_t seed, Priority priority, const Reader& reader) {
   });
 }
 
-// PRI ALT: the first input before all others, which take turns.
+// PRI ALT: the first input has priority over all others, which take turns.
 template <bool fair>
 void read_by_each(std::span<Channel<Words>* const> inputs, Numbers& seen) {
   const auto rest = inputs.subspan(1);
@@ -63,9 +63,9 @@ void read_by_each(std::span<Channel<Words>* const> inputs, Numbers& seen) {
       pri_alt(first, each(rest, favourite, take), otherwise(false, [] {}));
 }
 
-// The same, guard by guard. Each of the rest takes the replicator's turn, and its channel's address
-// again when it is chosen. A fair choice takes a division each time, and one for the next
-// favourite.
+// The PRI ALT written out guard by guard. Each guard but the first takes the replicator's turn, and
+// the address of its channel again when it is chosen. A fair choice takes a division each time, and
+// one for the next favourite.
 template <bool fair>
 void read_by_guards(std::span<Channel<Words>* const> inputs, Numbers& seen) {
   const auto& costs = this_process().processor().model().alternative;

@@ -5,7 +5,7 @@ namespace occam {
 namespace {
 
 constexpr std::int64_t COMES_AT = 20'000;  // cycles
-constexpr std::uint64_t LONG = 100'000;    // bytes, under way for 1,600,000 cycles
+constexpr std::uint64_t LONG = 100'000;    // bytes; the transfer takes 1,600,000 cycles
 
 std::string misuse_of(const std::string& who, std::int64_t cycle) {
   return fmt::format("Misuse of {} at {}", who, cycle);
@@ -25,7 +25,8 @@ void try_to_input(Channel<Words>& channel) { static_cast<void>(in_or_fail(channe
 struct Twins {
   bool writes, hard;
   Use first, second;
-  bool partner_comes = true;  // before the second: on a hard channel a message is under way
+  // before the second process; on a hard channel a message is in transit
+  bool partner_comes = true;
 };
 
 // Alice uses the channel from the start; Bob joins her at COMES_AT.
@@ -131,7 +132,7 @@ TEST(Misuse, AnEndMayBeHandedOver) {
   }
 }
 
-// By its own time the second process comes long after the first has left.
+// By its own time, the second process comes long after the first has left.
 TEST(Misuse, OneWhoComesLaterByItsOwnTimeIsNotRefused) {
   const auto found = isolated_numbers([] {
     Lab lab;
@@ -247,7 +248,7 @@ TEST(Misuse, AProcessTellsItsTimeOnlyToItself) {
                  });
 }
 
-// Cycles are whole numbers, a duration is in seconds, and a bare number is neither.
+// Cycles are whole numbers, durations are in seconds, and a bare number is neither.
 template <class... Amount>
 concept CanCharge = requires(Process& process, Amount... amount) {
   process.charge({amount...});
@@ -263,7 +264,7 @@ static_assert(!CanChargeWithoutBraces<int> && !CanChargeWithoutBraces<double>);
 
 TEST(Charge, TakesCyclesOrADuration) {
   Model model = make_exact_model();
-  model.software.occam_factor = 3;  // of compiled instructions alone
+  model.software.occam_factor = 3;  // factor on compiled instructions only
   const auto found = isolated_numbers([&] {
     Lab lab(model, machine::Code::compiled);
     Numbers ends;

@@ -22,7 +22,7 @@ Tree make_tree(std::mt19937_64& random, int depth) {
   return tree;
 }
 
-// The last branch runs in the parent. Each other one costs its set-up, startp and endp, and the
+// The last branch runs in the parent. Each other branch costs its set-up, startp and endp, and the
 // parent its own endp. On one CPU nothing overlaps.
 std::int64_t expected_time(const Model& model, const Tree& tree) {
   const auto& costs = model.scheduler;
@@ -35,7 +35,7 @@ std::int64_t expected_time(const Model& model, const Tree& tree) {
   return time;
 }
 
-// Runs the tree; returns its own time at its end. A parent continues after all its branches.
+// Runs the tree, and returns its own time at its end. A parent continues after all its branches.
 double run_tree(const Tree& tree, Priority priority, std::string& wrong) {
   compute(tree.cycles);
   double last = 0;
@@ -83,7 +83,7 @@ TEST(Par, JoinsAfterTheLastBranchAtTheSumOfAllTimes) {
     }
 }
 
-// PRI PAR: a high branch computes first, at any place, and the parent joins both.
+// PRI PAR: a high-priority branch at any place computes first, and the parent joins both.
 TEST(Par, BranchesOfBothPrioritiesJoin) {
   const auto found = isolated_numbers([] {
     Lab lab;
@@ -101,15 +101,15 @@ TEST(Par, BranchesOfBothPrioritiesJoin) {
   EXPECT_LT(found.at(0), found.at(2));
   const Model model = make_exact_model();
   const auto& costs = model.scheduler;
-  // runp starts two high branches; the low one is the parent itself.
+  // runp starts two high-priority branches; the low-priority one is the parent itself.
   const Cycles branch = costs.par_branch + costs.run_process + costs.preemption +
                         costs.end_process + costs.return_to_low;
   EXPECT_EQ(found.at(2),
             5000 + 7000 + 100 + (2 * branch + 2 * (costs.par_setup + costs.end_process)).value);
 }
 
-// The rows of a PAR of n branches of one priority; runp and two switches for a high branch of a low
-// parent.
+// The model entries that make up a PAR of n branches of one priority; runp and two switches for a
+// high-priority branch of a low-priority parent.
 TEST(Par, CostsItsRows) {
   for (const Model& model :
        {make_exact_model(), make_on_chip_model(), machine::load_model("t805-25")})
@@ -131,12 +131,13 @@ TEST(Par, CostsItsRows) {
             ROUNDING)
             << n << " branches";
       }
-  // Published: startp 12, endp 13; a PAR of two starts one and joins two.
+  // Published: startp 12, endp 13. A PAR of two starts one branch and joins two.
   const auto& s = make_on_chip_model().scheduler;
   EXPECT_EQ((s.start_process + 2 * s.end_process).value, 12 + 2 * 13);
 }
 
-// PRI PAR: the high branch gets the CPU at its start, and keeps it until it blocks or ends.
+// PRI PAR: the high-priority branch gets the CPU at its start, and keeps it until it blocks or
+// ends.
 TEST(Par, HighBranchOfALowParentRunsAtOnce) {
   const Model model = make_complete_model();
   const auto found = isolated_numbers([&] {
@@ -179,7 +180,8 @@ TEST(Par, ALowParentHasLostTheTimeOfAHighBranch) {
   EXPECT_EQ(found.at(0), found.at(1));
 }
 
-// A low branch ends last and wakes its high parent. As it has ended, that is no pre-emption.
+// A low-priority branch ends last and wakes its high-priority parent. As it has ended, that is no
+// pre-emption.
 TEST(Par, LowBranchOfAHighParentWakesIt) {
   const Model model = make_complete_model();
   for (int low : {1, 2}) {
@@ -247,12 +249,12 @@ TEST(Par, LeavesNothingBehind) {
   const auto found = run_branches(100'000, [](Channel<Words>& channel) { channel.in(); });
   EXPECT_EQ(found.at(0), 1);
   EXPECT_EQ(found.at(1), 1);
-#ifndef __SANITIZE_ADDRESS__  // it keeps freed memory
+#ifndef __SANITIZE_ADDRESS__  // the address sanitizer keeps freed memory
   EXPECT_LT(found.at(2), 500);
 #endif
 }
 
-// Each branch leaves an unfired timeout behind, which is harmless and cheap.
+// Each branch leaves behind a timeout that does not fire, which is harmless and cheap.
 TEST(Par, BranchesMayEndBeforeTheirTimeouts) {
   for (std::int64_t patience : {100, 1'000'000'000}) {
     const auto found = run_branches(50'000, [&](Channel<Words>& channel) {

@@ -9,7 +9,7 @@ namespace occam::proc_test {
 namespace {
 
 constexpr std::size_t INPUTS = 4;
-constexpr std::uint64_t MESSAGES = 6;  // of each writer
+constexpr std::uint64_t MESSAGES = 6;  // number from each writer
 
 struct Writer {
   Channel<Words>& to;
@@ -30,7 +30,7 @@ struct Writer {
   }
 };
 
-// PRI ALT: the first input before all others, which take turns if they are fair.
+// PRI ALT: the first input has priority over all others, which take turns if they are fair.
 struct Reader {
   bool fair;
   std::vector<Channel<Words>*> inputs, rest{inputs.begin() + 1, inputs.end()};
@@ -123,7 +123,7 @@ Numbers run(std::uint64_t seed, Bodies bodies) {
   });
 }
 
-// start() refuses a function that returns a Proc: it would create one and drop it.
+// start() refuses a function that returns a Proc, since it would create one and drop it.
 template <class Body>
 concept CanStart = requires(Processor& cpu, Body body) {
   cpu.start("", Priority::low, body);
@@ -180,7 +180,7 @@ TEST(Proc, EndsWhenItsOwnTimeHasCome) {
   EXPECT_EQ(cycles, Numbers{700});
 }
 
-// As in the manual.
+// The example in the manual.
 Proc relay(Channel<Words>& from, Channel<Words>& to) {
   for (;;) co_await to.output(co_await from.input());
 }
@@ -234,7 +234,7 @@ TEST(Proc, CatchesWhatIsThrownInAnAlt) {
   EXPECT_EQ(found, (Numbers{7, 7}));
 }
 
-// An ALT without an open guard, which it finds out only after a wait.
+// The ALT has no open guard, which it finds out only after a wait.
 TEST(Proc, CatchesWhatAnOperationThrowsAfterItHasWaited) {
   const auto found = isolated_numbers([] {
     Lab lab;
@@ -254,7 +254,7 @@ TEST(Proc, CatchesWhatAnOperationThrowsAfterItHasWaited) {
   EXPECT_EQ(found, (Numbers{1}));
 }
 
-// The same with a stack; the body then continues.
+// An operation throws in a process with a stack. The body then continues.
 TEST(Operation, ThrowsInTheBodyAfterItHasWaited) {
   const auto found = isolated_numbers([] {
     Lab lab;
@@ -285,7 +285,7 @@ TEST(Proc, IsUnwoundWhereItWaits) {
     double while_it_ran = 0;
     {
       Lab lab;
-      // Its destructor uses the process.
+      // An object whose destructor uses the process.
       struct Asks {
         ~Asks() { EXPECT_EQ(this_process().name(), "process"); }
       };
@@ -304,7 +304,7 @@ TEST(Proc, IsUnwoundWhereItWaits) {
   EXPECT_EQ(found, (Numbers{2, 1}));
 }
 
-// A deadlock's report, a fault, and waiting without co_await.
+// The report of a deadlock, a fault, or a wait without co_await.
 std::string report(std::function<Proc(Lab&)> body) {
   return isolated([&] {
     Lab lab(make_exact_model(), machine::Code::bare, {.links = machine::Links::direct});

@@ -15,7 +15,7 @@ struct Rendezvous {
   bool hard, by_alt, in_par;
   Priority writer, reader;
   int messages;
-  std::int64_t writer_computes, reader_computes, patience;  // cycles, cycles, ticks
+  std::int64_t writer_computes, reader_computes, patience;  // in cycles, cycles, and ticks
 };
 
 std::vector<Rendezvous> make_pairs(std::uint64_t seed) {
@@ -68,7 +68,7 @@ void read_all(const Rendezvous& pair, Channel<Words>& channel, Tally& tally) {
   }
 }
 
-// Optionally as a branch of a PAR whose parent does nothing else.
+// Starts the pair, optionally as a branch of a PAR whose parent does nothing else.
 void start(Processor& cpu, const Rendezvous& pair, Priority priority, std::function<void()> body) {
   if (!pair.in_par) {
     cpu.start("process", priority, std::move(body));
@@ -89,7 +89,8 @@ std::string run(std::uint64_t seed, const Model& model) {
     std::deque<Tally> tallies;
     int hard = 0;
     for (const Rendezvous& pair : pairs) {
-      const bool forward = pair.hard && hard++ == 0;  // the second in the other direction
+      // the second hard channel has the other direction
+      const bool forward = pair.hard && hard++ == 0;
       Processor& from = pair.hard ? (forward ? here : there) : here;
       Processor& to = pair.hard ? (forward ? there : here) : here;
       auto& channel = pair.hard ? lab.hard(from, to) : lab.soft();

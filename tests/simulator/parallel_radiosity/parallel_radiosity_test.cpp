@@ -1,4 +1,4 @@
-// Radiosity on a machine: its results, on any machine, and its times.
+// Radiosity on a simulated machine: its results on any machine, and its times.
 #include "base/errors.hpp"
 #include "simulator/parallel_radiosity/radiosity.hpp"
 
@@ -106,7 +106,8 @@ TEST(Amp, EveryFrameIsTheSequentialSolutionAfterItsShots) {
   });
 }
 
-// One processor loses only the rounds' decisions; on many the shares are of the total time.
+// One processor loses only the time of the rounds' decisions. On many, the shares are of the total
+// time.
 TEST(Amp, LossesAddUp) {
   const Mesh mesh = make_room(0, 4);
   for (const char* topology : {"line:1", "mesh:3x3"})
@@ -134,7 +135,7 @@ TEST(Amp, LossesAddUp) {
       });
 }
 
-// Without waiting, the machine's time is its kernels' cycles.
+// Without waiting, the machine's time is the cycles of its kernels.
 TEST(Amp, OneProcessorTakesItsKernelsTime) {
   const Mesh mesh = make_room(0, 3);
   const Params params = make_params(5);
@@ -167,7 +168,7 @@ TEST(Amp, SharedGeometryGivesTheSameSolution) {
       });
 }
 
-// Another model on all processors is another machine; on some, the other processors wait.
+// Another model on all processors is another machine. On some processors, the others wait.
 TEST(Amp, ProcessorsOfOtherModels) {
   const Mesh mesh = make_room(1, 3);
   for (const double cache_percent : {0., 30.}) {
@@ -180,7 +181,7 @@ TEST(Amp, ProcessorsOfOtherModels) {
     const auto quick_run = run("ring:5", mesh, params);
     const auto slow_run = run("ring:5", mesh, params, "t800-20");
     EXPECT_EQ(run("ring:5", mesh, all).time_s, slow_run.time_s);
-    // One slow processor: the others wait, at least if it has the most work.
+    // If one processor is slow, the others wait, at least if it has the most work.
     double latest = 0, most_unequal = 0;
     for (int id = 0; id < 5; ++id) {
       Params one = params;
@@ -218,7 +219,7 @@ TEST(Amp, RefusesWhatCannotBe) {
             std::string::npos);
 }
 
-// Timed kernels run again, on a copy of the state.
+// Timed kernels run again on a copy of the state.
 TEST(Amp, TimedKernelsComputeTheSame) {
   const Mesh mesh = make_room(1, 2);
   for (const double cache_percent : {0.0, 50.0})

@@ -1,4 +1,4 @@
-// Each processor's work for others, counted over the routes.
+// The work of each processor for others, counted over the routes.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/programs/run_program.hpp"
@@ -15,7 +15,7 @@ Outcome<Row> run_census(const topologies::Topology& topology, const std::string&
   return run_program("census", setup, {{"pairs", pairs}});
 }
 
-// A route of d links passes through d - 1 processors; each link has one lower end.
+// A route of d links passes through d - 1 processors. Each link has one lower end.
 TEST(ProgramsCensus, EveryLinkOfEveryRouteIsCounted) {
   for (unsigned seed = 0; seed < 50; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

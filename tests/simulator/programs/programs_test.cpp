@@ -1,4 +1,4 @@
-// Every program at its defaults, on a small network; experiments check the measurements.
+// Every program with its defaults on a small network. Experiments check the measurements.
 #include "simulator/programs/programs.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ TEST(Programs, MeasureTheColumnsThatTheyDeclare) {
     const bool has_own_test =
         program.name == "deadlock" || program.name == "farm" || program.name == "iirra";
     if (has_own_test) continue;
-    if (needs_a_file(program)) continue;  // see Radiosity
+    if (needs_a_file(program)) continue;  // tested elsewhere, see Radiosity
     std::string declared;
     for (const auto& column : program.columns) declared += column.name + " ";
     const auto measured = occam::isolated([&] {
@@ -87,7 +87,7 @@ TEST(Programs, ProgressiveRefinementTellsItsCyclesSoFar) {
   EXPECT_EQ(told, std::string(told.size(), '+'));
 }
 
-// The start of the sender's link, then the bytes one after the other.
+// The time is the start of the sender's link, then the bytes one after the other.
 TEST(Programs, AMessageTakesItsStartAndItsBytes) {
   const auto model = occam::make_exact_model();
   const auto& message = get_program("message");
@@ -102,7 +102,7 @@ TEST(Programs, AMessageTakesItsStartAndItsBytes) {
   }
 }
 
-// One processor has no link; its only queue is its client's.
+// One processor has no link. Its only queue is that of its client.
 TEST(Programs, ANetworkDeliversToItsSender) {
   const auto model = machine::load_model("t805-25");
   const auto found = occam::isolated_numbers([&] {
@@ -111,10 +111,10 @@ TEST(Programs, ANetworkDeliversToItsSender) {
     return occam::Numbers{get_number(row, "latency_s"), get_number(row, "guards")};
   });
   EXPECT_GT(found.at(0), 0);
-  EXPECT_EQ(found.at(1), 2);  // the queue's: the entry, and the sender becoming free
+  EXPECT_EQ(found.at(1), 2);  // guards of the queue: the entry, and the sender becoming free
 }
 
-// A user's earlier limit ends such a program without numbers; a later one has no effect.
+// A user's earlier limit ends such a program without numbers. A later one has no effect.
 TEST(Programs, WithoutAnEndRunUpToTheirDateOrTheUsersLimit) {
   const auto model = machine::load_model("t805-25");
   const auto& program = get_program("random_traffic");
@@ -240,7 +240,7 @@ TEST(Programs, ParametersKnowWhatTheyAllow) {
   EXPECT_EQ(sources.find("messages")->assign(of_sources, 3), "a whole number from 4 to 10000000");
 }
 
-// [[stage]] of an experiment file.
+// The stages of an experiment file, [[stage]].
 TEST(Programs, LimitsOfAStageKnowWhatTheyAllow) {
   for (const char* name : {"farm", "iirra"}) {
     SCOPED_TRACE(name);

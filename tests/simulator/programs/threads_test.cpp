@@ -7,7 +7,7 @@
 namespace programs {
 namespace {
 
-// A small run's rows and number of events.
+// The rows and the number of events of a small run.
 std::pair<std::vector<Row>, std::uint64_t> run_in_parts(const Program& program,
                                                         const std::string& topology, int threads) {
   static const auto model = machine::load_model("t805-25");

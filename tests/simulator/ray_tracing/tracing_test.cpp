@@ -1,4 +1,4 @@
-// Shared by programs that trace rays: their columns and refusals.
+// Functions that programs which trace rays share: their columns and refusals.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -95,7 +95,7 @@ TEST(Models, EachHasItsWorkersBusyShareAndTasks) {
                 "each"}));
 }
 
-// One pixel in four of a stage's key image is lit; key images of orders do not count.
+// One pixel in four of a stage's key image is lit. Key images of orders do not count.
 TEST(Stages, HaveTheShareOfTheirImagesThatIsLit) {
   Rendering r;
   r.key_images = {{{1}, "stage1", {0, 0, 0, 0, 9, 0, 0, 0, 0, 0, 0, 0}},
@@ -107,7 +107,7 @@ TEST(Stages, HaveTheShareOfTheirImagesThatIsLit) {
   EXPECT_EQ(lit, (std::vector{0.25, 0.75}));
 }
 
-// Data columns: a cell in every column if a key is given, with or without sharing.
+// With a key of [data], every data column has a cell, with or without a distributed scene.
 TEST(DataColumns, AreThereWithAKeyAndEmptyWithoutSharing) {
   const auto row_of = [](bool is_given, bool is_shared) {
     DataFigures figures{.is_given = is_given, .use = {}};

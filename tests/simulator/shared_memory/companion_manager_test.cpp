@@ -28,7 +28,7 @@ struct Done {
 
 using Application = std::function<void(int id, DataManager&)>;
 
-// A line; the first processor serves. With `is_double` the other applications have companions.
+// A line whose first processor serves. With `is_double`, the other applications have companions.
 struct Line {
   Line(const machine::Model& model, bool is_double, Scheme scheme, const Application& application)
       : machine(model), catalogue(make_catalogue(ITEMS, ITEM)) {
@@ -81,8 +81,8 @@ void make_accesses(int id, DataManager& manager) {
   }
 }
 
-// A cache's list is the same before each record arrives; hence local finds agree. This holds even
-// if the list takes much longer than the lookup.
+// A cache's list is the same before each record arrives, so local finds agree. This holds even if
+// the list takes much longer than the lookup.
 TEST(CompanionManager, FindsLocallyWhatOneProcessorFinds) {
   for (const auto scheme : {Scheme::items, Scheme::pages})
     for (const auto& [access, look_up] : {std::pair("8500", "4250"), {"20000", "100"}}) {
@@ -114,7 +114,7 @@ TEST(CompanionManager, FindsLocallyWhatOneProcessorFinds) {
     }
 }
 
-// Accesses arrive faster than the list is ordered: the application waits for room.
+// Accesses arrive faster than the list is sorted, so the application waits for room.
 TEST(CompanionManager, TheQueueOfAccessesHasABound) {
   constexpr int ACCESSES = 300, MOST = 65;
   const auto found = occam::isolated_numbers([] {
@@ -123,7 +123,7 @@ TEST(CompanionManager, TheQueueOfAccessesHasABound) {
     });
     return occam::Numbers{run.done[1].end_s, static_cast<double>(run.done[1].use.accesses())};
   });
-  EXPECT_EQ(found.at(1), ACCESSES);  // plus one requested
+  EXPECT_EQ(found.at(1), ACCESSES);  // and one requested
   EXPECT_GT(found.at(0), (ACCESSES - MOST) * 19'900 / 25e6);
 }
 

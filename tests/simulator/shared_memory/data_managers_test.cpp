@@ -17,7 +17,7 @@ using shared_memory::Level;
 
 constexpr std::uint64_t ITEM = 40;
 
-// Fast managers that check immediately, so that requests meet more often.
+// A model with fast managers that check immediately, so that requests meet more often.
 const machine::Model& model() {
   static const auto quick = machine::override_model(
       "t805-25", {{"operation.data_access", "1000"}, {"software.idle_period", "0"}}, "tests");
@@ -127,8 +127,8 @@ TEST(DataManagers, EveryAccessGetsItsItem) {
   }
 }
 
-// A line: all requests to the coordinator at its end pass the others. The items are few, so that
-// several processors request the same one at once.
+// In a line, all requests to the coordinator at its end pass the other processors. The items are
+// few, so that several processors request the same one at once.
 TEST(DataManagers, PathAndQueueSpareRequests) {
   const auto line = topologies::make_line(7);
   occam::Numbers with(COLUMNS), without_queue(COLUMNS), direct(COLUMNS);
@@ -164,14 +164,14 @@ TEST(DataManagers, ACacheForAllAsksOnce) {
   EXPECT_EQ(n[COLUMNS + LOCAL], 8 * 400);
 }
 
-// The whole cost of a local access: a look at the channel, two data instructions, no message.
+// A local access costs a look at the channel, two data instructions, and no message.
 TEST(DataManagers, ALocalAccessTakesTheCalibratedTime) {
   auto load = make_load(1, 1, 1000);
   load.passes = 2;
   const auto n = measure(topologies::make_line(2), load);
   EXPECT_EQ(n[COLUMNS + LOCAL], 1000);
   const double look = (n[COLUMNS + TIME] * 25e6 - 1000 * 1000) / 1000;
-  EXPECT_GT(look, 30);  // cycles: PRI ALT with two guards
+  EXPECT_GT(look, 30);  // cycles of a PRI ALT with two guards
   EXPECT_LT(look, 200);
 }
 

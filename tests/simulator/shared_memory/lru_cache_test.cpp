@@ -1,4 +1,4 @@
-// The cache, compared with a naive one: a searched list.
+// The LRU cache, compared with a searched list.
 #include "simulator/shared_memory/lru_cache.hpp"
 
 #include <gtest/gtest.h>

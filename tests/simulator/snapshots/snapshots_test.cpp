@@ -34,7 +34,7 @@ struct Display {
   }
 };
 
-// Up to 200 instants on a grid that includes the times of the samples.
+// A display with up to 200 instants on a grid that includes the times of the samples.
 Display random_display(std::mt19937_64& random) {
   std::set<double> times_s;
   for (auto n = 1 + random() % 200; n > 0; --n)
@@ -69,7 +69,8 @@ TEST(Recorder, TakesWhatIsShownAtEachTimeOnce) {
   }
 }
 
-// Equal steps from 0 on, at least as many as asked and less than twice as many; and the end.
+// Samples are in equal steps from 0 on, at least as many as requested and less than twice as many,
+// and at the end.
 TEST(Recorder, FollowsTheGrowthInEqualSteps) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -90,7 +91,7 @@ TEST(Recorder, FollowsTheGrowthInEqualSteps) {
   }
 }
 
-// A picture of 1 x 1 pixel.
+// Durations of a movie whose pictures have 1 x 1 pixel.
 std::vector<int> durations_of_movie(const std::vector<double>& times_s) {
   std::vector<Snapshot> pictures;
   for (const double at_s : times_s) {
@@ -103,7 +104,8 @@ std::vector<int> durations_of_movie(const std::vector<double>& times_s) {
   return test::durations_of_webp(base::read_text(path));
 }
 
-// Each picture lasts in proportion to its time, on a scale that ends at 6 s; the last 2 s more.
+// Each picture lasts in proportion to its time, on a scale that ends at 6 s. The last one lasts 2 s
+// longer.
 TEST(Movie, ShowsPicturesInProportionToTheirTimes) {
   EXPECT_EQ(durations_of_movie({0, 1, 3, 4}), (std::vector{1500, 3000, 1500, 2000}));
   EXPECT_EQ(durations_of_movie({0, 0.02, 0.05}), (std::vector{2400, 3600, 2000}));

@@ -25,7 +25,7 @@ Place place_of(const Tree& element, const char* x, const char* y) {
 
 double distance(const Place& a, const Place& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-// Elements of a drawing: circles by processor; ports by link, the second end's port first.
+// Elements of a drawing: circles by processor; ports by link, that of the second end first.
 struct Drawn {
   std::map<std::string, std::vector<Place>> circles;
   std::map<std::string, std::vector<std::pair<std::string, Place>>> ports;
@@ -49,11 +49,12 @@ Drawn read_drawing(const std::string& svg) {
   return drawn;
 }
 
-// The root has a second circle around its own. A port's number stands beside its processor: its
-// distance from the middle is 0.6 units along the link and 0.16 units across.
+// The root has a second circle around its own. The number of a port stands beside its processor,
+// 0.6 units from its middle along the link and 0.16 units across.
 TEST(Drawing, ShowsTheRootAndWritesPortsBesideTheirProcessors) {
   if (std::system("dot -V 2> /dev/null") != 0) GTEST_SKIP() << "Graphviz is missing";
-  constexpr double UNIT = 36, BASELINE = 2;  // points; from a letter's middle to its foot
+  // in points; BASELINE: from a letter's middle to its foot
+  constexpr double UNIT = 36, BASELINE = 2;
   for (const auto* spec : {"ring:3", "ring:7", "torus:4x4", "tree:7", "star:5", "amp:12"}) {
     SCOPED_TRACE(spec);
     const auto t = make_topology(spec);
@@ -77,7 +78,7 @@ TEST(Drawing, ShowsTheRootAndWritesPortsBesideTheirProcessors) {
   }
 }
 
-// A Bezier curve's midpoint is (a + 3 b + 3 c + d) / 8.
+// The midpoint of a Bezier curve is (a + 3 b + 3 c + d) / 8.
 TEST(Layout, CurvesAreOffTheLineByTheirSwerveHalfWay) {
   std::mt19937 random(1);
   const auto place = [&] {
@@ -120,7 +121,7 @@ TEST(Layout, HasALimit) {
             "(formats dot, graphml and csv have no limit)");
 }
 
-// Sixteen in a row, in as few rows as possible.
+// Up to sixteen processors are in a row, in as few rows as possible.
 TEST(Layout, ALineOfMoreThan16HasRows) {
   for (const auto& [processors, rows] : {std::pair(16, 1), {17, 2}, {32, 2}, {33, 3}}) {
     std::set<double> heights;
@@ -130,7 +131,7 @@ TEST(Layout, ALineOfMoreThan16HasRows) {
   }
 }
 
-// For any size, and any division into rows.
+// This holds for any size, and any division into rows.
 TEST(Layout, NeighboursInARingStandTogether) {
   for (int n = 3; n <= 300; ++n) {
     const auto t = make_ring(n);

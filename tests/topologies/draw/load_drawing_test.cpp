@@ -1,4 +1,4 @@
-// Drawings of load: their elements, read by an XML parser; appearance was judged by eye.
+// Drawings of loads: their elements, read by an XML parser. Their appearance was judged by eye.
 #include "topologies/draw/load_drawing.hpp"
 
 #include <fmt/format.h>
@@ -42,7 +42,7 @@ void find_tips(const Tree& tree, const std::string& of_class, std::vector<std::s
 std::vector<std::string> tips_of(const std::string& svg, const std::string& of_class) {
   std::istringstream in(svg);
   Tree tree;
-  read_xml(in, tree);  // throws if it is not well-formed
+  read_xml(in, tree);  // throws if the text is not well-formed
   std::vector<std::string> tips;
   find_tips(tree, of_class, tips);
   return tips;
@@ -93,7 +93,7 @@ TEST(LoadDrawing, TakesAnyWiringAndAwkwardNames) {
   }
 }
 
-// Positions of the processors' names: the middles of the processors.
+// Positions of the processors' names, which are the middles of the processors.
 void find_names(const Tree& tree, std::map<std::string, Place>& names) {
   for (const auto& [name, child] : tree) {
     if (child.get("<xmlattr>.class", "") == "node processor") {
@@ -104,7 +104,7 @@ void find_names(const Tree& tree, std::map<std::string, Place>& names) {
   }
 }
 
-// Each row's middle is above the root. (y grows downwards in an SVG.)
+// The middle of each row is above the root. (y grows downwards in an SVG.)
 TEST(LoadDrawing, ExtraProcessorsStandInRowsAboveTheRoot) {
   for (const char* spec : {"line:5", "ring:9", "tree:40", "mesh:3x4"}) {
     SCOPED_TRACE(spec);
@@ -164,7 +164,7 @@ TEST(LoadDrawing, MistakesAreNamed) {
   expect("wired to \"database\"", [](Loads& l) { l.extras[0].to = "database"; });
 }
 
-// Room for a circle of three quarters of the unit around each.
+// Each processor has room for a circle of three quarters of a unit.
 TEST(LoadLayout, ProcessorsDoNotTouch) {
   for (const auto& spec : SPECS) {
     const auto places = make_layout(make_topology(spec)).processors;

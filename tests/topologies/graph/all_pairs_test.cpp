@@ -99,7 +99,7 @@ TEST(TopologyOrbits, AreFoundWhereEachProcessorLooksTheSame) {
   EXPECT_EQ(count("amp:9"), 9);
 }
 
-// More pairs than one thread takes; one search covers 64 ends at once.
+// Tests more pairs than one thread takes. One search covers 64 ends at once.
 TEST(TopologyAllPairsOf, LargeNetworksAgreeWithTheirRoutes) {
   for (const unsigned seed : {1U, 2U}) {
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -77,7 +77,7 @@ TEST(TopologyClosedForms, Hypercube) {
 }
 
 // Distances in a tree add up over its links: a link above s processors lies on 2 s (n - s) ordered
-// routes. Nodes of the deepest level go to subtrees in turn: two of them are always far apart.
+// routes. Nodes of the deepest level go to subtrees in turn, so two of them are always far apart.
 TEST(TopologyClosedForms, Tree) {
   for (int n = 2; n <= 60; ++n) {
     const auto t = make_tree(n);
@@ -174,7 +174,7 @@ TEST(TopologyTraffic, AllToAllIsTheBusiestDirectionOfEveryRouteWalked) {
   }
 }
 
-// 0 = 1 - 2: two links between 0 and 1.
+// The topology 0 = 1 - 2 has two links between 0 and 1.
 TEST(TopologyTraffic, ParallelLinksShareAllToAllAndTreesTakeOne) {
   Topology t{"parallel", 3, 0, {}, {}, {}};
   t.links = {{{0, 0}, {1, 0}}, {{1, 1}, {2, 0}}, {{0, 1}, {1, 2}}};

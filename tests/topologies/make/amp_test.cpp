@@ -1,4 +1,5 @@
-// The minimum-path network: its links, its distances compared with the least, reproducibility.
+// The minimum-path network: its links, its distances compared with the least possible,
+// reproducibility.
 #include "topologies/make/amp.hpp"
 #include "tests/topologies/support.hpp"
 #include "topologies/graph/metrics.hpp"
@@ -8,7 +9,8 @@ namespace topologies {
 namespace {
 
 // A lower bound for any network. A processor with d links has at most d others at one link, 3 d at
-// two links, 9 d at three ... The bound is the mean over the processors, with the links they have.
+// two links, 9 d at three, and so on. The bound is the mean over the processors, with the links
+// they have.
 double least_mean_distance(const Topology& t) {
   double sum = 0;
   for (const auto& around : neighbours(t)) {
@@ -29,8 +31,9 @@ TEST(TopologyAmp, HasEveryLinkItsPortsAllowAndThreeAtTheRoot) {
     EXPECT_EQ(static_cast<int>(t.links.size()), (PORTS * n - 1) / 2) << n;
     EXPECT_EQ(neighbours(t)[0].size(), 3u) << n;
   }
-  for (int n = 2; n <= 4; ++n) EXPECT_EQ(mean_distance(make_amp(n)), 1) << n;  // all pairs linked
-  EXPECT_EQ(make_amp(5).links.size(), 9u);                                     // all but one pair
+  // all pairs are linked
+  for (int n = 2; n <= 4; ++n) EXPECT_EQ(mean_distance(make_amp(n)), 1) << n;
+  EXPECT_EQ(make_amp(5).links.size(), 9u);  // all pairs but one are linked
 }
 
 TEST(TopologyAmp, IsNumberedLevelByLevel) {
@@ -62,7 +65,7 @@ TEST(TopologyAmp, IsNeverLongerThanARegularNetworkOfTheSameSize) {
   }
 }
 
-// FNV-1a over the links' numbers.
+// The FNV-1a hash of the links' numbers.
 std::uint64_t hash_of(const Topology& t) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const auto& [a, b] : t.links)

@@ -57,7 +57,7 @@ TEST(TopologyTree, ParentsAreThoseOfFigure421) {
 class TopologyBalance : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(OfArity, TopologyBalance, testing::Values(1, 2, 3));
 
-// Nodes of a level go to parents in turn, and so to ancestors: subtrees stay balanced.
+// Nodes of a level go to parents in turn, and so to ancestors. Subtrees stay balanced.
 TEST_P(TopologyBalance, SiblingsDifferByOneProcessorAtMost) {
   for (int n = 1; n <= 40; ++n) {
     const auto around = neighbours(make_tree(n, GetParam()));

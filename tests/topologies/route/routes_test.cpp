@@ -8,8 +8,8 @@
 namespace topologies {
 namespace {
 
-// Every route reaches its end over existing links, in as many hops as a plain search counts. Each
-// hop takes the lowest port that leads nearer.
+// Expects every route to reach its end over existing links, in as many hops as a breadth-first
+// search counts. Each hop takes the lowest port that leads nearer.
 void expect_valid_routes(const Topology& t) {
   const auto routes = make_routes(t);
   const auto around = neighbours(t);
@@ -31,7 +31,7 @@ void expect_valid_routes(const Topology& t) {
   }
 }
 
-// The same, from all processors to a few.
+// Expects the same of routes from all processors to a few.
 void expect_valid_routes_to(const Topology& t, const std::vector<int>& ends) {
   const auto routes = make_routes(t);
   const auto peers = make_peers(t);
@@ -104,7 +104,7 @@ TEST(TopologyRandomRoutes, OfGridsOnAnyPortsAndWithALinkLost) {
   }
 }
 
-// More ends than a word has bits.
+// There are more ends than a word has bits.
 TEST(TopologyRandomRoutes, OfSomeHundredProcessors) {
   for (unsigned seed = 0; seed < 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -150,7 +150,7 @@ TEST(TopologyRouteRules, MeshGoesNorthThenAlongTheRowThenSouth) {
   EXPECT_EQ(routes.next_port(0, 6), 3);
 }
 
-// Routes hold a link's direction while they wait for the next one: this must not close a cycle.
+// Routes hold a link's direction while they wait for the next one. This must not close a cycle.
 TEST(TopologyRouteRules, MeshAndHypercubeHaveNoCycleOfWaitingLinks) {
   for (const auto* spec : {"mesh:4x5", "mesh:5x3", "hypercube:3", "hypercube:4", "tree:20"}) {
     const auto t = make_topology(spec);

@@ -11,7 +11,8 @@
 namespace topologies {
 namespace {
 
-// Each processor's connected part, named by its lowest processor: the root's part by the root.
+// The connected part of each processor, named by its lowest processor. The root's part is named by
+// the root.
 std::vector<int> find_parts(const Topology& t) {
   std::vector<int> part(t.processors, -1);
   const auto fill = [&](int start) {
@@ -25,7 +26,8 @@ std::vector<int> find_parts(const Topology& t) {
   return part;
 }
 
-// A route exists exactly if a path does; each hop is a link, and their number is as the table says.
+// Expects a route exactly if a path exists. Each hop must be a link, and their number must be that
+// of the table.
 void expect_routes_reach_all(const Topology& t, const RoutingTable& routes) {
   const auto around = neighbours(t);
   for (int to = 0; to < t.processors; ++to) {
@@ -50,11 +52,12 @@ void expect_routes_reach_all(const Topology& t, const RoutingTable& routes) {
   }
 }
 
-// No route goes up after down. Up is nearer to the root, or at equal distance the lower number.
+// Expects that no route goes up after down. Up is nearer to the root, or at equal distance the
+// lower number.
 void expect_up_then_down(const Topology& t, const RoutingTable& routes) {
   const auto around = neighbours(t);
   const auto part = find_parts(t);
-  std::vector<std::pair<int, int>> height;  // descending
+  std::vector<std::pair<int, int>> height;  // in descending order
   for (int p = 0; p < t.processors; ++p) height.emplace_back(plain_distances(t, part[p])[p], p);
   for (int to = 0; to < t.processors; ++to)
     for (int from = 0; from < t.processors; ++from) {
@@ -133,7 +136,7 @@ TEST(TopologyClosesCycle, OfShortestRoutesOnRingsAndTori) {
 }
 
 // Collects all waits between links, of every route and of the tree. Then repeatedly removes links
-// that wait for none; a remainder means a cycle.
+// that wait for none. If links remain, there is a cycle.
 bool closes_cycle_plainly(const Topology& t, const RoutingTable& routes, const TreeLinks& tree) {
   const int n = t.processors;
   const auto peers = make_peers(t);
@@ -200,7 +203,8 @@ TEST(TopologyClosesCycle, OfTheLargest) {
   }
 }
 
-// Messages to all count too: 0, 2, 3, 1 turns from south into the row, which no route does.
+// Broadcasts count too. The tree's path 0, 2, 3, 1 turns from a column into a row, which no route
+// does.
 TEST(TopologyClosesCycle, OfTheTreesLinksToo) {
   const auto t = make_topology("mesh:2x2");
   const auto routes = make_routes(t);
@@ -208,7 +212,7 @@ TEST(TopologyClosesCycle, OfTheTreesLinksToo) {
   EXPECT_TRUE(closes_cycle(t, routes, {{0, 2}, {1, 3}, {2, 3}}));
 }
 
-// Routes between 1 and 3 pass the root, not 2, which is below both; compare promela/network.pml.
+// Routes between 1 and 3 pass the root, not 2, which is below both (compare promela/network.pml).
 TEST(TopologyUpDownRules, RingOfFourTurnsOneRoute) {
   const auto routes = make_up_down_routes(make_topology("ring:4"));
   const std::vector<int> ports_to_3{1, 1, 2, -1};

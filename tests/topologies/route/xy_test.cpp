@@ -52,7 +52,7 @@ TEST(TopologyXyRoutes, GoAlongTheRowFirstAndAreShortest) {
   }
 }
 
-// Hypercubes: the fourth dimension is on port 0, the others on ports 1 to 3.
+// Hypercubes have the fourth dimension on port 0, and the others on ports 1 to 3.
 TEST(TopologyXyRoutes, OfHypercubesCorrectDimensionsByAscendingPort) {
   for (int d = 0; d <= 4; ++d) {
     const auto t = make_topology("hypercube:" + std::to_string(d));

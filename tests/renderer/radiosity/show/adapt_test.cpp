@@ -1,4 +1,4 @@
-// Patches are small if the illumination varies.
+// Adaptive meshes have small patches where the illumination varies.
 
 #include "renderer/radiosity/show/adapt.hpp"
 
@@ -14,8 +14,8 @@ namespace {
 
 constexpr ReconstructionParams BILINEAR{Reconstruction::bilinear};
 
-// A floor of the given width, and a lamp of 2 x 2 at height 3 above its middle. Seen from above:
-// the whole floor, up to 40 x 40.
+// A floor of the given width, and a lamp of 2 x 2 at height 3 above its middle. The view from above
+// shows the whole floor, up to 40 x 40.
 Room make_floor(double width) {
   Room room;
   room.materials = {{"floor", grey(0.5), {}}, {"lamp", grey(0), grey(10)}};
@@ -71,7 +71,7 @@ TEST(Adapt, TheErrorIsWhatIsAskedFor) {
   }
 }
 
-// Rows are halved as the solution requires: they start even, not halved near lights.
+// Rows start even, not halved near lights, and are halved where the solution requires it.
 TEST(Adapt, BeginsWithEvenRows) {
   Room room = make_floor(10);
   for (Vec& corner : room.faces[1].corners) corner.z = 1;
@@ -85,8 +85,8 @@ TEST(Adapt, BeginsWithEvenRows) {
   EXPECT_EQ(adapted.mesh.patches.size(), even.patches.size());
 }
 
-// Patches of a face meet at their corners: their areas sum to the face's. Every edge is in two
-// patches on opposite sides, or in one if it is on the border.
+// Patches of a face meet at their corners, so their areas sum to that of the face. Every edge is in
+// two patches on opposite sides, or in one if it is on the border.
 TEST(Adapt, PatchesOfAFaceMeetAtTheirCorners) {
   const Mesh mesh = adapt_mesh(make_floor(10), {}, BILINEAR, {0.05}).mesh;
   double area = 0;
@@ -105,7 +105,7 @@ TEST(Adapt, PatchesOfAFaceMeetAtTheirCorners) {
   }
 }
 
-// A block stands on the floor: the floor is cut at its foot at any fineness.
+// A block stands on the floor, which is cut at the block's foot at any fineness.
 TEST(Adapt, FeetStayContacts) {
   for (const double width : {4.0, 400.0}) {
     Room room = make_floor(width);
@@ -129,7 +129,7 @@ TEST(Adapt, FeetStayContacts) {
   }
 }
 
-// With the light out of view, no patch is halved.
+// If the light is out of view, no patch is halved.
 TEST(Adapt, OnlyWhatThePictureShowsCounts) {
   Room room = make_floor(10);
   const std::size_t seen = adapt_mesh(room, {}, BILINEAR, {0.02}).mesh.patches.size();
@@ -139,7 +139,7 @@ TEST(Adapt, OnlyWhatThePictureShowsCounts) {
   EXPECT_GT(seen, 20 * turned.mesh.patches.size());
 }
 
-// Over a mirror that reflects half of each colour, hence a quarter of the square.
+// The floor is seen over a mirror that reflects half of each colour, hence a quarter of the square.
 TEST(Adapt, SharesAreOfThePictureAndOfItsSquare) {
   Room room = make_floor(10);
   room.materials.push_back({"glass", grey(0.5), {}});
@@ -148,7 +148,7 @@ TEST(Adapt, SharesAreOfThePictureAndOfItsSquare) {
   double all = 0;
   const Mesh straight = make_mesh(room, {});
   for (const Rgb& share : find_shares(straight, room.view, picture)) all += share.r;
-  EXPECT_NEAR(all, 0.96, 1e-12);  // the lamp's back, 2 x 2 of 10 x 10, is black
+  EXPECT_NEAR(all, 0.96, 1e-12);  // the back of the lamp, 2 x 2 of 10 x 10, is black
   add_quad(room, 2, {-5, -5, 900}, {0, 10, 0}, {10, 0, 0});  // faces down
   room.view.from = {0, 0, 0.5};
   room.view.at = {0, 0, 1};
@@ -156,7 +156,7 @@ TEST(Adapt, SharesAreOfThePictureAndOfItsSquare) {
   all = 0;
   const Mesh mirrored = make_mesh(room, {});
   for (const Rgb& share : find_shares(mirrored, room.view, picture)) all += share.r;
-  EXPECT_NEAR(all, 1, 1e-12);  // the lamp, 2.5 above
+  EXPECT_NEAR(all, 1, 1e-12);  // includes the lamp, 2.5 above
   room.view.from = {3, 0, 0.5};
   room.view.at = {3, 0, 1};
   all = 0;
@@ -171,7 +171,7 @@ TEST(Adapt, EndsWhereNothingButLampsIsLit) {
   EXPECT_EQ(adapt_mesh(room, {}, BILINEAR, {0.01}).rounds, 0);
 }
 
-// Other content of a room: a mirror, a crease, a triangle, a two-sided face.
+// The room has a mirror, a crease, a triangle and a two-sided face.
 TEST(Adapt, TakesAnyRoom) {
   for (const Reconstruction kind : {Reconstruction::bilinear, Reconstruction::bicubic}) {
     Room room = make_floor(6);

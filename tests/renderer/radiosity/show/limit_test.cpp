@@ -35,7 +35,7 @@ Limits find_range(const Mesh& mesh, std::span<const Rgb> values, const Patch& pa
   return range;
 }
 
-// True if limit_change() keeps a change: its three rules, within a tolerance.
+// True if limit_change() keeps a change by one of its three rules, within a tolerance.
 bool is_kept(double change, double value, double whole, double there) {
   constexpr double TINY = 1e-9;
   const double bend = whole - change, other_bend = there - whole;
@@ -97,8 +97,8 @@ TEST(Limit, SurfacesStayNearTheIlluminationAroundThem) {
   EXPECT_GT(beyond_without, 0);
 }
 
-// Light on one side of a line of vertices, shadow on the other. A surface that follows only the
-// slopes dips below the shadow and overshoots the light.
+// One side of a line of vertices is lit, the other in shadow. A surface that follows only the
+// slopes would dip below the shadow and overshoot the light.
 TEST(Limit, NothingSwingsBesideALeap) {
   double swung = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -144,7 +144,7 @@ TEST(Limit, LeavesSmoothSurfacesAlone) {
   }
 }
 
-// A vertex used for two corners of a patch lights both of them.
+// A vertex that is two corners of a patch lights both of them.
 TEST(Limit, PatchesWithTheSameVertexTwiceAreWhollyLit) {
   for (std::size_t corner = 0; corner < 4; ++corner) {
     Mesh mesh;

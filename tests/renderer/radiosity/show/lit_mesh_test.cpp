@@ -1,4 +1,4 @@
-// Patches and penumbrae are fine near concentrated light: make_lit_mesh(), Room::fine_shadows.
+// Fine patches and penumbrae near concentrated light: make_lit_mesh() and Room::fine_shadows.
 
 #include <gtest/gtest.h>
 
@@ -48,7 +48,7 @@ TEST(LitMesh, IsFinerWhereLightIsConcentrated) {
   const LightParams light = make_light();
   const AdaptedMesh adapted = make_lit_mesh(room, light);
   const Mesh even = make_mesh(room, light.mesh);
-  const auto count = [](const Mesh& mesh) {  // of the ceiling and of the floor
+  const auto count = [](const Mesh& mesh) {  // counts patches of the ceiling and of the floor
     std::array<std::size_t, 2> counts{};
     for (const Patch& patch : mesh.patches)
       if (patch.normal.z == -1 && patch.centre.z > 2.39)
@@ -91,7 +91,7 @@ TEST(LitMesh, IsMakeMeshsUnlessAsked) {
   check_plain();
 }
 
-// Behind a slit a vertex sees a part of the lamp; single rays do not measure its size.
+// Behind a slit, a vertex sees a part of the lamp, whose size single rays do not measure.
 TEST(FineShadows, LightBehindASlitHasNoStreaks) {
   Room room = make_room(SLIT);
   const Mesh mesh = make_mesh(room, {});

@@ -1,4 +1,4 @@
-// The patch at a point of a face.
+// Location of the patch at a point of a face.
 #include "renderer/radiosity/show/locate.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace radiosity::test {
 namespace {
 
-// A convex quad: corners in order on a circle, squeezed and turned; a side may have no length.
+// A convex quad: a circle with four corners, squeezed and turned. A side may have no length.
 std::array<Corner, 4> make_quad(Random& random) {
   std::array<double, 4> angles;
   for (double& a : angles) a = random.range(0, 2 * std::numbers::pi);
@@ -73,7 +73,7 @@ TEST(Locate, EveryPointOfEverySideIsOnItsPatch) {
         const auto& side = get_side(sides, object, back);
         ASSERT_EQ(side.kind == radiosity::Side::Kind::nothing, back && !face.two_sided);
         for (int i = 0; i < 200 && side.kind == radiosity::Side::Kind::patches; ++i) {
-          // Some of them lie on the corners and edges.
+          // Some points lie on corners and edges.
           Vec point;
           double sum = 0;
           for (const Vec& corner : face.corners) {

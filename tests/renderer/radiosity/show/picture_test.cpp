@@ -45,7 +45,7 @@ TEST(TracePicture, DoesNotDependOnTheMesh) {
   }
 }
 
-// The mirror at x = 1 shows 2 - x for x; between two facing mirrors a ray continues.
+// The mirror at x = 1 shows 2 - x for x. Between two facing mirrors, a ray continues.
 TEST(TracePicture, MirrorsShowTheMirroredRoom) {
   Room room = make_cube(3);
   room.view.at = {1, 0.4, 0.2};
@@ -88,7 +88,7 @@ TEST(TracePicture, BacksAreBlackAndHideUnlessThereIsASecondFace) {
   for (const int what : {0, 1, 2, 3}) {
     Room room = make_cube(2);
     room.view = {{0.5, 0.5, 0.9}, {0.5, 0.5, 0}, {0, 1, 0}, 60, 0, 8, 8};
-    // Perpendicular to the view, facing away; slightly slanted, so that rounding matters.
+    // A quad perpendicular to the view, facing away; slightly slanted, so that rounding matters.
     const std::vector<Vec> front = {
         {0, 0.01, 0.3}, {0.02, 1, 0.41}, {1, 0.99, 0.43}, {0.98, 0, 0.32}};
     const Vec n = normalize(eval_area_normal(front));
@@ -142,12 +142,13 @@ TEST(TracePicture, ImpossibleParametersAreErrors) {
   EXPECT_THROW(renderer::make_image_plane({{1, 2, 3}, {1, 2, 3}}), base::BadInput);
 }
 
-// Equal sample points: pixels differ only if rounding decides which of two faces is hit.
+// Sample points are equal, so pixels differ only where rounding decides which of two faces is hit.
 TEST(PreviewPicture, IsTheTracedPicture) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Random random{seed};
     Room room = make_cube(3);
-    // Inside the cube: the division of a wall it passes through would not be parallelograms only.
+    // Keeps the object inside the cube, since a wall that it crosses would have patches other than
+    // parallelograms.
     const Vec a = random.point(0.08) + Vec{0.5, 0.5, 0.5};
     const Vec b = 0.2 * random.direction(), c = 0.2 * random.direction();
     room.faces.push_back(make_face({a, a + b, a + b + c, a + c}, 4, 5));
@@ -173,7 +174,7 @@ TEST(PreviewPicture, IsTheTracedPicture) {
   }
 }
 
-// The room is seen from outside, and past corners behind the eye.
+// The room is seen from outside, with corners behind the eye.
 TEST(PreviewPicture, MirrorsAreAsGreyAsTheRoom) {
   Room room = make_cube(4);
   room.faces[4].material = 1;

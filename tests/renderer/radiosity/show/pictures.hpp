@@ -16,7 +16,8 @@ inline Face make_face(std::vector<Vec> corners, int along = 1, int across = 1) {
   return face;
 }
 
-/// Materials 0 (diffuse, emits) and 1 (a mirror with a different reflectance for each colour).
+/// A room with material 0 (diffuse, emits) and 1 (a mirror with a different reflectance for each
+/// colour).
 inline Room make_empty_room() {
   Room room;
   room.materials = {{"wall", {0.5, 0.5, 0.5}, {1, 1, 1}, false},
@@ -59,7 +60,7 @@ inline Room make_furnished_cube(int divide) {
   return room;
 }
 
-/// A radiosity linear in space, so that any patch reproduces it; positive in the unit cube.
+/// A radiosity linear in space, which any patch reproduces; positive in the unit cube.
 inline Rgb eval_linear(const Vec& p) {
   return {1 + p.x, 2 + p.y - 0.5 * p.z, 1.5 - 0.3 * p.x + p.z};
 }

@@ -30,7 +30,8 @@ TEST(ReconstructError, FallsWithTheThirdPowerOfTheStepBilinearWithTheSecond) {
   for (const Twist twist : {Twist::zero, Twist::estimated})
     for (const bool inside : {true, false}) {
       const ReconstructionParams params = make_unlimited(twist);
-      // Without twists the mixed term, second order in the step like its basis, is missing.
+      // Without twists, the mixed term is missing. Like its basis, it is of second order in the
+      // step.
       const double expected = twist == Twist::estimated ? 6 : 3.5;
       EXPECT_GT(find(8, params, inside) / find(16, params, inside), expected);
       EXPECT_GT(find(16, params, inside) / find(32, params, inside), expected);
@@ -39,8 +40,8 @@ TEST(ReconstructError, FallsWithTheThirdPowerOfTheStepBilinearWithTheSecond) {
     EXPECT_NEAR(find(n, BILINEAR, true) / find(2 * n, BILINEAR, true), 4, 0.7);
 }
 
-// The irradiance of the wall z = 0 at a point, from a square emitter with the half axes a and b; by
-// the midpoint rule.
+// The irradiance of the wall z = 0 at a point, by the midpoint rule, from a square emitter with the
+// half axes a and b.
 double eval_irradiance(const Vec& at, const Vec& centre, const Vec& a, const Vec& b) {
   constexpr int N = 24;
   const Vec n = cross(a, b);
@@ -63,7 +64,7 @@ TEST(ReconstructError, OfASquareEmitterOn3x3PatchesIsAtMostAThirdOfBilinear) {
   const auto bicubic = reconstruct(mesh, values, BICUBIC);
   EXPECT_LT(find_error(mesh, bicubic, facing, {}, 9),
             find_error(mesh, reconstruct(mesh, values, BILINEAR), facing, {}, 9) / 3);
-  // The thesis's peak was 5.7 % low; the bilinear one is 9 % low here.
+  // The thesis's peak was 5.7 % too low. Bilinear interpolation is 9 % too low here.
   EXPECT_NEAR(eval_illumination(bicubic, 4, 0.5, 0.5).r, peak, 0.03 * peak);
 }
 

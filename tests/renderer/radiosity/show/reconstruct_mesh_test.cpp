@@ -1,4 +1,4 @@
-// The illumination between vertices on meshes other than grids: polygons, several faces, curved
+// Illumination between vertices on meshes other than grids: polygons, several faces, curved
 // surfaces, creases.
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ Mesh mesh_of(const std::vector<Face>& faces) {
   return make_mesh(room, {});
 }
 
-// The largest gap between patches with a common edge, by place.
+// The largest gap between patches with a common edge, found by position.
 double find_largest_gap(const Mesh& mesh, const Illumination& b, Random& random) {
   using Key = std::array<double, 3>;
   const auto key = [&](std::uint32_t v) {
@@ -121,7 +121,7 @@ TEST(ReconstructMesh, FacesThatShareVerticesAreOneSurface) {
   EXPECT_LT(find_error(mesh, smooth, quadratic), 1e-9);
 }
 
-// Random values, equal at equal places.
+// Random values, equal at equal positions.
 std::vector<Rgb> make_values(const Mesh& mesh, Random& random) {
   std::map<std::array<double, 3>, Rgb> by_place;
   return take(mesh, [&](const Vec& at) {
@@ -149,7 +149,7 @@ TEST(ReconstructMesh, CreasesLeaveNoGapsWhereverTheyCrossTurnAndEnd) {
   }
 }
 
-// A roof with its ridge on a line; other creases have no effect.
+// A roof has its ridge on a crease. Other creases have no effect.
 TEST(ReconstructMesh, AFunctionThatBreaksAtACreaseIsExact) {
   for (const bool creased : {true, false}) {
     Random random{3};
@@ -177,18 +177,18 @@ TEST(ReconstructMesh, AFunctionThatBreaksAtACreaseIsExact) {
   }
 }
 
-// Facets with the normals of a cylinder: equal to the unrolled plane.
+// Facets have the normals of a cylinder. The result equals that on the unrolled plane.
 TEST(ReconstructMesh, ACylinderIsAsGoodAsItsPlane) {
   Random random{2};
   const auto u = make_lines(6), v = make_lines(3, &random);
-  const double half = 1.0 / 6;  // of the angle of a facet
+  const double half = 1.0 / 6;  // half angle of a facet
   const auto round = [&](double a, double b) {
     const Vec normal{std::cos(2 * a), std::sin(2 * a), 0};
     const Vec at = normal + Vec{0, 0, b};
     return Vertex{at, at, normal, 0, 0};
   };
   const auto rolled_out = [&](double a, double b) {
-    const Vec at{2 * a * std::sin(half) / half, b, 0};  // chords for arcs
+    const Vec at{2 * a * std::sin(half) / half, b, 0};  // replaces arcs by chords
     return Vertex{at, at, {0, 0, 1}, 0, 0};
   };
   const Mesh cylinder = make_grid(u, v, round), plane = make_grid(u, v, rolled_out);

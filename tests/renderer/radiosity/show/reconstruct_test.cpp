@@ -1,4 +1,4 @@
-// The illumination between vertices: functions it reproduces, its smoothness and accuracy.
+// Illumination between vertices: functions that it reproduces, its smoothness and accuracy.
 
 #include "renderer/radiosity/show/reconstruct.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 using namespace grids;
 
 constexpr Twist TWISTS[] = {Twist::zero, Twist::diagonal, Twist::estimated};
-// Eq 3.1 literally, matrix by matrix.
+// Evaluates Eq 3.1 literally, matrix by matrix.
 TEST(Hermite, IsTheProductOfEq31) {
   constexpr double M[4][4] = {{2, -2, 1, 1}, {-3, 3, -2, -1}, {0, 0, 1, 0}, {1, 0, 0, 0}};
   Random random{1};
@@ -95,7 +95,7 @@ TEST(Reconstruct, QuadraticFunctionsAreExactOnParallelLines) {
 }
 
 // The largest gaps of value and slope between two patches, at random points of their common edges.
-// The corners of the nu x nv patches of the grid all begin at the same place.
+// The corners of the grid's nu x nv patches all begin at the same place.
 struct Gaps {
   double value = 0, slope = 0;
 };
@@ -133,7 +133,7 @@ TEST(Reconstruct, IsC1AcrossInnerBorders) {
     }
     const auto gaps = find_gaps(mesh, reconstruct(mesh, values, BILINEAR), 5, random);
     EXPECT_LT(gaps.value, 1e-12);
-    EXPECT_GT(gaps.slope, 0.1);  // the Mach bands
+    EXPECT_GT(gaps.slope, 0.1);  // this discontinuity causes Mach bands
   }
 }
 
@@ -152,7 +152,8 @@ TEST(Reconstruct, WithDiagonalTwistsIsC1OnEvenGridsOnly) {
   EXPECT_LT(find(uneven).value, 1e-12);
 }
 
-// Two grids without common vertices meet in a line: equal values there, different slopes across.
+// Two grids without common vertices meet in a line, with equal values and different slopes across
+// it.
 TEST(Reconstruct, IsC0ButNotC1AcrossCreases) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -179,8 +180,8 @@ TEST(Reconstruct, IsC0ButNotC1AcrossCreases) {
   }
 }
 
-// Nearly coincident lines, as creases make them: the slope across the narrow strip must not affect
-// the wide patches.
+// Creases may make lines almost coincide. The slope across the narrow strip must not affect the
+// wide patches.
 TEST(Reconstruct, SmallErrorsOnNarrowPatchesStaySmall) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

@@ -14,7 +14,7 @@ using namespace grids;
 
 constexpr ReconstructionParams BOUNDED{Reconstruction::bicubic, Twist::estimated};
 
-// A square of 2 x 2 in some plane, cut along u = 1; the halves have different divisions there.
+// A square of 2 x 2 in some plane, cut along u = 1 into halves with different divisions there.
 struct Halves {
   Surface plane;
   Room room;
@@ -73,7 +73,7 @@ TEST(Seams, HaveNoGapsAndKeepLinearFunctions) {
       SCOPED_TRACE(testing::Message() << left << " and " << right << ", seed " << seed);
       Random random{seed};
       Halves halves(random, left, right);
-      if (seed % 2 == 0)  // across the cut, between vertices
+      if (seed % 2 == 0)  // a crease across the cut, between vertices
         halves.room.creases.push_back({halves.plane(0, 0.86).at, halves.plane(2, 0.86).at});
       const Mesh mesh = make_mesh(halves.room, {});
       auto values = make_colours(random, mesh.vertices.size());
@@ -89,7 +89,8 @@ TEST(Seams, HaveNoGapsAndKeepLinearFunctions) {
     }
 }
 
-// Three coplanar faces whose seams meet in a T: the shorter seam contains an end of the longer.
+// The seams of three coplanar faces meet in a T: the shorter seam contains an end of the longer
+// one.
 TEST(Seams, ThatMeetInATHaveNoGaps) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

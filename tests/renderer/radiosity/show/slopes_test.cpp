@@ -17,7 +17,7 @@ std::vector<Slopes<Rgb>> find(const Mesh& mesh, std::span<const Rgb> values) {
   return find_slopes(mesh, make_fans(mesh), values);
 }
 
-// A patch's edge from a corner to the next one.
+// An edge of a patch, from a corner to the next one.
 struct Edge {
   Vec at, to;
 };
@@ -26,7 +26,7 @@ Edge find_edge(const Mesh& mesh, std::uint32_t patch, std::uint32_t corner) {
   return {mesh.vertices[corners[corner]].at, mesh.vertices[corners[(corner + 1) % 4]].at};
 }
 
-// A cylinder of facets, with the cylinder's normals; u runs around it and v up.
+// A cylinder of facets with the cylinder's normals; u runs around it and v up.
 Vertex place_on_cylinder(double u, double v) {
   const double angle = 0.3 + 2 * u;
   const Vec normal{std::cos(angle), std::sin(angle), 0};
@@ -48,8 +48,8 @@ TEST(Slopes, OfAnEvenGridAreCentralDifferences) {
   }
 }
 
-// Figures 3.3 and 3.4 literally: in space, B along the geometric normal; each plane's normal N_i;
-// their mean.
+// Follows figures 3.3 and 3.4 literally: in space, B along the geometric normal; the normal N_i of
+// each plane; their mean.
 TEST(Slopes, AreTheMeanOfTheNormalsOfFigure34) {
   Random random{2};
   const Mesh mesh = make_grid(make_lines(2), make_lines(2), make_plane(random));
@@ -79,7 +79,7 @@ TEST(Slopes, AlongAnEdgeAreEq37TimesItsLengthOnFlatAndCurvedSurfaces) {
         const Edge edge = find_edge(mesh, p, c);
         const Vec d = edge.to - edge.at, ng = mesh.vertices[v].normal;
         const Vec ni = normalize(ng - red(slopes[v]));
-        const Vec across = normalize(cross(ng, d));  // of the plane of N_g and d
+        const Vec across = normalize(cross(ng, d));  // normal of the plane of N_g and d
         const Vec nid = ni - dot(ni, across) * across;
         const Vec n = cross(cross(ni, ng), ng);
         const double sign = dot(n, d) < 0 ? -1 : 1;
@@ -89,7 +89,7 @@ TEST(Slopes, AlongAnEdgeAreEq37TimesItsLengthOnFlatAndCurvedSurfaces) {
   }
 }
 
-// Figure 3.7: the function falls from left to right, for any directions of the patches' edges.
+// Figure 3.7: the function falls from left to right, whatever the directions of the patches' edges.
 TEST(Slopes, RiseInOneHalfSpaceAndFallInTheOther) {
   const Mesh mesh = make_grid(make_lines(6), make_lines(2), place_on_cylinder);
   std::vector<Rgb> values;
@@ -127,13 +127,13 @@ TEST(Slopes, AtBordersAreTheParabolas) {
     EXPECT_NEAR(slope(0), 2 * (b(1) - b(0)) - slope(1), 1e-12);
     EXPECT_NEAR(slope(3), 2 * (b(3) - b(2)) - slope(2), 1e-12);
   }
-  // In the other direction both ends are borders: a straight line.
+  // In the other direction both ends are borders, so the function is a straight line.
   const Vec up = mesh.vertices[4].at - mesh.vertices[0].at;
   for (std::uint32_t v = 0; v < 8; ++v)
     EXPECT_NEAR(along(slopes[v], up).r, values[v % 4 + 4].r - values[v % 4].r, 1e-12);
 }
 
-// The other side of a crease, with other patches, therefore has the same slope.
+// The slope on the other side of a crease, with other patches, is therefore the same.
 TEST(Slopes, AlongAStraightBorderDependOnItsVerticesOnly) {
   Random random{5};
   const auto plane = make_plane(random, true);
@@ -155,7 +155,7 @@ TEST(Slopes, AlongAStraightBorderDependOnItsVerticesOnly) {
               1e-12);
 }
 
-// Slopes that only turn with the surface do not change; mixed derivatives are zero.
+// Slopes that only turn with the surface do not change, so mixed derivatives are zero.
 TEST(Twists, DoNotMistakeTheTurnOfACurvedSurfaceForAChange) {
   const auto helix = [](double u, double v) { return place_on_cylinder(u + v / 3, v); };
   const Mesh mesh = make_grid(make_lines(4), make_lines(4), helix);
@@ -175,7 +175,7 @@ TEST(Twists, DoNotMistakeTheTurnOfACurvedSurfaceForAChange) {
 TEST(Fans, TellVerticesInsideFromBordersAndCorners) {
   Random random{4};
   Mesh mesh = make_grid(make_lines(3), make_lines(2), make_plane(random), &random);
-  mesh.vertices.emplace_back();  // without patches
+  mesh.vertices.emplace_back();  // a vertex without patches
   const Fans fans = make_fans(mesh);
   for (std::uint32_t v = 0; v < 12; ++v) {
     const bool side = v % 4 == 0 || v % 4 == 3, end = v / 4 != 1;

@@ -10,14 +10,15 @@
 namespace machine {
 namespace {
 
-// By date; at equal dates `first` events come first; within each kind in order of scheduling.
+// Events are in order of time. At equal times, `first` events precede the others; each kind is in
+// order of scheduling.
 TEST(Events, ComeByDateAndThenAsTheyWereAskedFor) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937_64 random{seed};
     struct Asked {
       double date;
-      bool is_other;  // not scheduled as first
+      bool is_other;  // scheduled normally, not as `first`
       int number;
       auto operator<=>(const Asked&) const = default;
     };
@@ -38,7 +39,7 @@ TEST(Events, ComeByDateAndThenAsTheyWereAskedFor) {
   }
 }
 
-// Actions scheduled as soon run after the event, in order, including those scheduled meanwhile.
+// Actions scheduled with `soon` run after the event, in order, including those scheduled meanwhile.
 // None runs after a stop.
 TEST(Events, WhatIsAskedForSoonComesUntilAStop) {
   struct Trial {

@@ -1,4 +1,4 @@
-// Possible end dates of messages on a link: the rate changes when another message comes.
+// Bounds on the end times of messages on a link, whose rate changes when another message comes.
 #include "simulator/machine/carriers/forecast.hpp"
 
 #include <gtest/gtest.h>
@@ -85,7 +85,7 @@ TEST(Forecast, TellsTheBoundsOfAMessageThatEnds) {
   }
 }
 
-// Near one second a double resolves 10^-16 s, near ten days 10^-10 s.
+// Near one second a double resolves 10^-16 s; near ten days, 10^-10 s.
 TEST(Forecast, BoundsHaveRoomForTheRoundingOfLateDates) {
   for (const double start_s : {0., 1e3, 1e6}) {
     Forecast forecast;
@@ -100,8 +100,8 @@ TEST(Forecast, BoundsHaveRoomForTheRoundingOfLateDates) {
   }
 }
 
-// Changes SimGrid's factor for all bandwidths behind the machine's back. SimGrid then moves
-// a message of 100 bytes at half of 2^20 bytes/s, or at a tenth more.
+// Changes SimGrid's factor for all bandwidths without the machine's knowledge. SimGrid then moves a
+// message of 100 bytes at half of 2^20 bytes/s, or at a tenth more.
 TEST(Forecast, SimGridMustKeepIt) {
   if (occam::engine_under_test().links == Links::direct) GTEST_SKIP() << "there is no SimGrid";
   for (const double factor : {0.5, 1.1}) {

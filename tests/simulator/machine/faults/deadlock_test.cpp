@@ -1,4 +1,4 @@
-// The report of a deadlock: each process's wait, the processes it waits for, and the cycle.
+// The report of a deadlock: the wait of each process, the processes it waits for, and the cycle.
 #include "tests/simulator/machine/failures.hpp"
 
 namespace occam {
@@ -10,7 +10,7 @@ std::string deadlock_at(Cycles cycle) {
 
 TEST(Deadlock, NamesProcessesAndChannels) {
   const Model costs = make_exact_model();
-  // Each of two processes waits for the other's input.
+  // Each of two processes waits for the other to input.
   for (auto priority : BOTH_PRIORITIES)
     expect_failure(deadlock_at(2 * costs.channel.blocked),
                    {"deadlock at 0.000002 s", "\n  Alice on cpu 0 waits for out on soft 0",
@@ -53,13 +53,13 @@ TEST(Deadlock, OfALinkNamesItsEnds) {
                  });
 }
 
-// Processes on a ring of processors pass a token round, each taking it from its predecessor; then
-// all wait for it again.
+// Processes on a ring of processors pass on a token, each taking it from its predecessor. Then all
+// wait for it again.
 void deadlock_ring(Lab& lab, int n) {
   std::vector<Processor*> cpus{&lab.cpu()};
   for (int i = 1; i < n; ++i) cpus.push_back(&lab.neighbour(*cpus.back()));
   if (n > 2) lab.machine.connect(*cpus.back(), *cpus.front());
-  std::vector<Channel<Words>*> ring;  // ring[i]: from i to the next
+  std::vector<Channel<Words>*> ring;  // ring[i] leads from i to the next
   for (int i = 0; i < n; ++i) ring.push_back(&lab.hard(*cpus[i], *cpus[(i + 1) % n]));
   for (int i = 0; i < n; ++i)
     cpus[i]->start(fmt::format("P{}", i), BOTH_PRIORITIES[i % 2], [=] {
@@ -88,7 +88,7 @@ TEST(Deadlock, NamesTheCycleAcrossProcessors) {
   EXPECT_TRUE(five.ends_with("\n  the cycle: P0 -> P4 -> P3 -> P2 -> P1 -> P0")) << five;
 }
 
-// A process outside the cycle waits too: the report names it, but not in the cycle.
+// A process outside the cycle waits too. The report names it, but not in the cycle.
 TEST(Deadlock, CycleLeavesOutWhoOnlyWaitsForIt) {
   const auto report = failure_of([](Lab& lab) {
     Processor& cpu = lab.cpu();
@@ -175,7 +175,7 @@ TEST(Deadlock, OfABranchAndItsParent) {
   EXPECT_TRUE(report.ends_with("\n  the cycle: parent -> branch -> parent")) << report;
 }
 
-// Abandoned timers do not postpone the date.
+// Abandoned timers do not postpone the time of the deadlock.
 TEST(Deadlock, IsFoundAtTheLastThingThatHappened) {
   const auto alt = make_exact_model().alternative;
   const auto report = failure_of([&](Lab& lab) {

@@ -59,7 +59,7 @@ TEST(LinkFailure, EndsAWaitForThePartner) {
       }
 }
 
-// The transfer starts at `blocked` and would take 16 cycles a byte.
+// The transfer starts at `blocked` and would take 16 cycles per byte.
 TEST(LinkFailure, EndsATransferThatNobodyGets) {
   for (auto writer : BOTH_PRIORITIES)
     for (auto reader : BOTH_PRIORITIES) {
@@ -90,7 +90,7 @@ TEST(LinkFailure, EndsAMessageInALinkSwitch) {
   EXPECT_EQ(found, (Numbers{0, just_begun, 0, just_begun, just_begun, 0, 0, 9, 9, 0, 0, 1}));
 }
 
-// A transfer that ends before the cut is whole: `blocked` and 16 cycles a byte.
+// A transfer that ends before the cut is complete: `blocked` and 16 cycles per byte.
 TEST(LinkFailure, ComesTooLateForWhatHasArrived) {
   const double end = blocked() + 16 * 100;
   const std::vector<Try> tries{{true, Priority::high, Side::writer, 0, 100},
@@ -124,8 +124,8 @@ TEST(LinkFailure, BetweenTheTwoEndsOfAMeeting) {
   }
 }
 
-// The first is ahead of the clock at the cut, and the second comes in between: each fails at its
-// own time.
+// The first process is ahead of the clock at the cut, and the second comes in between. Each fails
+// at its own time.
 TEST(LinkFailure, IsToldThoughThePartnerIsAheadOfTheClock) {
   for (auto first : {Side::writer, Side::reader})
     for (auto priority : BOTH_PRIORITIES) {
@@ -154,7 +154,7 @@ TEST(LinkFailure, OfAVariantProtocolIsTheSameInBothItsParts) {
   }
 }
 
-// The DMA takes 1/32 of the cycles up to the cut; then the writer wakes.
+// The DMA takes 1/32 of the cycles up to the cut. Then the writer wakes.
 TEST(LinkFailure, GivesTheCyclesOfTheDmaBack) {
   const Model model = make_stealing_model();
   constexpr std::int64_t cycles = 20'000, moves = 3200;
@@ -183,7 +183,7 @@ TEST(LinkFailure, GivesTheCyclesOfTheDmaBack) {
                 ROUNDING);
 }
 
-// Nothing happens after the end of the run or its limit; a second cut has no effect.
+// Nothing happens after the end of the run or its limit. A second cut has no effect.
 TEST(LinkFailure, IsToldOnceAndNotAfterTheEnd) {
   const auto run = [](double cut, double end, double limit) {
     return isolated_numbers([=] {

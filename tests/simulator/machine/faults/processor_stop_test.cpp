@@ -11,7 +11,7 @@ namespace {
 
 constexpr double STOP = 5000;  // cycles
 
-// Two joined processors; the second stops.
+// Two joined processors, the second of which stops.
 struct StoppedPair {
   StoppedPair() {
     lab.machine.connect(a, b);
@@ -30,7 +30,7 @@ auto computing(std::int64_t cycles, double& end) {
   };
 }
 
-// The processor is busy before and idle after; the others continue to their end.
+// The processor is busy before the stop and idle after it. The others continue to their end.
 TEST(ProcessorStop, EndsWhatItComputes) {
   for (auto priority : BOTH_PRIORITIES)
     for (std::int64_t elsewhere : {0, 20'000}) {
@@ -50,7 +50,8 @@ TEST(ProcessorStop, EndsWhatItComputes) {
     }
 }
 
-// A high-priority process pre-empts the low one, or the return to the low one is in progress.
+// The stop comes while a high-priority process pre-empts the low one, or while the CPU returns to
+// it.
 TEST(ProcessorStop, CountsASwitchUpToTheInstant) {
   const auto& s = make_exact_model().scheduler;
   const auto there = s.preemption.value, back = s.return_to_low.value;
@@ -117,7 +118,7 @@ TEST(ProcessorStop, CutsItsLinks) {
         }
 }
 
-// Its soft channels and PARs stand still, and that is not a deadlock.
+// Its soft channels and PARs stand still, which is not a deadlock.
 TEST(ProcessorStop, ItsProcessesStayWhereTheyAre) {
   const auto found = isolated_numbers([] {
     StoppedPair pair;
@@ -193,7 +194,7 @@ TEST(ProcessorStop, MayBeAfterTheEnd) {
   EXPECT_EQ(found, (Numbers{4000, 0, 0, 4000}));
 }
 
-// DMA has delayed the dispatch of a process that the stop then ends: the run does not last longer.
+// DMA has delayed the dispatch of a process that the stop then ends. The run does not last longer.
 TEST(ProcessorStop, EndsWhatDmaHasDelayed) {
   const auto ends = [](std::int64_t steal_word) {
     return isolated_numbers([&] {

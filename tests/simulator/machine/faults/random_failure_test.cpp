@@ -1,4 +1,4 @@
-// Random machines with random cuts and stops. No message is received twice; each is received, or
+// Random machines with random cuts and stops. No message is received twice. Each is received, or
 // its sender learns of the failure. The run ends, and repeats to the last bit.
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace occam {
 namespace {
 
-// Messages on a link's direction: the sender's result, and the number of receptions, of each.
+// Messages on one direction of a link: for each, the sender's result and the number of receptions.
 struct Record {
   int from, to;
   std::unique_ptr<Channel<Words>> channel;
@@ -22,7 +22,7 @@ constexpr int UNKNOWN = -1;
 struct Traffic {
   Priority writer, reader;
   bool by_alt;
-  std::int64_t writes, reads;  // cycles a message
+  std::int64_t writes, reads;  // cycles per message
   std::uint64_t longest;
 };
 
@@ -30,7 +30,7 @@ void write_all(const Traffic& t, Record& record) {
   for (std::size_t n = 0; n < record.sent.size(); ++n) {
     compute(t.writes);
     record.sent[n] = out_or_fail(*record.channel, {n * 37 % t.longest, n});
-    if (record.sent[n] == 0 && n % 3 == 0) return;  // or tries again
+    if (record.sent[n] == 0 && n % 3 == 0) return;  // otherwise tries again
   }
 }
 
@@ -110,7 +110,7 @@ struct Chaos {
   }
 };
 
-// Errors, then the log.
+// Runs a machine, and returns errors and the log.
 std::pair<std::string, std::string> run(std::uint64_t seed, const Model& model, bool stops) {
   const auto text = isolated([&] {
     Chaos chaos(seed, model);
