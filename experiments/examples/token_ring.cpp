@@ -23,7 +23,8 @@ using namespace occam;
 namespace {
 
 constexpr int STATIONS = 4, ROUNDS = 5;
-constexpr std::int64_t HOLD = 100, TIMEOUT = 1000;  // in ticks
+// ticks for which a station holds the token, and until the monitor replaces it
+constexpr std::int64_t HOLD = 100, TIMEOUT = 1000;
 constexpr int LOSER = 2, LOST_ROUND = 3;
 
 struct Token {
@@ -85,7 +86,7 @@ int main() {
   machine::Machine machine(machine::load_model("t805-25"));
   for (int i = 0; i < STATIONS; ++i) machine.add_processor(fmt::format("t805.{}", i), 1 << 20);
   const auto& cpus = machine.processors();
-  std::deque<Tokens> channels;  // [i] leads away from station i
+  std::deque<Tokens> channels;  // channels[i] leads away from station i
   for (std::size_t i = 0; i < STATIONS; ++i) {
     auto &from = *cpus[i], &to = *cpus[(i + 1) % STATIONS];
     machine.connect(from, to);

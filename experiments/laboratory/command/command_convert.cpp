@@ -166,7 +166,7 @@ void convert(const std::string& source, const std::string& output) {
   }();
   warn(remarks);
   for (const auto& [path, text] : texts) {
-    if (text.empty()) continue;  // no material file for an OBJ without materials
+    if (text.empty()) continue;  // skips the material file of an OBJ without materials
     base::save_whole(path, text);
     fmt::print("scene    {}\n", path);
   }

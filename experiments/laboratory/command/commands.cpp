@@ -189,7 +189,7 @@ int do_command(CLI::App& app, int argc, char** argv) {
     check_command(app, argc, argv);
     app.parse(argc, argv);
     return 0;
-  } catch (const CLI::ParseError& error) {  // --help throws as well
+  } catch (const CLI::ParseError& error) {  // CLI11 reports --help by an exception too
     std::ostringstream out, problems;
     const bool is_help = app.exit(error, out, problems) == 0;
     fmt::print("{}", out.str());
@@ -224,7 +224,7 @@ int run_tlab(int argc, char** argv) try {
     complain(is_memory ? "the host is out of memory" : error.what());
     return exit_code_of(error);
   }
-} catch (const std::exception& error) {  // errors outside the command itself
+} catch (const std::exception& error) {  // thrown by code around the command
   complain(error.what());
   return exit_code_of(error);
 }

@@ -13,7 +13,7 @@ void add_verify_command(CLI::App& app);
 void add_compare_command(CLI::App& app);
 void add_model_command(CLI::App& app);
 void add_convert_command(CLI::App& app);
-void add_guide_commands(CLI::App& app);  ///< list, help, init
+void add_guide_commands(CLI::App& app);  ///< adds the commands list, help and init
 
 /// Parses and executes the command line. Returns the exit code of the program:
 ///   - 0: done;

@@ -17,7 +17,7 @@ struct NamedTable {
 /// of the same point.
 struct MatchedRuns {
   struct Point {
-    std::vector<Value> at;                       ///< values of `axes`
+    std::vector<Value> at;                       ///< values of the axes at this point
     std::vector<std::vector<std::size_t>> rows;  ///< row numbers of each run at this point
   };
   std::vector<NamedTable> runs;

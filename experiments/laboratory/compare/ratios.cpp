@@ -204,7 +204,7 @@ std::vector<std::string> find_common_results(const std::vector<NamedTable>& runs
 
 Table compare_column(const MatchedRuns& matched, const std::string& column) {
   const auto& runs = matched.runs;
-  std::vector<std::optional<Ratio>> ratios;  // indexed by point, then by run
+  std::vector<std::optional<Ratio>> ratios;  // ratios by point, then by run
   for (const auto& point : matched.points)
     for (std::size_t r = 1; r < runs.size(); ++r)
       ratios.push_back(find_ratio(matched, point, r, column));

@@ -25,9 +25,9 @@ struct Check {
   std::vector<std::string> keys;  ///< columns of the reference that identify a point
   std::string column;             ///< column of the reference that has the expected values
   std::string at_least, at_most;  ///< inclusive bounds, as expressions
-  std::string where;              ///< expression: points at which it is 0 are not checked
-  std::string calibrated;  ///< expression: the machine was fitted to points at which it is not 0
-  std::optional<double> within;       ///< largest allowed relative error at any point
+  std::string where;              ///< expression; only points where it is not 0 are checked
+  std::string calibrated;        ///< expression; the machine was fitted to points where it is not 0
+  std::optional<double> within;  ///< largest allowed relative error at any point
   std::optional<double> within_mean;  ///< largest allowed mean of the relative errors
   std::optional<double> within_abs;   ///< largest allowed absolute error, in the column's unit
   /// least share of expected values inside the 90 % intervals of the machines drawn
@@ -62,7 +62,7 @@ struct PlotSpec {
   std::vector<std::string> y;  ///< one or more columns, each with its own curves
   /// Axes that distinguish curves; absent: all axes that vary, except x.
   std::optional<std::vector<std::string>> series;
-  std::string where;   ///< expression: points at which it is 0 are not plotted; "": plot all
+  std::string where;   ///< expression; only points where it is not 0 are plotted; "": all points
   bool ideal = false;  ///< adds the line y = x
   std::optional<bool> log_x, log_y;
   std::string x_label, y_label;
@@ -79,11 +79,12 @@ struct PlotSpec {
 /// axes.
 struct BestSpec {
   std::string name;
-  std::string place;                  ///< position for errors, "e.toml:12: best \"NAME\""
-  std::string of;                     ///< the optimised column, name of [let] or expression
-  bool least = true;                  ///< true: minimise; false: maximise
-  std::vector<std::string> over;      ///< axes whose values compete
-  std::vector<std::string> for_each;  ///< axes whose values are separate cases
+  std::string place;              ///< position for errors, "e.toml:12: best \"NAME\""
+  std::string of;                 ///< the optimised column, name of [let] or expression
+  bool least = true;              ///< true: minimises `of`; false: maximises it
+  std::vector<std::string> over;  ///< axes whose values compete
+  /// axes whose values are separate cases, each with its own best
+  std::vector<std::string> for_each;
   std::string where;
   std::string pays;   ///< an axis: find up to which value doubling it pays
   double gain = 0.1;  ///< least relative gain for which doubling pays

@@ -82,7 +82,7 @@ std::map<std::string, double, std::less<>> find_numbers(
     const toml::table& file, const std::vector<Replacement>& replacements) {
   std::map<std::string, double, std::less<>> numbers;
   auto add = [&](const std::string& key, const toml::node& node) {
-    if (key.starts_with("model.")) return;  // expressions find these in the machine model
+    if (key.starts_with("model.")) return;  // entries of the model are found in the model itself
     if (node.is_number())
       numbers[key] = *node.value<double>();
     else

@@ -37,10 +37,11 @@ struct OtherProcessor {
 /// the current folder. Strings keep the file's spelling.
 struct Experiment {
   std::string title, question;
-  const programs::Program* program = nullptr;  ///< program.name
+  const programs::Program* program = nullptr;  ///< program that the key program.name selects
   std::any params;                             ///< parameters of the program
-  ModelSpec model{{"t805-25", "t805-25"}};     ///< machine.model, with the overrides of [model]
-  std::vector<OtherProcessor> others;          ///< the tables [[processor]]
+  /// model of the machine, from machine.model and [model]
+  ModelSpec model{{"t805-25", "t805-25"}};
+  std::vector<OtherProcessor> others;     ///< processors with other models, from [[processor]]
   base::Source topology{"tree", "tree"};  ///< generator (sized by `workers`), specification or file
   std::int64_t workers = 7;               ///< number of processors in the network
   int switches = 0;  ///< C004 link switches on every link not listed in `switches_between`
@@ -50,11 +51,12 @@ struct Experiment {
   std::string tree;     ///< broadcast trees: per_root, single; "": single if tree_links are given
   /// links of the single tree; none: breadth-first tree of the root
   topologies::TreeLinks tree_links;
-  std::vector<FaultSpec> faults;                              ///< the tables [[fault]]
-  bool is_timed = false;                                      ///< run.cost
-  machine::Links links = machine::Links::simgrid;             ///< run.engine
-  machine::Processes processes = machine::Processes::fibers;  ///< run.processes
-  /// run.cycles_per_host_s for timed costs, once it is known
+  std::vector<FaultSpec> faults;                   ///< faults from [[fault]]
+  bool is_timed = false;                           ///< true if the key run.cost is "timed"
+  machine::Links links = machine::Links::simgrid;  ///< link engine, from the key run.engine
+  /// process engine, from the key run.processes
+  machine::Processes processes = machine::Processes::fibers;
+  /// host speed for timed costs, cycles per host second, once it is known
   std::optional<double> cycles_per_host_s = {};
 };
 
@@ -108,12 +110,12 @@ struct ExperimentFile {
   /// Keys of the file that change a point's computation, with their values as spelled in TOML.
   std::map<std::string, std::string> settings;
   std::vector<Definition> definitions;  ///< names of [let] with their expressions
-  std::vector<Check> checks;            ///< the tables [[check]]
-  std::vector<PlotSpec> plots;          ///< the tables [[plot]]
-  std::vector<BestSpec> bests;          ///< the tables [[best]]
-  std::vector<BaselineSpec> baselines;  ///< the tables [[baseline]]
-  ReportSpec report;                    ///< the section [report]
-  Uncertain uncertain;                  ///< the section [uncertain]
+  std::vector<Check> checks;            ///< checks, from [[check]]
+  std::vector<PlotSpec> plots;          ///< plots, from [[plot]]
+  std::vector<BestSpec> bests;          ///< questions for the best values, from [[best]]
+  std::vector<BaselineSpec> baselines;  ///< baselines of speed-ups, from [[baseline]]
+  ReportSpec report;                    ///< contents of the report, from [report]
+  Uncertain uncertain;                  ///< number of machines to draw, from [uncertain]
 };
 
 /// Reads and checks a file. `overrides` are "key.path=value", with the value as in TOML or a bare

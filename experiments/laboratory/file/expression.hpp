@@ -17,11 +17,11 @@ namespace laboratory {
 /// [sweep] take that axis's values if no row keeps their own.
 struct RowReference {
   struct Condition {
-    std::string axis, text;  ///< name of the axis, and VALUE as written
+    std::string axis, text;  ///< name of an axis, and the text of its VALUE
     /// VALUE as an expression over the evaluated row; none if it is a string such as mesh:4x4
     std::optional<base::Formula> value{};
   };
-  std::string text;  ///< the text in braces as written
+  std::string text;  ///< text of the reference, with its braces
   std::string column;
   std::vector<Condition> conditions;
 };

@@ -22,7 +22,7 @@ void flatten(toml::table& from, const std::string& prefix, toml::table& into) {
     else
       node.visit([&](auto& value) {
         into.insert(join_names(dotted), std::move(value));
-      });  // keeps line numbers for errors
+      });  // keeps the line number for error messages
   }
 }
 
@@ -92,7 +92,8 @@ std::vector<Coupled> read_axes(const toml::table& file, const std::vector<std::s
   const auto* sweep = file["sweep"].as_table();
   if (!sweep) return all;
   for (const auto& names : order) {
-    if (!sweep->contains(names)) continue;  // absent if --set has replaced [sweep]
+    // --set may have replaced [sweep], so that an axis is missing
+    if (!sweep->contains(names)) continue;
     const Place at{origin, "sweep." + names, "", *sweep->get(names)};
     Coupled axes;
     for (const auto& name : split_names(names)) {

@@ -44,7 +44,7 @@ std::string rename_in(std::string_view text, const std::string& called) {
 }
 
 struct File {
-  fs::path path;  // path in the new folder
+  fs::path path;  // path of the file in the new folder
   std::string text;
 };
 

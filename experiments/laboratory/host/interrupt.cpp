@@ -69,7 +69,7 @@ void wait_for_end() {
   if (what == WORK_IS_DONE) return;
   base::undo_all();
   if (is_free(stderr)) complain(INTERRUPTED);
-  if (is_free(stdout)) std::fflush(stdout);  // writes buffered output
+  if (is_free(stdout)) std::fflush(stdout);  // writes buffered output if that cannot block
   _exit(EXIT_INTERRUPTED);
 }
 

@@ -49,7 +49,7 @@ void write_all(int fd, const std::string& text) {
     reply = static_cast<char>(exit_code_of(error)) + std::string(error.what());
   }
   write_all(fd, reply);
-  _exit(0);  // skips the parent's destructors
+  _exit(0);  // ends without calling the destructors of the parent's objects
 }
 
 class Pool {

@@ -191,7 +191,7 @@ void replace_in_two_steps(const fs::path& working, const fs::path& path,
     if (error) fail(path, "cannot put results in place", error);
   } catch (const std::exception&) {
     fs::rename(aside, path, ignored);
-    check_replaced(path, check);  // throws an error that names the folder
+    check_replaced(path, check);  // throws an error that names `path`
     throw;
   }
   drop_replaced(aside, path);
@@ -268,7 +268,7 @@ void ResultsFolder::clean_up() const {
   std::error_code ignored;
   if (is_committed_) return;
   if (!working_.empty()) remove_surely(working_);
-  // fails harmlessly if the folder is not empty
+  // fails harmlessly for a folder that is not empty
   for (const auto& parent : made_) fs::remove(parent, ignored);
 }
 

@@ -100,7 +100,7 @@ void compare(BestAnswer& answer, const BestSpec& spec, const Table& table,
     });
     const auto& first = group.points[0];
     std::string name = name_values(table, first.row, over);
-    std::size_t next = 1;  // index of the runner-up
+    std::size_t next = 1;  // index of the runner-up among the points
     const auto gained = [&] {
       return share_gained(spec.least, first.value, group.points[next].value);
     };

@@ -40,8 +40,8 @@ struct CheckPlan {
   std::vector<Baseline> baselines;
   std::vector<Let> lets;  ///< names of [let], sorted so that each comes after those it uses
   std::vector<Comparison> comparisons;
-  std::vector<Figure> figures;      ///< the tables [[plot]]
-  std::vector<Question> questions;  ///< the tables [[best]]
+  std::vector<Figure> figures;      ///< compiled tables [[plot]]
+  std::vector<Question> questions;  ///< compiled tables [[best]]
 
   bool is_empty() const {
     return baselines.empty() && comparisons.empty() && figures.empty() && questions.empty();

@@ -197,7 +197,7 @@ std::vector<CheckResult> eval_checks(const CheckPlan& plan, const ExperimentFile
   const auto complete = [&](const auto& row) { return is_complete_row(table, row); };
   const auto first =
       static_cast<std::size_t>(std::ranges::find_if(table.rows, complete) - table.rows.begin());
-  if (first == table.rows.size()) {  // no point was completed
+  if (first == table.rows.size()) {  // no point of the sweep was completed
     for (const auto& comparison : plan.comparisons) results.push_back({.check = comparison.check});
     return results;
   }

@@ -41,9 +41,10 @@ struct CheckResult {
   Check check;
   Verdict verdict = Verdict::unmatched;
   std::vector<CheckedPoint> points = {};
-  std::size_t worst = 0;                    ///< index of the worst point in `points`
-  double mean = 0;                          ///< mean of the absolute errors
-  std::optional<Predicted> predicted = {};  ///< only if the check distinguishes calibrated points
+  std::size_t worst = 0;  ///< index of the worst point in `points`
+  double mean = 0;        ///< mean of the absolute errors
+  /// present only if the check distinguishes calibrated points
+  std::optional<Predicted> predicted = {};
   /// Coverage by intervals that include the model's own error (cover.hpp): the number of points
   /// inside, then shift and half width of the intervals. The latter are medians over the points,
   /// relative to the simulated values.

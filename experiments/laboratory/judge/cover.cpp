@@ -30,7 +30,7 @@ std::vector<Case> find_cases(const CheckResult& result, const Table& table,
     if (point.kind == Kind::calibrated) continue;
     if (const auto range = find_interval(confidence, table, point.row, result.check.of))
       cases.push_back({&point, *range});
-    else if (is_column)  // equal for all machines
+    else if (is_column)  // a column without interval is equal for all machines
       cases.push_back({&point, {point.simulated, point.simulated}});
   }
   return cases;

@@ -75,8 +75,8 @@ class Rows {
 
   const ExperimentFile& file_;
   const Table& table_;
-  std::map<std::string, Numbers> models_;  // numbers of each machine model, by model_key
-  std::vector<const Numbers*> model_of_;   // machine model of each row
+  std::map<std::string, Numbers> models_;  // numeric entries of each machine model, by model_key
+  std::vector<const Numbers*> model_of_;   // entries of the machine model of each row
   // values of the names of [let], by row
   std::map<std::string, std::vector<Evaluated>> lets_;
 };

@@ -25,7 +25,7 @@ std::string to_text(const nlohmann::ordered_json& message) {
 
 }  // namespace
 
-// --- what they share ---------------------------------------------------------------------------
+// --- functions for all pages -------------------------------------------------------------------
 
 void Pages::look() {
   const auto pages = known;  // sending may remove a page from `known`
@@ -53,7 +53,7 @@ PendingConnection::PendingConnection(Pages& pages, std::function<void()> close)
   pages.pending.emplace(number_, std::move(close));
 }
 
-// --- one page ------------------------------------------------------------------------------------
+// --- functions of one page ----------------------------------------------------------------------
 
 Page::Page(Pages& pages, beast::tcp_stream stream)
     : pages_(pages), socket_(std::move(stream)), patience_(pages.io), later_(pages.io) {}
@@ -123,7 +123,7 @@ void Page::close() {
     if (!pages_.known.empty()) pages_.steers = *pages_.known.begin();
     pages_.tell_steering();
   }
-  if (is_known())  // forget the processors it had selected
+  if (is_known())  // the page no longer selects processors
     pages_.session.ask({{"do", "select"}, {"page", number_}, {"processors", Json::array()}}, {});
 }
 

@@ -76,7 +76,8 @@ void Session::on_frame(std::function<void()> told) {
 void Session::begin(machine::Machine& machine, const observe::ControlPanel& view) {
   machine_ = &machine;
   view_ = view;
-  if (phase_ == Phase::over) phase_ = Phase::running;  // the program starts another machine
+  // a program may simulate several machines, one after the other
+  if (phase_ == Phase::over) phase_ = Phase::running;
   next_s_ = pace_from_s_ = 0;
   pace_since_ = HostClock::now();
   loads_ = {};
@@ -92,7 +93,8 @@ void Session::begin(machine::Machine& machine, const observe::ControlPanel& view
 }
 
 bool Session::before(double date) {
-  if (spans_.is_cut() && is_observing_) observe(false);  // more spans than pages can draw
+  // stops observing spans if there are more than pages can draw
+  if (spans_.is_cut() && is_observing_) observe(false);
   // The user's part ends when the picture is complete, whether or not a page is connected.
   const bool is_complete = !has_left_ && view_.is_complete && view_.is_complete();
   const bool is_quiet = !is_complete && !has_news_.load(std::memory_order_relaxed) &&
@@ -111,7 +113,7 @@ bool Session::attend(double date) {
     if (ended_by_hand_s_) return true;
     if (view_.is_complete && view_.is_complete()) leave();
     if (actions_.size() != actions) return false;
-    if (follow_goal(date)) {  // deadlock or end
+    if (follow_goal(date)) {  // the run is deadlocked or has ended
       leave();
       return actions_.size() == actions;
     }
@@ -245,7 +247,7 @@ double Session::shown_s() const {
   return std::max(now_s, is_paced ? std::min(next_s_, paced_s()) : pace_from_s_);
 }
 
-// --- what is shown ----------------------------------------------------------------------------
+// --- display ------------------------------------------------------------------------------------
 
 std::shared_ptr<const std::vector<std::uint8_t>> Session::look() {
   if (!view_.picture) return nullptr;
@@ -321,7 +323,7 @@ void Session::end_by_hand() {
 }
 
 void Session::end(const std::string& fault) {
-  if (renders_.joinable()) {  // it renders data that ends with the machine
+  if (renders_.joinable()) {  // the rendering uses data of the machine, which ends now
     renders_.request_stop();
     renders_.join();
   }
@@ -329,7 +331,7 @@ void Session::end(const std::string& fault) {
   phase_ = Phase::over;
   goal_.reset();
   fault_ = fault;
-  // The user was still present when the run ended.
+  // Records that the user's part ended, if it had not ended before the run.
   if (ended_by_hand_s_ && orders_ && view_.take_order && !has_left_)
     actions_.push_back({"order", LATEST_S, {{"leave", "true"}}});
   // A process that failed has no wait to describe.

@@ -79,7 +79,8 @@ class Session : public observe::RunController {
   };
   /// Condition at which the run pauses again: after a step, at a time, or at an event.
   struct Goal {
-    double date = std::numeric_limits<double>::infinity();  ///< latest simulated time
+    /// simulated time at which the run pauses at the latest
+    double date = std::numeric_limits<double>::infinity();
     bool is_next_date = false, is_message = false, is_ray = false, is_picture = false;
     std::uint64_t messages = 0;  ///< number of messages when the goal was set
     double rays = 0;
@@ -134,7 +135,7 @@ class Session : public observe::RunController {
   std::optional<Goal> goal_;
   double speed_;
   HostClock::time_point pace_since_;
-  double pace_from_s_ = 0;    // simulated time at pace_since_
+  double pace_from_s_ = 0;    // simulated time at the host time pace_since_
   double next_s_ = 0;         // simulated time of the next event
   double go_until_s_ = 0;     // the simulated time before which pacing needs no check
   double fault_after_s_ = 0;  // simulated time of the last fault

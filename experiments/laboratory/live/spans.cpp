@@ -4,7 +4,7 @@ namespace laboratory {
 
 namespace {
 
-constexpr double SHORTEST_S = 1e-6;  // joins spans with a smaller gap
+constexpr double SHORTEST_S = 1e-6;  // spans of equal activity with a smaller gap are joined
 
 void add_span(nlohmann::ordered_json& all, int processor, machine::Observer::Doing doing,
               double from_s, double to_s) {

@@ -59,10 +59,10 @@ double parse_exposure(const std::string& text) {
 
 struct Outcome {
   int rounds = 0;
-  double error = 0;  // estimated error
+  double error = 0;  // estimated error of the picture
   std::size_t patches = 0, vertices = 0, mirrors = 0, creases = 0, left_out = 0;
   radiosity::Solution solution;
-  Rgb emitted;  // emitted power
+  Rgb emitted;  // power that the room emits
   bool is_closed = false;
   Picture picture;
   Work picture_work;

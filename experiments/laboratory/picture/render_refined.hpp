@@ -26,7 +26,7 @@ struct RefinedOptions {
 void add_refined_options(CLI::App& command, RefinedOptions& options);
 
 struct Refined {
-  renderer::Rendering image;        ///< the image, perhaps incomplete
+  renderer::Rendering image;        ///< the rendered image, perhaps incomplete
   std::uint64_t done = 0, all = 0;  ///< number of samples rendered, and of the whole image
   std::uint64_t rays = 0;           ///< number of rays traced in this run
   std::size_t queue_peak = 0;

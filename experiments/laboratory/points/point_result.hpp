@@ -21,9 +21,9 @@ struct SavedImage {
 
 /// CPU time on the host, in seconds. Never part of results.
 struct HostCost {
-  double total_s = 0, run_s = 0;  ///< for the whole point; for its simulation only
+  double total_s = 0, run_s = 0;  ///< CPU time of the whole point, and of its simulation alone
   std::optional<double> kernel_s;
-  std::uint64_t events = 0;  ///< simulated events; 0: not counted
+  std::uint64_t events = 0;  ///< number of simulated events; 0: not counted
 };
 
 struct PointResult {
@@ -31,7 +31,7 @@ struct PointResult {
   /// failed; "": not run.
   std::string ended;
   std::string at;        ///< name of the point, for people who read the record
-  std::string message;   ///< reason of a failure
+  std::string message;   ///< reason of a failure, for the user
   int exit_code = 0;     ///< exit code after a failure
   std::string topology;  ///< name of the network, if the program uses one
   int processors = 0;

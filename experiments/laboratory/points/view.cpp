@@ -101,7 +101,7 @@ TableView choose_view(const ExperimentFile& file, const Table& table) {
     if (c < table.axes) {
       view.columns.push_back(name);
     } else if (constant == "") {
-      continue;  // the parameter applies to no point
+      continue;  // skips a parameter without effect on any point
     } else if (inputs.contains(name)) {
       if (constant)
         view.constants.emplace_back(name, *constant);

@@ -28,7 +28,7 @@ TableView choose_view(const ExperimentFile& file, const Table& table);
 /// is `width` characters wide, unless its first columns need more.
 std::string to_text(const Table& table, const TableView& view, std::size_t width);
 
-/// The columns that fit into that table.
+/// The names of the columns that to_text() shows at this width.
 std::vector<std::string> fit_columns(const Table& table, const TableView& view, std::size_t width);
 
 }  // namespace laboratory

@@ -108,7 +108,7 @@ std::string tell_bends(const Plot& plot) {
 struct Limit {
   const Series* curve;
   const programs::Load* load;  // the busiest resource of the last point
-  double from;                 // the x from which on it is the limit
+  double from;                 // x from which on this resource is the limit
 };
 
 // The role of a resource, which groups resources of the same role. At different points, different
@@ -139,7 +139,7 @@ std::optional<Limit> find_limit_of(const Series& s, const Table& table,
 // Tells where the same resource limits several curves: "from 4 workers on for line, throughout for
 // ring".
 std::string tell_since(const Plot& plot, const std::vector<Limit>& limits, std::size_t all) {
-  std::map<std::pair<bool, double>, Curves> since;  // false (limited throughout) sorts first
+  std::map<std::pair<bool, double>, Curves> since;  // curves limited throughout (false) sort first
   for (const auto& limit : limits) {
     const bool is_later = limit.from > limit.curve->x.front();
     since[{is_later, is_later ? limit.from : 0}].push_back(limit.curve);
@@ -243,7 +243,7 @@ RowList ends_of(const Plot& plot) {
 std::vector<std::string> tell_plots(const std::vector<Plot>& plots, bool titled, const Table& table,
                                     const std::vector<PointLoads>& points) {
   Texts findings;
-  std::set<std::size_t> told;  // rows whose limits have been reported
+  std::set<std::size_t> told;  // rows whose limits have been mentioned
   for (const auto& plot : plots) {
     Texts sentences = {tell_bends(plot), tell_extremes(plot)};
     const auto ends = ends_of(plot);

@@ -140,7 +140,7 @@ fs::path drawing_of(const Point& point) {
 
 // A network that several points use, or the reason why it could not be made.
 struct Network {
-  std::size_t point;  // one of the points that use it
+  std::size_t point;  // one of the points that use the network
   topologies::Topology topology = {};
   std::string failure = {};
 };

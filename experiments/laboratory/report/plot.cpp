@@ -27,7 +27,7 @@ std::vector<Series> make_series(const Table& table, std::size_t x, std::size_t y
   const auto others = choose_series_axes(table, all_rows(table), {x});
   std::vector<Series> all;
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    // values of incomplete points are not final
+    // skips incomplete points, whose values are not final
     if (!is_complete_row(table, table.rows[row])) continue;
     const auto at = as_number(table.rows[row][x]), value = as_number(table.rows[row][y]);
     if (!at || !value || !std::isfinite(*at) || !std::isfinite(*value)) continue;

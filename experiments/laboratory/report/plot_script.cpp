@@ -303,9 +303,9 @@ std::string quote_for_gnuplot(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\')
-      quoted += fmt::format("\\{}", c);
-    else if (c == '`' || c == '@')  // ` would run a command, @ expand a macro
+    if (c == '"' || c == '\\') quoted += fmt::format("\\{}", c);
+    // escapes characters that run a command (`) or expand a macro (@)
+    else if (c == '`' || c == '@')
       quoted += fmt::format("\\{:o}", code);
     else
       quoted += code < 0x20 || code == 0x7f ? ' ' : c;
@@ -328,7 +328,7 @@ std::string make_gnuplot_script(const Plot& plot) {
     throw std::invalid_argument(fmt::format("plot {}: no points to draw", plot.name));
   const Axes axes = measure_axes(plot);
   const Panel upper = make_upper(plot), lower = make_lower(plot);
-  const int bottom = choose_height(plot) - ABOVE - UPPER;  // lower edge of the upper panel
+  const int bottom = choose_height(plot) - ABOVE - UPPER;  // lower edge of the upper panel, pixels
   const Key key = arrange_key(plot);
   const auto edge = [&](int pixels) {
     return fmt::format("{:.4f}", pixels / static_cast<double>(choose_height(plot)));

@@ -29,7 +29,7 @@ struct Report {
 
   struct Image {
     std::string caption;
-    std::filesystem::path file;  ///< a PNG, or an animated WebP
+    std::filesystem::path file;  ///< image file, a PNG or an animated WebP
     bool is_step = false;        ///< true for an intermediate image, shown smaller and side by side
   };
 

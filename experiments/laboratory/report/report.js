@@ -91,7 +91,8 @@
         const tick = factor * base ** i;
         if (tick >= low && tick <= high) ticks.push(Number(tick.toPrecision(12)));
       }
-    if (ticks.length < 2) return makeLinearTicks(scale, most);  // the range is less than a decade
+    // the range is less than a decade, so decades make too few ticks
+    if (ticks.length < 2) return makeLinearTicks(scale, most);
     const every = Math.ceil(ticks.length / most);
     return ticks.filter((_, i) => i % every === 0);
   }
@@ -217,7 +218,7 @@
         const end = showsIdeal ? Math.max(high * margin, Math.min(xHigh, 2 * high)) : high * margin;
         return makeScale(true, low / margin, end, bottom, top);
       }
-      if (this.data.y.log && low > 0) low = 0;  // linear plots also begin at 0
+      if (this.data.y.log && low > 0) low = 0;  // begins at 0, as linear plots do
       if (min !== undefined) low = Math.min(min, low);
       if (showsIdeal) high = xHigh > 2.5 * high ? 1.5 * high : Math.max(high, xHigh);
       else if (max !== undefined) high = Math.max(high, max);

@@ -138,7 +138,7 @@ void save_run_json(const fs::path& folder, const RunOptions& options, const Simu
   run["threads"] = options.threads;
   if (!s.host_speeds.empty()) run["host_speed"] = speeds_json(s.host_speeds);
   auto text = run.dump(2);
-  text.resize(text.size() - 2);  // removes the final "\n}"
+  text.resize(text.size() - 2);  // removes the final "\n}" of the JSON text
   base::save_whole(folder / "run.json", [&](std::ostream& out) {
     out << text << ",\n  \"points\": [";
     // stops at a write error, so that errno is that of the first failure

@@ -120,7 +120,7 @@ std::optional<Fit> fit_sun_ni(const std::vector<double>& n, const std::vector<do
                                        [](std::size_t, double) { return STEP; });
     return make_share_fit("Sun-Ni", "efficiency", points.n.size(), fit.parameters[0],
                           fit.errors[0] * fit.errors[0], fit.squares);
-  } catch (const std::runtime_error&) {  // no convergence
+  } catch (const std::runtime_error&) {  // the fit does not converge
     return std::nullopt;
   }
 }

@@ -36,7 +36,7 @@ struct Fit {
   std::string law;
   std::vector<Estimate> parameters;
   std::string minimised;  ///< name of the quantity whose squared residuals are minimised
-  double rms = 0;         ///< root mean square of the residuals
+  double rms = 0;         ///< root mean square of the residuals of the minimised quantity
   /// number of points that determine the parameters, without those at n = 1
   std::size_t points = 0;
 };

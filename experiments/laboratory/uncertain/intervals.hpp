@@ -10,7 +10,7 @@ namespace laboratory {
 
 /// Distribution of a result over the drawn machines.
 struct Interval {
-  std::size_t row, column;       ///< position in the table of the nominal model
+  std::size_t row, column;       ///< row and column of the result in the table of the nominal model
   double value;                  ///< result of the nominal model
   double low, median, high;      ///< quantiles of the machines: 5, 50 and 95 %
   std::vector<double> machines;  ///< result on each machine

@@ -21,7 +21,7 @@ def find():
             raise NotFound(f"TLAB is {given}, expected the path of the program tlab")
         return pathlib.Path(found)
     package = pathlib.Path(__file__).parent
-    # in a build tree; in an installation
+    # paths of the program in a build tree and in an installation
     beside = (package / "../../tlab", package / "../../../../bin/tlab")
     found = next(filter(None, map(shutil.which, (*beside, "tlab"))), None)
     if not found:
@@ -66,7 +66,7 @@ def start(arguments):
         try:
             process.communicate()
         finally:
-            process.kill()  # after a second interrupt
+            process.kill()  # stops tlab after a second interrupt
         raise
     if process.returncode == INTERRUPTED:
         raise KeyboardInterrupt

@@ -129,7 +129,7 @@ export class TimeLine {
         if (spans[i + 3] < from || spans[i + 2] > to || spans[i] >= this.names.length) continue;
         const at = x(Math.max(spans[i + 2], from)), end = x(Math.min(spans[i + 3], to));
         const place = 3 * spans[i] + spans[i + 1];
-        if (end < drawn[place]) continue;  // ends in a pixel that has this colour already
+        if (end < drawn[place]) continue;  // the span ends in a pixel that has this colour already
         context.fillStyle = colours[spans[i + 1]];
         const width = Math.max(0.5, end - at);
         drawn[place] = at + width;

@@ -32,7 +32,8 @@ export class Picture {
     if (!this.has.has("sequential")) return null;
     const a = this.layers.shown.image.data, b = this.layers.sequential.image.data;
     let squares = 0;
-    for (let i = 0; i < a.length; ++i) squares += (a[i] - b[i]) ** 2;  // alpha values are equal
+    // counts alpha values too, but these are equal
+    for (let i = 0; i < a.length; ++i) squares += (a[i] - b[i]) ** 2;
     return Math.sqrt(squares / (0.75 * a.length)) / 255;
   }
 
@@ -104,7 +105,7 @@ export class Picture {
   }
 
   drawView({ canvas, layer }) {
-    const side = Math.ceil(640 / this.width);  // side of a pixel
+    const side = Math.ceil(640 / this.width);  // side of a picture pixel on the screen
     if (canvas.width !== side * this.width) {
       canvas.width = side * this.width;
       canvas.height = side * this.height;
