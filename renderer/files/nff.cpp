@@ -264,7 +264,7 @@ class Reader {
     const double ior = tokens_.take_number("the index of refraction", 0, MAX_IOR);
     if (ior > 0)
       s.ior = ior;
-    else if (s.t > 0)  // opaque surfaces may state 0
+    else if (s.t > 0)  // opaque surfaces may state an index of 0
       tokens_.fail(tokens_.line(),
                    "found an index of refraction of 0, expected one > 0 where T > 0");
     has_surface_ = true;
@@ -306,7 +306,7 @@ class Reader {
   NffTarget& target_;
   int view_line_ = 0, lens_line_ = 0, shutter_line_ = 0, camera_line_ = 0;
   bool has_surface_ = false;
-  Surface surface_;                  // current surface
+  Surface surface_;                  // surface set by the latest statement
   std::vector<Corner> coordinates_;  // texture coordinates of the next polygon
 };
 

@@ -55,7 +55,7 @@ struct Shutter {
 /// Motion of objects. The displacement at a time, in frames, is given by the path, or without a
 /// path by time * velocity.
 struct Motion {
-  Vec velocity;  ///< scene units per frame
+  Vec velocity;  ///< velocity in scene units per frame
   Path path;
 };
 

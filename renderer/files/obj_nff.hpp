@@ -92,9 +92,9 @@ class NffAsObj : public NffTarget {
 
   ObjTarget& target_;
   LeftOut& left_out_;
-  Surface surface_;     // current NFF surface
+  Surface surface_;     // surface set by the latest NFF statement
   MtlMaterial next_;    // material of the next faces
-  bool is_new_ = true;  // true until `next_` has been added
+  bool is_new_ = true;  // true if `next_` has not been added to the target
   std::vector<MtlMaterial> materials_;
   std::vector<std::string> pictures_;  // picture file of each texture
   std::vector<Corner> coordinates_;    // texture coordinates of the next polygon

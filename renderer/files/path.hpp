@@ -10,7 +10,7 @@
 namespace renderer {
 
 struct PathRow {
-  double time = 0;  ///< frames
+  double time = 0;  ///< time in frames
   Vec place, target;
 };
 

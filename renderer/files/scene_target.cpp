@@ -76,7 +76,7 @@ void SceneTarget::add_cone(const Vec& base, double base_radius, const Vec& apex,
   renderer::add_cone(scene_, base, base_radius, apex, apex_radius);
 }
 
-// SPD: the lights share a fixed total energy, whatever their number.
+// Divides a fixed total energy among the lights without a colour, as the SPD requires.
 void SceneTarget::share_energy() {
   const double share =
       1 / std::sqrt(static_cast<double>(std::max<std::size_t>(1, scene_.lights.size())));

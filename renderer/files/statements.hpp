@@ -26,7 +26,7 @@ bool has_light_shape(const Words& words);
 View take_view(Tokens& tokens);
 
 struct StatedLight {
-  Light light;  ///< without its colour
+  Light light;  ///< light, without the colour
   std::optional<Rgb> colour;
 };
 /// Takes the words after 'l', a point light.

@@ -91,7 +91,7 @@ std::string make_webp(std::size_t count, const MakeFrame& make) {
   WebPConfig config;
   expect(WebPConfigInit(&config), "WebPConfigInit");
   config.lossless = 1;
-  config.quality = 25;  // encoder effort for lossless files
+  config.quality = 25;  // effort of the encoder for lossless files
   config.thread_level = 0;
 
   FrameCheck check;

@@ -15,7 +15,7 @@ struct Frame {
 };
 
 inline constexpr int MAX_DURATION_MS = (1 << 24) - 1;
-inline constexpr int MAX_WEBP_SIDE = 16383;  ///< limit of the format, pixels
+inline constexpr int MAX_WEBP_SIDE = 16383;  ///< largest side of a WebP picture, pixels
 
 /// Encodes the frames as a lossless WebP that repeats for ever. Equal consecutive frames may be
 /// merged into one with their total duration. The bytes depend only on the frames and on the

@@ -93,7 +93,8 @@ Bitmap load_png(const std::string& path) {
           fmt::format("{} x {} pixels", image.width, image.height),
           fmt::format("at most {} together", MAX_PICTURE));
   image.format = PNG_FORMAT_RGB;
-  image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;  // otherwise libpng takes 16 bits as linear
+  // without this flag, libpng takes 16-bit samples as linear
+  image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
   Bitmap bitmap{static_cast<int>(image.width), static_cast<int>(image.height),
                 std::vector<std::uint8_t>(PNG_IMAGE_SIZE(image))};
   constexpr png_color WHITE{255, 255, 255};

@@ -25,7 +25,7 @@ struct Samples {
   };
 
   int width = 0, height = 0;
-  std::vector<Sums> sums;  ///< indexed by y * width + x
+  std::vector<Sums> sums;  ///< colour sums of each pixel, at y * width + x
 
   Samples() = default;
   Samples(int w, int h)

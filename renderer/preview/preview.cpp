@@ -36,7 +36,7 @@ struct Facet {
   std::span<const std::uint32_t> corners;
   Vec middle;
   Vec normal;         // unit normal towards the eye
-  bool back = false;  // true if the eye sees the inside
+  bool back = false;  // true if the eye sees the facet from inside
 };
 
 Facet make_facet(const Object& object, const Vec& eye, std::span<const std::uint32_t> indices) {
@@ -76,7 +76,7 @@ class Previewer {
         raster_(make_raster(scene.view, params)),
         scanner_(raster_, area_),
         pixels_(static_cast<std::size_t>(params.width) * static_cast<std::size_t>(params.height)) {
-    params_.limits.depth = 1;  // hits spawn shadow feelers only
+    params_.limits.depth = 1;  // lets hits spawn shadow feelers only
     preview_.samples = Samples(params.width, params.height);
   }
 
@@ -209,7 +209,7 @@ class Previewer {
     draw_facets(Fineness::outline,
                 [](const Object&, const Facet&) { return [](std::uint32_t) { return Triple{}; }; });
     std::vector<Fragment> facets(pixels_.size());
-    facets.swap(pixels_);  // draw the edges on an empty picture
+    facets.swap(pixels_);  // edges are drawn on an empty picture
     for_each_object(Fineness::outline, [&](const Object& object) {
       for_each_facet(object, [&](const Facet& facet) {
         const double slack = eval_slack(facet);

@@ -31,7 +31,7 @@ struct PreviewCounts {
 };
 
 struct Preview {
-  Samples samples;  ///< whole image; 0 outside the area of interest
+  Samples samples;  ///< samples of the whole image; 0 outside the area of interest
   /// Object shown by each pixel, at y * width + x, or NO_OBJECT.
   std::vector<std::uint32_t> objects;
   PreviewCounts counts;

@@ -13,7 +13,7 @@ namespace renderer::progressive {
 
 /// Counts of one step.
 struct StepCounts {
-  std::uint64_t samples = 0;      ///< new samples
+  std::uint64_t samples = 0;      ///< number of new samples
   std::uint64_t deepened = 0;     ///< samples with a deepened tree
   std::uint64_t by_contrast = 0;  ///< cells divided because of their contrast
   std::uint64_t by_pyramid = 0;   ///< cells divided because they might hide an object
@@ -59,7 +59,7 @@ class Progressive {
  private:
   struct Wanted {
     int x, y;
-    int from;  // number of levels that the tree already has
+    int from;  // levels that the shading tree already has
   };
   enum class Verdict { keep, contrast, pyramid };
 

@@ -101,7 +101,7 @@ class Refinement {
   const int threads_;
   const std::uint64_t pixels_;
   RefinementState state_;
-  Walk walk_;                 // position in the current pass
+  Walk walk_;                 // position of the current pass in the pixel order
   std::vector<Pixel> batch_;  // next pixels to trace
 };
 

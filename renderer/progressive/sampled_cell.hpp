@@ -26,7 +26,7 @@ struct Point {
 /// neighbours own the right and lower borders.
 struct SampledCell {
   int x = 0, y = 0;
-  int side = 2;   ///< pixels, a power of two, at least 2
+  int side = 2;   ///< side in pixels, a power of two, at least 2
   int level = 0;  ///< last complete level of sampling; 0: no samples
   bool operator==(const SampledCell&) const = default;
 };

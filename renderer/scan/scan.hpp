@@ -21,7 +21,7 @@ class Scanner {
  public:
   using Values = std::array<double, N>;
   struct Corner {
-    Vec at;  ///< as returned by to_eye()
+    Vec at;  ///< position as returned by to_eye()
     Values values{};
   };
 
@@ -76,7 +76,7 @@ class Scanner {
   // image.
   struct Spot {
     double x, y;      // in pixels, (0, 0) is the first sample
-    double nearness;  // 1 / depth
+    double nearness;  // reciprocal of the depth
     Values values;
   };
 

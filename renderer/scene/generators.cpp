@@ -31,7 +31,7 @@ std::array<Vec, 9> make_directions() {
 // hosts get the same bits.
 Vec turn(const Vec& v, const Vec& to) {
   const double d = 1 + to.z;
-  if (d < 1e-12) return {-v.x, v.y, -v.z};  // half a turn about y
+  if (d < 1e-12) return {-v.x, v.y, -v.z};  // rotates by half a turn about y
   const double xy = to.x * to.y / d;
   return {(1 - to.x * to.x / d) * v.x - xy * v.y + to.x * v.z,
           -xy * v.x + (1 - to.y * to.y / d) * v.y + to.y * v.z,

@@ -23,8 +23,8 @@ Scene make_room(int lights);
 
 /// A generator of scenes, named "name:N".
 struct Generator {
-  std::string_view name, number;  ///< "spheres" and "N", for example
-  int least, most;                ///< range of N
+  std::string_view name, number;  ///< name and parameter, such as "spheres" and "N"
+  int least, most;                ///< permitted range of N
   Scene (*make)(int n);
 };
 inline constexpr Generator GENERATORS[] = {{"spheres", "N", 1, MAX_SPHERES, &make_spheres},

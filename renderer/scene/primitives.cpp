@@ -6,7 +6,7 @@ namespace renderer {
 
 namespace {
 
-// relative to a polygon's size, and to its square
+// tolerances relative to a polygon's size, and to its square
 constexpr double MAX_BEND = 0.05, MIN_AREA = 1e-12;
 
 // Newell's method, which is correct for any simple polygon, also concave or only nearly flat ones.

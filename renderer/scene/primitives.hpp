@@ -11,8 +11,8 @@ namespace renderer {
 
 /// Object and surface that a primitive belongs to.
 struct Tag {
-  std::uint32_t object = 0;   ///< index in file order
-  std::uint32_t surface = 0;  ///< index into Scene::surfaces
+  std::uint32_t object = 0;   ///< number of the object, in file order
+  std::uint32_t surface = 0;  ///< surface of the object in Scene::surfaces
 };
 
 struct Sphere {
@@ -156,7 +156,7 @@ struct Probe {
   if (ray.starts_on(p.tag)) return NO_HIT;
   const Vec &origin = ray.origin, &direction = ray.direction;
   const double distance =
-      (p.offset - dot(p.normal, origin)) / dot(p.normal, direction);  // may be NaN
+      (p.offset - dot(p.normal, origin)) / dot(p.normal, direction);  // this distance may be NaN
   const bool ahead = (distance > ray.epsilon) & (distance < NO_HIT);
   ray.edges += ahead;
   if (!(ahead & (distance <= ray.reach))) return NO_HIT;

@@ -23,7 +23,7 @@ struct Surface {
   /// the mirrored ray at distance 1. 0: a mirror.
   double gloss = 0;
   double translucency = 0;  ///< spread of transmitted rays, as `gloss`
-  /// index into Scene::textures; the texture multiplies `colour`
+  /// texture in Scene::textures, which multiplies `colour`
   std::uint32_t texture = NO_TEXTURE;
 };
 
@@ -32,11 +32,11 @@ enum class LightShape : std::uint8_t { point, rectangle, sphere };
 /// A light. It is invisible, and its intensity does not decrease with distance. All points of a
 /// rectangle or a sphere emit equally in all directions.
 struct Light {
-  Vec at;  ///< position of its middle
+  Vec at;  ///< position of the light's middle
   Rgb intensity{1, 1, 1};
   LightShape shape = LightShape::point;
   Vec u{}, v{};       ///< for a rectangle: vectors from the middle to the middles of two edges
-  double radius = 0;  ///< for a sphere
+  double radius = 0;  ///< radius of a spherical light
 };
 
 /// A thin lens centred on the view point (M. Potmesil and I. Chakravarty, 1981).
@@ -55,7 +55,7 @@ inline constexpr int MAX_SIDE = 65536;
 /// View of NFF's statement `v`. The angle spans the height of the image; pixels are square.
 struct View {
   Vec from{0, 0, 1}, at{0, 0, 0}, up{0, 1, 0};
-  double angle = 45;              ///< degrees, between 0 and 180
+  double angle = 45;              ///< viewing angle in degrees, between 0 and 180
   double hither = 0;              ///< has no effect: rays start at `from`
   int width = 512, height = 512;  ///< resolution stated in the file, pixels
   Lens lens{};
@@ -87,7 +87,7 @@ struct Scene {
   std::vector<Light> lights;
   Rgb background;
   View view;
-  std::vector<Place> objects;  ///< in file order
+  std::vector<Place> objects;  ///< locations of the objects, in file order
   // Primitives by kind. finish() sorts them in the order of the hierarchy's leaves.
   std::vector<Sphere> spheres;
   std::vector<Polygon> polygons;

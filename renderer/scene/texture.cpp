@@ -58,7 +58,7 @@ struct Neighbours {
 Neighbours find_neighbours(double coordinate, int length, Beyond beyond) {
   double part = beyond == Beyond::stays ? std::clamp(coordinate, 0.0, 1.0)
                                         : coordinate - std::floor(coordinate);
-  if (!(part >= 0)) part = 0;  // for coordinates that are not finite
+  if (!(part >= 0)) part = 0;  // coordinates that are not finite map to 0
   const double at = part * length - 0.5, floor = std::floor(at);
   const int first = static_cast<int>(floor);
   if (beyond == Beyond::stays)

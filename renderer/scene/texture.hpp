@@ -23,7 +23,7 @@ struct Texel {
 /// A picture at one resolution.
 struct Level {
   int width = 0, height = 0;
-  std::vector<Texel> texels;  ///< rows from the top
+  std::vector<Texel> texels;  ///< texels, in rows from the top
 };
 
 /// A mipmap: a picture at its own resolution, then halved along each side (rounded down, at least
@@ -89,7 +89,7 @@ TexturePoint eval_mapping(const Mapping& mapping, const Vec& point);
 
 /// A texture: a picture and its placement.
 struct Texture {
-  std::uint32_t pyramid = 0;  ///< index into Scene::pyramids
+  std::uint32_t pyramid = 0;  ///< picture of the texture, in Scene::pyramids
   Mapping mapping;
 };
 

@@ -17,7 +17,7 @@ inline constexpr std::uint32_t NO_OBJECT = std::numeric_limits<std::uint32_t>::m
 
 struct Ray {
   Vec origin;
-  Vec direction;  ///< unit vector
+  Vec direction;  ///< direction of unit length
   Rgb influence;  ///< share of this ray's intensity in its sample: f of Eq 4.15, fS of Eq 4.17
   /// Distance at and beyond which hits are ignored. For a feeler, the distance to its light.
   double reach = std::numeric_limits<double>::infinity();
@@ -42,11 +42,11 @@ struct Ray {
 inline double max_influence(const Ray& ray) { return max_component(ray.influence); }
 
 struct Hit {
-  double distance = 0;  ///< along the ray, in scene units
+  double distance = 0;  ///< distance along the ray, in scene units
   Vec point;
   Vec normal;                 ///< unit vector on the side that the ray came from
-  std::uint32_t surface = 0;  ///< index into Scene::surfaces
-  std::uint32_t object = 0;   ///< index in file order
+  std::uint32_t surface = 0;  ///< surface that was hit, in Scene::surfaces
+  std::uint32_t object = 0;   ///< object that was hit, numbered in file order
   /// true if the ray met the back of the surface, so that it leaves the object
   bool inside = false;
 };
@@ -58,7 +58,7 @@ enum class Traversal : std::uint8_t {
   exhaustive,
   /// boxes clipped by the nearest hit so far and the ray's reach; a feeler stops at any hit
   nearest,
-  linear  ///< every primitive, without boxes
+  linear  ///< tests every primitive, without boxes
 };
 
 /// Callback for the parts of a scene that a search reads, for scenes that are only partly in

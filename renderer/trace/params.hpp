@@ -45,12 +45,12 @@ inline constexpr int MAX_PIXEL_SAMPLES = 4096;
 /// A rectangle of pixels, from its upper left one.
 struct Area {
   int x = 0, y = 0;
-  int width = 0, height = 0;  ///< 0 x 0: the whole image
+  int width = 0, height = 0;  ///< size of the area; 0 x 0: the whole image
   bool operator==(const Area&) const = default;
 };
 
 struct Params {
-  int width = 100, height = 100;  ///< pixels, 1..65536 each and 2^28 together
+  int width = 100, height = 100;  ///< size of the image in pixels, 1..65536 each and 2^28 together
   Limits limits;
   Sampling sampling;
   Feelers feelers = Feelers::all;

@@ -20,7 +20,7 @@ class CornerObjects {
             objects[at(column + 1, row + 1)]};
   }
 
-  std::vector<std::uint32_t> objects;  ///< row by row
+  std::vector<std::uint32_t> objects;  ///< objects at the corners, row by row
 
  private:
   std::size_t columns() const { return static_cast<std::size_t>(area_.width) + 1; }

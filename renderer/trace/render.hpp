@@ -21,7 +21,7 @@ struct RayCounts {
 };
 
 struct Rendering {
-  Samples samples;  ///< whole image; 0 outside the area of interest
+  Samples samples;  ///< samples of the whole image; 0 outside the area of interest
   /// The number of samples at each pixel with adaptive sampling; else empty.
   std::vector<std::uint16_t> counts;
   RayCounts rays;
@@ -52,8 +52,8 @@ class SampleTracer {
 /// A rectangle of the image, rendered alone.
 struct Block {
   Area area;
-  Samples samples;                    ///< only pixels of the area
-  std::vector<std::uint16_t> counts;  ///< as in Rendering, only pixels of the area
+  Samples samples;                    ///< samples of the area only
+  std::vector<std::uint16_t> counts;  ///< numbers of samples as in Rendering, for the area only
   RayCounts rays;
   Work work;
 };

@@ -20,7 +20,8 @@ Vec find_on_sphere(const Light& light, const SquarePoint& at, const Vec& from) {
   if (square <= radius_square) return light.at;
   // Maps equal areas of the disc to equal solid angles: 1 - cos grows with the square of the
   // radius.
-  const double most = radius_square / square;  // squared sine of the largest angle
+  // squared sine of the largest angle to the light's middle
+  const double most = radius_square / square;
   const double rise = most / (1 + std::sqrt(1 - most));
   const auto [u, v] = map_to_disc(at);
   const double share = std::min(1.0, u * u + v * v), cosine = 1 - rise * share;

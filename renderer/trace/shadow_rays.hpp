@@ -12,7 +12,7 @@ namespace renderer {
 struct ShadowRays {
   Vecs origin, direction;  ///< directions are unit vectors
   Lanes reach;
-  Mask from;     ///< as Ray::from
+  Mask from;     ///< object at each ray's origin, as Ray::from
   Mask cast;     ///< -1: the lane has a feeler; 0: it has none
   Mask blocked;  ///< result of find_blocked(): -1 or 0
 };

@@ -56,8 +56,8 @@ template <class Number, class Share>
 struct DeltaSide {
   Number turn;    ///< component along the direction to the delta area's centre, per distance
   Number rise;    ///< component along the viewpoint's normal, relative to that of the way
-  Number square;  ///< squared length, relative to that of the way
-  Share growth;   ///< relative growth of the other side along this side
+  Number square;  ///< squared length of the side, relative to that of the way
+  Share growth;   ///< relative growth of the other side along this one
 
   /// This side's term in eval_extent() of a delta area.
   [[gnu::always_inline]] Number eval_extent() const {
@@ -164,7 +164,7 @@ struct Cut {
 /// A delta area as seen from a viewpoint, if they face each other.
 struct Look {
   Vec point, way;      ///< point given by find_aim(), and the vector to it
-  double square;       ///< squared distance
+  double square;       ///< squared distance from the viewpoint
   double here, there;  ///< cosines times the distance (see eval_delta())
 };
 

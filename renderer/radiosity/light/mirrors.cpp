@@ -18,7 +18,7 @@ struct Chain {
   template <class T, std::size_t most>
   using List = boost::container::static_vector<T, most>;
 
-  List<const Mirror*, MOST_REFLECTIONS> mirrors;  // from the vertex outwards
+  List<const Mirror*, MOST_REFLECTIONS> mirrors;  // mirrors on the path, from the vertex outwards
   List<Viewpoint, MOST_REFLECTIONS + 1> images;
   Rgb reflectance{1, 1, 1};  // product of the mirrors' reflectances
   // Approximate visual angle of the narrowest mirror, rad.
@@ -116,7 +116,8 @@ bool surely_misses(const Chain& chain, const Vec& to, double radius) {
     const Vec way = chain.images[j + 1].at - from;
     const double before = dot(mirror.normal, from - mirror.corners[0]);
     const double along = -dot(mirror.normal, way), left = length(way);
-    if (!(before > radius && along > radius)) return false;  // the test cannot decide
+    // the cone may lie beside the mirror, so the test cannot decide
+    if (!(before > radius && along > radius)) return false;
     const Vec point = from + before / along * way;
     gone += before / along * left;
     // approximate lower bound on the cosines of the cone's lines
@@ -133,7 +134,7 @@ struct MirroredSight {
   const Eye& eye;
   const Vertex& vertex;
   const Patch& patch;
-  const Quad& quad;  // the patch that sends light
+  const Quad& quad;  // geometry of the patch that sends light
   const Chain& chain;
   Work& work;
 
@@ -180,7 +181,7 @@ struct Pieces {
   Vec centre(int i, int j) const { return origin + (i + 0.5) * u + (j + 0.5) * v; }
   double area() const { return length(u) * length(v); }
   int n;
-  Vec origin, u, v;  // u and v: the sides of a piece
+  Vec origin, u, v;  // u and v are the sides of a piece
 };
 
 // The least solid angle among the pieces on a path, and the index of its mirror in the chain.

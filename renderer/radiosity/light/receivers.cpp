@@ -230,7 +230,7 @@ class Near {
 
  private:
   void add_wide(const Vertex& vertex, std::size_t receiver, const Delta& delta, const Look& look) {
-    flush();  // keeps the order of the terms
+    flush();  // evaluates pending terms first, to keep the order
     const auto& [patch, quad, glow, is_even] = sender_;
     if (!sees(eye_, vertex.lit, vertex.object, look.point, patch.object, work_)) return;
     const auto eval = [&](const auto& source) {

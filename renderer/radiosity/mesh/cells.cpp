@@ -329,7 +329,7 @@ class Cells {
     if (start == count) return std::nullopt;
     Chord chord;
     std::size_t found = 0;
-    std::uint32_t last = loop[start];  // the last point off the line
+    std::uint32_t last = loop[start];  // the last point of the loop that is off the line
     for (std::size_t i = 1; i <= count; ++i) {
       const std::uint32_t before = loop[(start + i - 1) % count], here = loop[(start + i) % count];
       if (heights[here] == 0) continue;

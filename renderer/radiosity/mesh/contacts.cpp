@@ -12,7 +12,7 @@ namespace radiosity {
 
 namespace {
 
-constexpr double OFF_PLANE = 1e-6;  // relative to the size of the face
+constexpr double OFF_PLANE = 1e-6;  // tolerance relative to the size of the face
 // Heights of edges beside which patches are graded, relative to the width of a patch. Edges below
 // LEAST_GAP touch the face. If there are no strips, so do edges up to TOUCHING_GAP.
 constexpr double LEAST_GAP = 0.01, GAP = 1, TOUCHING_GAP = 0.5;
@@ -232,7 +232,7 @@ struct OpenEdge {
   const Pair pair;
   Crease below;                  // the edge projected to the lower face
   std::array<double, 2> height;  // heights of the edge's ends
-  Vec inward;                    // unit vector in the plane of the lower face
+  Vec inward;  // unit vector towards the hanging face, in the plane of the lower face
 };
 
 // Adds the open edges of a hanging face. `neighbours` are those of the hanging face.

@@ -12,7 +12,7 @@ namespace radiosity {
 /// An open edge of a face that hangs a little above another.
 struct HangingEdge {
   Crease below;  ///< the edge projected to the lower face
-  Vec inward;    ///< unit vector in the plane of the lower face
+  Vec inward;    ///< unit vector towards the hanging face, in the plane of the lower face
   Plane above;   ///< plane of the hanging face
 };
 

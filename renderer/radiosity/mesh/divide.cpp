@@ -86,7 +86,7 @@ std::vector<double> make_lines(const std::vector<double>& given, Row row) {
 // A face to be cut, and the creases on it.
 struct Cutting {
   const Face& face;
-  int along, across;  // number of patches along and across
+  int along, across;  // number of patches along and across the face
   std::size_t most;   // limit on the number of patches with creases
   Vec normal;
   double width;                // width of a patch

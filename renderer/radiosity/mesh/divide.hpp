@@ -42,10 +42,11 @@ inline constexpr double CREASE_TOUCH = 0.1, CONTACT_TOUCH = 0.002;
 
 /// Lines that may cut a face.
 struct Cuts {
-  std::span<const Crease> creases{};   ///< in order of importance
-  std::span<const Crease> contacts{};  ///< where others touch the face; cut before all creases
-  std::span<const Crease> folds{};     ///< like creases, but cut before them and never left out
-  std::span<const Crease> strips{};    ///< like folds, but the illumination is smooth there
+  std::span<const Crease> creases{};  ///< creases, the most important ones first
+  /// contacts with other faces, which are cut before all creases
+  std::span<const Crease> contacts{};
+  std::span<const Crease> folds{};   ///< like creases, but cut before them and never left out
+  std::span<const Crease> strips{};  ///< like folds, but the illumination is smooth there
   /// Limit on the number of patches with creases, as a multiple of that without.
   int growth = 1000;
 };

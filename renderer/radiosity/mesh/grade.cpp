@@ -29,7 +29,7 @@ struct Light {
   Plane plane;
   double tolerance;  // distance within which points lie in the plane
   bool two_sided;
-  double emission;  // mean of the emission over the colours
+  double emission;  // emission of the light, as the mean over the colours
 };
 
 double eval_area(const Face& face) {

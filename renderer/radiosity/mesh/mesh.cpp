@@ -90,7 +90,7 @@ struct Fringe {
 // times CREASE_TOUCH away. 0 if it crosses none, or only at a low angle.
 double find_crossing(const Vec& at, const Vec& way, const Vec& normal, const Crease& crease,
                      double width) {
-  constexpr double STEEP = 0.3;  // sine of the angle
+  constexpr double STEEP = 0.3;  // least sine of the angle between way and crease
   const Vec along = crease.b - crease.a, to = crease.a - at;
   const double off = dot(normal, cross(to, along)), across = dot(normal, cross(way, along));
   if (!(std::abs(off) <= CREASE_TOUCH * width * length(along)) ||
@@ -108,7 +108,7 @@ double eval_lit_place(double width) {
   constexpr double NONE = 1e-9;
   if (width < NONE) return 0;
   const double slope = std::hypot(1, width);
-  const double sine = 2 * slope - 2 * width - 1 / slope;  // z0 / sqrt(z0^2 + w^2)
+  const double sine = 2 * slope - 2 * width - 1 / slope;  // sine z0 / sqrt(z0^2 + w^2)
   return width * sine / std::sqrt(1 - sine * sine);
 }
 
@@ -125,8 +125,8 @@ double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe
   // Light enters through a gap of this width between the border and an edge parallel to it.
   // `inside` is a unit vector.
   const auto light_through = [&](double width, const Vec& inside) {
-    constexpr double WIDE = 4;                            // width beyond which the light is even
-    const double depth = 2 * std::abs(dot(way, inside));  // of the patch
+    constexpr double WIDE = 4;  // gap width, in patches, beyond which the light is even
+    const double depth = 2 * std::abs(dot(way, inside));  // depth of the patch behind the border
     if (width < WIDE * depth) share = std::max(share, 2 * eval_lit_place(width / depth));
   };
   const double touch = 2 * CONTACT_TOUCH * fringe.width;
@@ -229,7 +229,7 @@ Face turn(Face face) {
   std::ranges::reverse(face.corners);
   std::ranges::reverse(face.normals);
   for (Vec& normal : face.normals) normal = -normal;
-  if (face.corners.size() == 4) {  // along and across change places
+  if (face.corners.size() == 4) {  // along and across are exchanged
     std::swap(face.along, face.across);
     std::swap(face.grid.along, face.grid.across);
   }
@@ -444,7 +444,7 @@ class Builder {
   std::vector<Contacts> contacts_;  // contacts of each face
   Edges creases_, touched_;         // edges on creases, and those of them on contacts
   std::uint32_t object_ = 0;
-  int growth_ = 1;  // value for Cuts::growth
+  int growth_ = 1;  // growth that make_cuts() passes to Cuts::growth
 };
 
 }  // namespace

@@ -18,7 +18,7 @@ struct Vertex {
   /// contacts it lies a little inside: there it sees the adjacent faces, and is outside shadows
   /// along the border that are too narrow for patches.
   Vec lit;
-  Vec normal;  ///< unit vector
+  Vec normal;  ///< unit normal of the surface
   std::uint32_t material = 0;
   std::uint32_t object = 0;  ///< object of Mesh::blockers on which the vertex lies
 };
@@ -26,24 +26,24 @@ struct Vertex {
 /// A convex quad. Its corners run counter-clockwise as seen from its front, and have the parameters
 /// (s, t) = (0,0), (1,0), (1,1), (0,1).
 struct Patch {
-  std::array<std::uint32_t, 4> corners{};  ///< indices into Mesh::vertices
+  std::array<std::uint32_t, 4> corners{};  ///< corner vertices, as indices into Mesh::vertices
   std::array<Vec, 4> at;                   ///< positions of the corners
   Vec centre;
-  Vec normal;  ///< unit vector
+  Vec normal;  ///< unit normal of the front
   double area = 0;
   std::uint32_t material = 0;
-  std::uint32_t object = 0;  ///< index into Mesh::blockers
-  std::uint32_t face = 0;    ///< index into Room::faces
+  std::uint32_t object = 0;  ///< object of the patch in Mesh::blockers
+  std::uint32_t face = 0;    ///< face of the patch in Room::faces
 };
 
 /// A flat mirror, undivided. It reflects at its front and is black at its back.
 struct Mirror {
-  std::vector<Vec> corners;  ///< counter-clockwise
-  Vec normal;                ///< unit vector
+  std::vector<Vec> corners;  ///< corners, counter-clockwise
+  Vec normal;                ///< unit normal of the front
   Vec centre;                ///< mean of the corners
-  double width = 0;          ///< area over longest edge
+  double width = 0;          ///< width: area over longest edge
   std::uint32_t material = 0;
-  std::uint32_t object = 0;  ///< index into Mesh::blockers
+  std::uint32_t object = 0;  ///< object of the mirror in Mesh::blockers
 };
 
 struct Mesh {

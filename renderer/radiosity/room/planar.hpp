@@ -13,7 +13,7 @@ namespace radiosity {
 using renderer::Vec;
 
 struct Plane {
-  Vec normal;  ///< unit vector
+  Vec normal;  ///< unit normal
   double offset = 0;
 };
 

@@ -18,7 +18,7 @@ struct Material {
   std::string name;
   Rgb reflectance;      ///< rho of Eq 1.8, 0 <= rho < 1; for a mirror 0..1
   Rgb emission;         ///< E of Eq 1.8, >= 0; 0 for a mirror
-  bool mirror = false;  ///< purely specular (3.2)
+  bool mirror = false;  ///< purely specular, a mirror (3.2)
   bool operator==(const Material&) const = default;
 };
 
@@ -33,14 +33,14 @@ struct Grid {
 struct Face {
   std::vector<Vec> corners;
   std::vector<Vec> normals;  ///< one per corner if the face is part of a curved surface, else empty
-  std::uint32_t material = 0;  ///< index into Room::materials
+  std::uint32_t material = 0;  ///< material of the face in Room::materials
   bool two_sided = false;      ///< true if the back is a second face
   /// Number of patches along the first edge and across it, before MeshParams::refine. A face
-  /// without 4 corners has along x along patches in each of the quads between a corner and the
+  /// without 4 corners has `along` x `along` patches in each of the quads between a corner and the
   /// centre.
   int along = 1, across = 1;
   Grid grid;          ///< for 4 corners: lines instead of even ones; may be empty
-  std::string where;  ///< "room.txt:12", for errors; may be empty
+  std::string where;  ///< position for errors, "room.txt:12"; may be empty
 };
 
 /// A straight line that becomes an edge of patches. At the border of a penumbra the illumination is

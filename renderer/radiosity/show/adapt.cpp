@@ -242,7 +242,7 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
     face.along *= params.mesh.refine;
     face.across *= params.mesh.refine;
   }
-  room.fine_near_lights = false;  // rows are halved here, where the solution needs it
+  room.fine_near_lights = false;  // adapt_mesh() itself halves rows, where the solution needs it
   MeshParams parts = params.mesh;
   parts.refine = 1;
   SolveParams rough = params.solve;

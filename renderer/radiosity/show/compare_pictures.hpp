@@ -10,14 +10,14 @@ namespace radiosity {
 struct PictureError {
   double image = 0;                              ///< error of radiosity over all pixels
   double line = 0, line_peak = 0;                ///< errors of displayed values, 0..255
-  double line_linear = 0, line_peak_linear = 0;  ///< errors of radiosity
+  double line_linear = 0, line_peak_linear = 0;  ///< errors of radiosity along the line
   int peak_shift = 0;  ///< displacement of the peak from the reference's, pixels
 };
 
 /// The pixels to compare.
 struct Compared {
   std::vector<bool> left_out;         ///< for each pixel: true if it shows an emitter
-  int line = 0;                       ///< row, counted from the top
+  int line = 0;                       ///< row of the line, counted from the top
   double peak_from = 0, peak_to = 1;  ///< part of the width in which the peak is searched
 };
 

@@ -9,7 +9,7 @@ namespace radiosity {
 struct Display {
   /// value before gamma of a pixel with radiosity 1, > 0; 0: automatic (see fit())
   double exposure = 0;
-  double gamma = 2.2;  ///< exponent of the display, > 0
+  double gamma = 2.2;  ///< exponent gamma of the display, > 0
 };
 
 /// Makes the fields exposure and gamma.

@@ -51,7 +51,7 @@ std::optional<std::string> check_camera(const Room& room, const Mesh& mesh) {
 // True if a lamp would light something straight ahead of its centre, on the side of this normal.
 // This is the front of a face that is not directly before the lamp.
 bool lights_something(const Room& room, const Mesh& mesh, std::size_t face, const Vec& normal) {
-  constexpr double NEAR = 0.1;  // relative to the size of the lamp
+  constexpr double NEAR = 0.1;  // least distance of the lit face, relative to the size of the lamp
   const auto& corners = room.faces[face].corners;
   const auto bounds = renderer::make_bounds(corners);
   renderer::Ray ray;

@@ -76,7 +76,7 @@ struct Fragment {
   enum class Kind : std::uint8_t { nothing, back, patch, mirror };
   Kind kind = Kind::nothing;
   std::uint32_t patch = 0;
-  double nearness = 0;  // 1 / depth
+  double nearness = 0;  // reciprocal of the depth
   double s = 0, t = 0;
 
   // Keeps the nearer fragment. If two coincide, a front replaces a back.

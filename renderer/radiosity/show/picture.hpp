@@ -9,7 +9,7 @@ namespace radiosity {
 /// Linear colours; rows run from the top.
 struct Picture {
   int width = 0, height = 0;
-  std::vector<Rgb> pixels;  ///< indexed by y * width + x
+  std::vector<Rgb> pixels;  ///< colours of the pixels, at y * width + x
   bool operator==(const Picture&) const = default;
 };
 

@@ -88,7 +88,7 @@ class SeamFinder {
 
   // The position of a vertex on the way from another, as a fraction; none if it does not lie there.
   std::optional<double> find_share(std::uint32_t from, const Vec& way, std::uint32_t vertex) const {
-    constexpr double NEAR = 1e-7;  // relative to the length of the way
+    constexpr double NEAR = 1e-7;  // tolerance relative to the length of the way
     const Vec to = mesh_.vertices[vertex].at - mesh_.vertices[from].at;
     const double share = dot(to, way) / dot(way, way);
     return length(to - share * way) < NEAR * length(way) ? std::optional(share) : std::nullopt;
