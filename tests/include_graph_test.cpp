@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 struct Source {
   std::string path, room;  // path from the root of the repository, and the room it belongs to
-  std::vector<std::string> includes;  // as written in the source
+  std::vector<std::string> includes;  // includes as written in the source
 };
 
 // The room of a file: the folder that contains it.

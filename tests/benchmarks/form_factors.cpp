@@ -54,7 +54,8 @@ std::vector<renderer::Ray> collect_rays(const Mesh& mesh, int shots) {
       renderer::Ray ray;
       ray.origin = to.lit;
       ray.direction = normalize(way);
-      ray.reach = length(way) * (1 - 1e-4);  // ends before the patch, in single precision too
+      // the ray ends before the patch, even in single precision
+      ray.reach = length(way) * (1 - 1e-4);
       ray.from = to.object;
       ray.kind = renderer::RayKind::shadow;
       rays.push_back(ray);

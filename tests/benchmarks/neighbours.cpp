@@ -118,9 +118,10 @@ void add_neighbours() {
     if (engine.params.processes == machine::Processes::actors) continue;
     const bool is_direct = engine.params.links == machine::Links::direct;
     for (const int side : {4, 8, 16, 32, 64, 128, 256}) {
-      if (side > 32 && !is_direct) continue;  // SimGrid would take minutes
+      // skips large meshes on SimGrid, which would take minutes
+      if (side > 32 && !is_direct) continue;
       auto* one = add_one(engine, side, USUAL_WORK);
-      if (side > 64) one->Repetitions(1);  // five repetitions would take minutes
+      if (side > 64) one->Repetitions(1);  // runs once, since five repetitions would take minutes
     }
     for (const int work : {200, 20'000, 200'000})
       if (is_direct) add_one(engine, 16, work);

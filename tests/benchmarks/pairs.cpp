@@ -48,11 +48,12 @@ class Reporter : public benchmark::ConsoleReporter {
   }
 
   struct Cost {
-    double memory_kb, event_ns;  // per transputer; per event
+    double memory_kb, event_ns;  // memory per transputer, and host time per event
   };
 
-  std::map<std::string, std::map<std::string, double>> rates_;  // by benchmark, then by program
-  std::map<std::string, Cost> costs_;                           // by benchmark and program
+  // rates by benchmark, then by program
+  std::map<std::string, std::map<std::string, double>> rates_;
+  std::map<std::string, Cost> costs_;  // costs by benchmark and program
 };
 
 }  // namespace

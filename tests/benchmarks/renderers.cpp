@@ -19,7 +19,7 @@ Params make_params(int depth) {
   Params params;
   params.width = params.height = SIZE;
   params.limits.depth = depth;
-  params.feelers = Feelers::front;  // as in POV-Ray
+  params.feelers = Feelers::front;  // feelers go to the visible side only, as in POV-Ray
   params.sample = SamplePosition::center;
   params.traversal = Traversal::nearest;
   return params;
@@ -104,8 +104,8 @@ void compare(const Samples& ours, const Samples& theirs, benchmark::State& state
     differing += apart > 8 ? 1 : 0;
   }
   const auto count = static_cast<double>(a.size());
-  state.counters["image_difference"] = sum / count;  // mean over 0..255
-  // colour values that differ by more than 8
+  state.counters["image_difference"] = sum / count;  // mean difference of colour values, 0..255
+  // share of colour values that differ by more than 8
   state.counters["image_differing"] = differing / count;
 }
 

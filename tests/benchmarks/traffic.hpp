@@ -13,7 +13,7 @@ inline constexpr int LINE_HOPS = 4;
 inline constexpr int LINE_MESSAGES = 40'000;
 inline constexpr int SIDE = 8, NODES = SIDE * SIDE;
 inline constexpr int MESSAGES_PER_NODE = 250;
-inline constexpr int DIRECTIONS = 4;  // east, west, south, north
+inline constexpr int DIRECTIONS = 4;  // number of directions: east, west, south, north
 
 // The neighbour of `node` in a direction, or -1 at the edge.
 inline int neighbour(int node, int direction) {

@@ -113,7 +113,7 @@ std::string describe_end(int status, const Limits& limits) {
     begin_time(campaign.limits);
     if (!run_case(trial.reader, text, progress)) _exit(1);
   }
-  _exit(0);  // skips the parent's destructors
+  _exit(0);  // ends without calling the destructors of the parent's objects
 }
 
 }  // namespace

@@ -10,9 +10,10 @@ namespace fuzz {
 
 /// Limits for one case.
 struct Limits {
-  double cpu_s = 5;                         ///< CPU time
-  double wall_s = 120;                      ///< wall-clock time, for a reader that blocks
-  std::uint64_t memory_bytes = 2ull << 30;  ///< not with sanitizers, which need far more
+  double cpu_s = 5;     ///< limit on the CPU time
+  double wall_s = 120;  ///< limit on wall-clock time, for a reader that blocks
+  /// limit on memory; unused with sanitizers, which need far more
+  std::uint64_t memory_bytes = 2ull << 30;
 };
 
 struct Finding {

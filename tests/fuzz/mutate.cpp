@@ -130,7 +130,7 @@ std::vector<Span> find_spans(std::string_view text, Is is) {
   return spans;
 }
 
-// The lines, including their line ends.
+// Finds the lines of a text, including their line ends.
 std::vector<Span> find_lines(std::string_view text) {
   std::vector<Span> lines;
   for (std::size_t at = 0; at < text.size();) {

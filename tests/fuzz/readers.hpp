@@ -17,7 +17,7 @@ struct Broken : std::logic_error {
 
 struct Reader {
   std::string name;    ///< name, also of the folder below tests/fuzz/corpus with its own texts
-  std::string ending;  ///< extension of its files
+  std::string ending;  ///< extension of the reader's files
   /// Folders below experiments/ and simulator/ whose files with this extension are also used.
   std::vector<std::string> folders;
   /// Reads a text. Throws base::BadInput to refuse it; any other exception is a defect. May write

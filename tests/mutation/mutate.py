@@ -129,7 +129,7 @@ def write_sources(mutants, left_out=()):
     for folder in {SOURCE / Path(file).parts[0] for file in filter(None, listed) if "/" in file}:
         for path in folder.rglob("*"):
             if path.is_file() and str(path.relative_to(SOURCE)) not in listed:
-                path.unlink()  # left by an earlier call
+                path.unlink()  # remains of an earlier call
     header = Path(__file__).with_name("mutant.hpp")
     if not (SOURCE / header.name).exists() or (SOURCE / header.name).read_bytes() != header.read_bytes():
         shutil.copy(header, SOURCE)
@@ -167,7 +167,7 @@ class Test:
     folder: str
     environment: tuple
     source: str  # source of a gtest suite; empty for other tests
-    version: str  # version of the source
+    version: str  # hash of the source
 
 
 def find_suites():

@@ -22,7 +22,7 @@ class ManualTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
-        # as in a clone; nothing writes to it
+        # the folder is as in a clone, and nothing writes to it
         (self.folder / "experiments").symlink_to(ROOT / "experiments")
         (self.folder / "build").mkdir()
         (self.folder / "build/release").symlink_to(BUILD)

@@ -18,7 +18,8 @@ def help_on(program):
     """Keys with their defaults, and columns, from `tlab help`."""
     text = tlab_command("help", program).stdout
     if text.startswith("print") or "The program, in an experiment file:" in text:
-        text = text.split("The program, in an experiment file:")[1]  # radiosity is a command too
+        # radiosity is also a command, whose help comes first
+        text = text.split("The program, in an experiment file:")[1]
     keys, columns = text.split("\nResults of ")
     found = {}
     for line in keys.strip().splitlines()[1:]:
@@ -42,7 +43,7 @@ class FunctionsTest(unittest.TestCase):
                 for key, default in keys.items():
                     short = key.rpartition(".")[2]
                     if key.split(".")[0] in ("order", "stage") or short in ("order", "stage") and default is None:
-                        continue  # tables with one row for each stage or order
+                        continue  # skips tables with one row for each stage or order
                     value = (parameters.get(short) or parameters[key.replace(".", "_")]).default
                     if default is not None:
                         self.assertEqual(*_comparable(value, default), key)

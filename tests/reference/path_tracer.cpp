@@ -101,7 +101,7 @@ class PathTracer {
     SurfacePoint point;
     Rgb tint{1, 1, 1};  // product of the mirrors' reflectances
     int mirrors = 0;
-    std::uint32_t number = 0;  // as in Reference::faces
+    std::uint32_t number = 0;  // number of the face, as in Reference::faces
   };
   std::optional<Sight> look(const Vec& origin, Vec direction, std::uint32_t from, int depth) const {
     Sight sight{{origin, {}, from}};
@@ -197,7 +197,8 @@ class PathTracer {
   const Room& room_;
   const RoomGeometry geometry_;
   const std::vector<Emitter> emitters_;
-  const std::vector<double> face_area_ = make_face_areas();  // by face; 0 if it does not emit
+  // area of each face; 0 if it does not emit
+  const std::vector<double> face_area_ = make_face_areas();
 };
 
 // The standard error of the mean over the rounds.
@@ -272,7 +273,8 @@ class Painter {
 
   void paint_group(const Group& group) {
     const Material& material = tracer_.material_of(group.front().point.face);
-    std::vector<std::vector<Rgb>> rounds(group.size());  // by member of the group
+    // sums of each round, by member of the group
+    std::vector<std::vector<Rgb>> rounds(group.size());
     for (int round = 0; round < params_.rounds; ++round) {
       const auto light = find_irradiance(group, round);
       for (std::size_t k = 0; k < group.size(); ++k)

@@ -12,9 +12,9 @@ namespace radiosity::reference {
 /// its own randomised low-discrepancy set. The standard error follows from the spread of the
 /// rounds' means. Errors of nearby pixels are correlated, since these share paths.
 struct TracerParams {
-  int width = 0, height = 0;  ///< pixels; 0: those of the view
+  int width = 0, height = 0;  ///< size of the picture in pixels; 0: that of the view
   int samples = 256;          ///< paths per pixel, in whole rounds, at least one in each
-  int rounds = 8;             ///< 2 or more
+  int rounds = 8;             ///< number of rounds, at least 2
   int depth = 8;              ///< limit on the mirrors that a ray from the eye may meet
   int threads = 0;            ///< 0: as many as the host has; results do not depend on it
   std::uint64_t seed = 1;

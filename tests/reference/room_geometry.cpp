@@ -15,7 +15,7 @@ constexpr float NEAREST = 1e-6F, NEARLY = 1 - 1e-6F;
 
 // Faces that a ray ignores: those on which it starts and ends. Faces are flat and convex.
 struct Context {
-  embree::Context base;  // must be first, since Embree passes its address
+  embree::Context base;  // first member, since Embree passes its address
   const std::uint32_t* face_of_triangle;
   std::uint32_t from, to;
 };

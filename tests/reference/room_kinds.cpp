@@ -186,7 +186,7 @@ class KindBuilder {
     const Vec size{range(4, 5.5), range(3.5, 5), range(2.2, 2.6)};
     const double x = range(0.4, 0.6) * size.x, y = range(0.4, 0.6) * size.y;
     size_ = size;
-    // The room lacks the quarter beyond (x, y).
+    // The L-shaped room lacks the quarter beyond (x, y).
     const Vec up{0, 0, size.z};
     const auto add_level = [&](const Vec& p, double wide, double deep) {
       add_part("floor", p, {wide, 0, 0}, {0, deep, 0});
@@ -201,7 +201,7 @@ class KindBuilder {
     add_part("right", {x, y, 0}, up, {0, size.y - y, 0});
     add_part("wall", {0, size.y, 0}, {x, 0, 0}, up);
     add_part("left", {0, 0, 0}, {0, size.y, 0}, up);
-    // Adds a wall between the arms, with a door.
+    // Adds a wall with a door between the arms of the L-shaped room.
     add_opening({0, y, 0}, {x, 0, 0}, range(0.15, 0.5) * x, range(0.7, 0.9), 0, 2);
     add_lamp({0.6 * size.x, 0.3 * y, size.z - range_log(0.01, 0.1)}, 0.5, 0.5);
     eyes_ = {Vec{0.1, 0.1, 1.6}, {0.1, 0.1, 0.1}, {0.1, size.y - 0.1, 1.5}};

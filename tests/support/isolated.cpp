@@ -44,7 +44,7 @@ void write_part(std::FILE* out, char kind, const std::string& first, const std::
   } catch (const std::exception& error) {
     write_end(THREW, boost::core::demangle(typeid(error).name()), error.what());
   }
-  _exit(0);  // skips the parent's destructors
+  _exit(0);  // ends without calling the destructors of the parent's objects
 }
 
 struct Part {

@@ -36,12 +36,12 @@ inline Model derive_exact_model() {
   Model model = machine::override_model("t805-25", {{"instruction.fetch", "0"}}, "tests");
   model.memory.steal_word = 0;
   for (machine::Cycles* beside : {&model.channel.operands, &model.channel.out_word})
-    *beside = {0};  // separate tests cover these
+    *beside = {0};  // excludes costs that separate tests cover
   model.cpu.clock = {0x1p24};
-  model.timer.high_tick = 0x1p-20;  // 16 cycles
-  model.timer.low_tick = 0x1p-14;   // 1024 cycles
+  model.timer.high_tick = 0x1p-20;  // a tick of 16 cycles
+  model.timer.low_tick = 0x1p-14;   // a tick of 1024 cycles
   model.scheduler.slice = {4096};
-  model.link.one_way_rate = 0x1p20;  // 16 cycles per byte
+  model.link.one_way_rate = 0x1p20;  // a rate of 16 cycles per byte
   model.link.both_ways_rate = 0x1.8p20;
   return model;
 }

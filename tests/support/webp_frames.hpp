@@ -14,7 +14,7 @@ namespace test {
 // The picture shown from `from_ms` (included) to `to_ms` (excluded).
 struct WebpFrame {
   int from_ms, to_ms, width, height;
-  std::vector<std::uint8_t> rgb8;  // rows from the top
+  std::vector<std::uint8_t> rgb8;  // pixels, in rows from the top
 
   std::vector<int> pixel(double x, double y) const {
     const auto at = 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +

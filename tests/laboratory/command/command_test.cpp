@@ -39,7 +39,7 @@ TEST(ExperimentsCommand, RunWritesEverythingAndTheSameBytesForAnyJobs) {
     ASSERT_EQ(done.exit_code, 0) << done.err;
     EXPECT_NE(done.out.find("speedup"), std::string::npos);
     EXPECT_NE(done.out.find("report.html"), std::string::npos);
-    EXPECT_EQ(done.err, "");  // no progress bar in a pipe
+    EXPECT_EQ(done.err, "");  // in a pipe there is no progress bar
   }
   for (const char* name :
        {"results.csv", "report.html", "image-spheres-20.png", "image-spheres-60.png"})
@@ -47,7 +47,8 @@ TEST(ExperimentsCommand, RunWritesEverythingAndTheSameBytesForAnyJobs) {
   for (const char* name : {"run.json", "plots/speedup.svg", "plots/speedup.png", "plots/time_s.svg",
                            "plots/efficiency.png"})
     EXPECT_TRUE(fs::exists(folder.path / "r1" / name)) << name;
-  EXPECT_EQ(folder.names(), (std::vector<std::string>{"r1", "r3"}));  // no other files remain
+  // no other files remain in the folder
+  EXPECT_EQ(folder.names(), (std::vector<std::string>{"r1", "r3"}));
 
   const Table table = parse_csv(read_file(folder.path / "r1/results.csv"), "results.csv");
   ASSERT_EQ(table.rows.size(), 4u);

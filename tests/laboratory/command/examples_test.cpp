@@ -123,7 +123,7 @@ TEST(Examples, CommstimeIsTheSumOfItsInstructions) {
                                cycles("ldc");
   const auto found = numbers_in(output_of("example_commstime"));
   EXPECT_EQ(found.at(1), loop.value);
-  EXPECT_NEAR(found.at(0), 15.049, 0.02 * 15.049);  // published time
+  EXPECT_NEAR(found.at(0), 15.049, 0.02 * 15.049);  // published time, us
 }
 
 TEST(Examples, PingPongTakesItsFormula) {

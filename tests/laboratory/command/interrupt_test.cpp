@@ -204,7 +204,7 @@ TEST_F(Interrupt, TheSecondOneEndsAtOnce) {
   next_tlab();
   const pid_t tlab = start_tlab(folder.path, {"run", "e.toml", "-o", "r", "--jobs", "2"});
   EXPECT_TRUE(comes_true([&] { return records("r").size() == 1; }));
-  usleep(300'000);  // the other point has begun
+  usleep(300'000);  // waits until the other point has begun
   kill(tlab, SIGINT);
   EXPECT_TRUE(comes_true([&] { return fs::exists(started); }));
   kill(tlab, SIGINT);

@@ -46,7 +46,7 @@ TEST(ProgressiveCommand, StatsCountEachStep) {
                 .exit_code,
             0);
   const auto stats = load_stats(folder);
-  ASSERT_EQ(stats["steps"].size(), 3u);  // with cells of 8, 4 and 2 pixels
+  ASSERT_EQ(stats["steps"].size(), 3u);  // one step each for cells of 8, 4 and 2 pixels
   std::uint64_t samples = 0, rays = 0;
   for (const auto& step : stats["steps"]) {
     samples += step["samples"].get<std::uint64_t>();

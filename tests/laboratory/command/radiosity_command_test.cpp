@@ -74,7 +74,7 @@ TEST_F(RadiosityCommand, OptionsChangeWhatTheySay) {
   const std::string picture = read("i.png");
 
   const auto refined = stats({"--refine", "2"});
-  EXPECT_GT(refined["patches"], 4 * 21);  // also strips of the ceiling along the lamp's edges
+  EXPECT_GT(refined["patches"], 4 * 21);  // includes strips of the ceiling along the lamp's edges
   const auto substructured = stats({"--refine", "2", "--senders", "1"});
   EXPECT_EQ(substructured["patches"], refined["patches"]);
   EXPECT_EQ(substructured["shots"], plain["shots"]);

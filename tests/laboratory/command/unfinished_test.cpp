@@ -39,7 +39,7 @@ TEST(ExperimentsUntil, TheLimitIsInSimulatedSecondsAndTheResultsSayThatTheyAreIn
     if (until == std::string("0.1")) {
       const double setup = *as_number(table.rows[0][*table.find("setup_s")]);
       const double time = *as_number(table.rows[0][*table.find("time_s")]);
-      EXPECT_NEAR(setup + time, 0.1, 1e-9);  // values measured up to the limit
+      EXPECT_NEAR(setup + time, 0.1, 1e-9);  // the point was measured up to the limit of 0.1 s
       EXPECT_GT(*as_number(table.rows[0][*table.find("rays")]), 0);
     }
   }

@@ -66,11 +66,12 @@ TEST(ExperimentsVerify, RunsOnlyWhatIsMissing) {
   EXPECT_FALSE(verify({"--set", "sweep.bytes=[2, 3]"}));
   EXPECT_FALSE(verify({"--set", "model.cpu.clock=20e6"}));
   EXPECT_TRUE(verify({"--set", "model.cpu.clock=20e6"}));
-  EXPECT_TRUE(verify());                                           // reuses the first results
-  EXPECT_FALSE(verify({"--set", "sweep.bytes=[1, 100, 10001]"}));  // one point is missing
+  EXPECT_TRUE(verify());  // the first results are used again
+  // one point is missing and has to run
+  EXPECT_FALSE(verify({"--set", "sweep.bytes=[1, 100, 10001]"}));
   std::ofstream(folder.path / "results/e/results.csv") << "bytes,latency_s\n1,1.0\n";
   std::ofstream(folder.path / "results/e/run.json") << "{";
-  EXPECT_TRUE(verify());  // repairs the files
+  EXPECT_TRUE(verify());  // verify writes the damaged files again
   EXPECT_EQ(parse_csv(read_file(folder.path / "results/e/results.csv"), "csv").rows.size(), 3u);
 }
 
@@ -118,7 +119,7 @@ TEST(ExperimentsVerify, OfManyPointsTheWorstAreShown) {
     const auto out = tlab(folder.path, more).out;
     return std::ranges::count(out, '\n');
   };
-  // 10 rows, and a line that mentions the others
+  // without --all, 10 of 25 rows are shown, and a line that mentions the others
   EXPECT_EQ(lines({"--all"}) - lines({}), 25 - 10 - 1);
 }
 

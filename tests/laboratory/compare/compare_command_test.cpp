@@ -58,7 +58,7 @@ TEST_F(Compare, SeedsAreSamples) {
   const auto table = parse_csv(read_file(folder.path / "c.csv"), "c.csv");
   EXPECT_EQ(table.columns, (std::vector<std::string>{"result", "workers", "run", "value", "first",
                                                      "ratio", "low", "high"}));
-  ASSERT_EQ(table.rows.size(), 4u);  // two results at two points
+  ASSERT_EQ(table.rows.size(), 4u);  // rows for two results at two points
   // One worker has no network, so times are equal for all seeds, and the interval is a point.
   for (std::size_t column = 5; column < 8; ++column)
     EXPECT_EQ(as_number(table.rows[0][column]), 1.0);
@@ -102,7 +102,8 @@ TEST_F(Compare, LeavesOutWhatDidNotComeToItsEnd) {
   ASSERT_EQ(run({"-o", "a"}).exit_code, 0);
   const auto table = parse_csv(read_file(folder.path / "a/results.csv"), "a");
   const auto time = *as_number(table.rows[1][*table.find("time_s")]);
-  run({"-o", "b", "--until", fmt::format("{}", 1.5 * time)});  // enough only for three workers
+  // the time limit is enough only for three workers
+  run({"-o", "b", "--until", fmt::format("{}", 1.5 * time)});
   const auto outcome = compare({"a", "b"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_TRUE(contains(outcome.out, "left out: 1 of 2 rows of b")) << outcome.out;

@@ -187,7 +187,8 @@ TEST(ExperimentsFaults, BelongToThePoint) {
 }
 
 TEST(ExperimentsFaults, MistakesAreNamed) {
-  const std::string good = "[[fault]]\nprocessor = 0\nat_s = 1\n[[fault]]\n";  // four lines
+  // the text has four lines
+  const std::string good = "[[fault]]\nprocessor = 0\nat_s = 1\n[[fault]]\n";
   for (const auto& [keys, message] : std::vector<std::pair<std::string, std::string>>{
            {"processor = 4\nat_s = 1\n",
             "e.toml:4: [[fault]] 2: found 4, expected processors from 0 to 3"},

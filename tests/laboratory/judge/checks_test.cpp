@@ -134,7 +134,7 @@ TEST(ExperimentsChecks, WithinABoundThePointThatIsNearestToItIsTheWorst) {
   EXPECT_EQ(summarize(result, test.table),
             "ok       c: latency_s at 3 point(s), worst 1 (at least 0.5) at topology = line, bytes "
             "= 1");
-  const auto shown = make_check_table(result, test.table, 2);  // sorted, the worst point first
+  const auto shown = make_check_table(result, test.table, 2);  // the worst point comes first
   EXPECT_EQ(shown.columns, (std::vector<std::string>{"topology", "bytes", "simulated", "at least",
                                                      "error", "mark"}));
   EXPECT_EQ(shown.rows.at(0).back(), Value("worst"));

@@ -182,7 +182,7 @@ TEST(LiveServer, APageSeesTheRunAndSteersIt) {
     say(socket, "{\"want\": \"frame\"}");
     std::string tiles = hear(socket);
     ASSERT_GT(tiles.size(), 9u);
-    EXPECT_EQ(tiles[0], 0);  // the display's picture, in one tile
+    EXPECT_EQ(tiles[0], 0);  // the tiles are those of the display's picture
     EXPECT_EQ(tiles.size(), 1 + 8 + 3 * 16 * 12u);
     const auto state = nlohmann::json::parse(hear(socket)).at("state");
     EXPECT_EQ(state.at("state"), "over");
@@ -216,7 +216,7 @@ TEST(LiveServer, StrangersLeaveRoomForPages) {
     Served served;
     served.run();
     std::vector<tcp::socket> pending;
-    std::vector<Socket> silent;  // web sockets without a token
+    std::vector<Socket> silent;  // web sockets that send no token
     const auto bring_strangers = [&] {
       for (int i = 0; i < 150; ++i) pending.push_back(served.connect());
       for (int i = 0; i < 80; ++i) silent.push_back(served.open());
@@ -228,7 +228,7 @@ TEST(LiveServer, StrangersLeaveRoomForPages) {
     EXPECT_NE(enter(served, page).find("outline"), std::string::npos);
     bring_strangers();
     say(page, "{\"want\": \"frame\"}");
-    hear(page);  // receives the picture
+    hear(page);  // receives the picture, the first reply
     EXPECT_NE(hear(page).find("\"state\""), std::string::npos);
     std::vector<Socket> pages;
     for (std::size_t i = 1; i < MOST_CLIENTS; ++i) {
@@ -249,7 +249,7 @@ TEST(LiveServer, AnyTextCanBeTold) {
     auto socket = served.open();
     enter(served, socket);
     say(socket, "{\"want\": \"frame\"}");
-    hear(socket);  // receives the picture
+    hear(socket);  // receives the picture, the first reply
     EXPECT_NE(hear(socket).find("caf"), std::string::npos);
   });
 }

@@ -68,7 +68,7 @@ struct Watched {
   std::string result, recording;
   std::vector<std::string> replies;
   std::optional<double> ended_by_hand_s;
-  std::shared_ptr<const Frame> frame;  // last frame
+  std::shared_ptr<const Frame> frame;  // last frame of the session
   int calls = 0;
 };
 

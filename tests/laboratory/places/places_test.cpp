@@ -23,7 +23,7 @@ void expect_place(const Place& found, double x, double y) {
 TEST_F(PlacesOf, ANetworkAreThoseOfItsDrawing) {
   const auto network = topologies::make_line(3);
   const auto drawn = topologies::make_layout(network).processors;
-  auto* last = &lab.cpu();  // outside the network, above its root
+  auto* last = &lab.cpu();  // a processor outside the network, above its root
   for (int i = 0; i < 3; ++i) last = &lab.neighbour(*last);
   const auto places = place_processors(lab.machine, network, {1, 2, 3});
   ASSERT_EQ(places.size(), 4u);

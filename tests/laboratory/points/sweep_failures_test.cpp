@@ -80,7 +80,8 @@ TEST_F(Sweep, NothingIsWrittenIfAllPointsFail) {
   EXPECT_EQ(folder.names(), Arguments{"e.toml"});
 }
 
-// The first point with these images fails. Another point provides the key images and the report.
+// The first point fails, although it has the same images as another. That point provides the key
+// images and the report.
 TEST_F(Sweep, KeyImagesOutliveAPointThatFails) {
   ASSERT_EQ(run({"-o", "whole", "--set", "sweep.objects=[20]"}).exit_code, 0);
   write_file(folder.path / "e.toml",

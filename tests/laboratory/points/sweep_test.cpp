@@ -91,7 +91,7 @@ TEST_F(Sweep, DamagedRecordsAreNamedAndRunAgain) {
   ASSERT_EQ(files.size(), 6u);
   const auto whole = read_file(files[0]);
   write_file(files[0], std::string_view(whole).substr(0, whole.size() / 2));
-  write_file(files[1], read_file(files[2]));  // the record of another point
+  write_file(files[1], read_file(files[2]));  // replaces a record by that of another point
   auto changed = read_file(files[3]);
   ++changed[changed.size() / 2];
   write_file(files[3], changed);

@@ -127,7 +127,8 @@ TEST(ExperimentsReport, EscapesEveryText) {
     EXPECT_EQ(count(html, tag), 0u) << tag;
   EXPECT_EQ(count(html, "<script"), 2u);
   EXPECT_EQ(count(html, "</script"), 2u);
-  EXPECT_EQ(count(html, "&lt;script&gt;"), 3u);  // title, heading and experiment
+  // the text appears in title, heading and experiment
+  EXPECT_EQ(count(html, "&lt;script&gt;"), 3u);
   Report report;
   report.title = "{{<&>}}\"'\x01";
   EXPECT_EQ(count(make_report(report), "<h1>{{&lt;&amp;&gt;}}&quot;&#39;\xef\xbf\xbd</h1>"), 1u);

@@ -112,7 +112,7 @@ TEST(Influences, OfIshigamisFunction) {
   const auto all = find_influences(s.results, s.entries, s.quantiles);
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].entry, "x1");
-  // slope per quantile
+  // expected slope per quantile
   const double slope = (1 + B * std::pow(PI, 4) / 5) / (PI * PI / 3) * 2 * PI;
   EXPECT_NEAR(all[0].swing, 0.9 * slope, 4 * all[0].error);
   EXPECT_LT(all[0].error, 0.03 * slope);

@@ -67,7 +67,7 @@ TEST_F(Uncertain, GivesTheSameBytesWithAnyJobsAndHowevOftenItIsResumed) {
   const auto page = read("b/report.html");
   ASSERT_EQ(tlab(folder.path, {"report", "b"}).exit_code, 0);
   EXPECT_EQ(read("a/intervals.csv"), read("b/intervals.csv"));
-  EXPECT_EQ(run({"--uncertain", "6", "-o", "b"}).exit_code, 0);  // replaces its own results
+  EXPECT_EQ(run({"--uncertain", "6", "-o", "b"}).exit_code, 0);  // the run replaces its own results
   EXPECT_EQ(page, read("b/report.html"));
 }
 

@@ -9,7 +9,8 @@
 namespace renderer::test {
 namespace {
 
-const std::string CAMERA = "v from 0 0 9 at 0 0 0 up 0 1 0 angle 40\n";  // line 1 of the file
+// the view, line 1 of the file
+const std::string CAMERA = "v from 0 0 9 at 0 0 0 up 0 1 0 angle 40\n";
 const std::string WHITE = "f 1 1 1 1 0 0 0 0\n";
 const std::string SQUARE = "p 4 0 0 0 1 0 0 1 1 0 0 1 0\n";
 
@@ -45,7 +46,7 @@ TEST_F(NffTexture, IsOfTheSurfaceSetLast) {
   EXPECT_EQ(scene.surfaces[2].texture, 1u);
   EXPECT_EQ(scene.surfaces[3].texture, NO_TEXTURE);
   ASSERT_EQ(scene.textures.size(), 2u);
-  ASSERT_EQ(scene.pyramids.size(), 1u);  // one picture, loaded once
+  ASSERT_EQ(scene.pyramids.size(), 1u);  // both textures share one picture
   EXPECT_EQ(scene.pyramids[0].levels.size(), 2u);
   const TexturePoint planar = find_texture_point(scene, scene.textures[0], 1, {2, 5, 8});
   EXPECT_DOUBLE_EQ(planar.u, 0.5);

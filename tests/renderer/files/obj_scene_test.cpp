@@ -199,7 +199,7 @@ TEST_F(ObjScene, WhatIsWrongIsRejectedWithItsLine) {
     EXPECT_EQ(error_of(text).substr(0, expected.size()), expected) << error_of(text);
 }
 
-// The third surface is that of an earlier material.
+// The third surface equals the first, so its material is used again.
 TEST_F(ObjScene, MaterialsOfAnNffAreNumberedFromOne) {
   const auto path = save_obj("scene", [&](NffTarget& nff) {
     const std::string triangle = "p 3 0 0 0 1 0 0 0 1 0\n";

@@ -194,7 +194,7 @@ TEST_F(Png, WhatCannotBeLoadedIsAnErrorThatNamesTheFile) {
     }
   }
   EXPECT_THROW(load_png(path("none.png")), base::BadInput);
-  EXPECT_THROW(load_png(path("")), base::BadInput);  // refuses a folder
+  EXPECT_THROW(load_png(path("")), base::BadInput);  // a folder instead of a file
 }
 
 TEST_F(Png, TooManyPixelsAreAnError) {

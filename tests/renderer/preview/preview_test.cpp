@@ -242,7 +242,7 @@ TEST(Preview, FromWithinASphereAndACylinder) {
   compare(scene, make_params(50, 50, 1), 1, all);
   EXPECT_EQ(all.other_sums, 0);
   EXPECT_EQ(all.off_silhouette, 0);
-  EXPECT_LE(all.other_object, 60);  // the cylinder's far rim
+  EXPECT_LE(all.other_object, 60);  // rays at the cylinder's far rim may hit another object
 }
 
 TEST(Preview, NamesWhatIsWrong) {
@@ -308,7 +308,7 @@ TEST(Facets, AreOffTheirObjectByHalfAPixelAtMost) {
   }
   EXPECT_LE(most_of_sphere, 0.5);
   EXPECT_LE(most_of_cylinder, 0.25);
-  EXPECT_GE(most_of_sphere, 0.2);  // no finer than necessary
+  EXPECT_GE(most_of_sphere, 0.2);  // the tessellation is no finer than necessary
   EXPECT_GE(most_of_cylinder, 0.1);
 }
 

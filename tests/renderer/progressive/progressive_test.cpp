@@ -95,7 +95,7 @@ TEST(Cells, InterpolationPassesThroughEverySampleOnTheBorder) {
   OneCell one;
   one.set(4, 0, 0.8);
   EXPECT_NEAR(one.show(4, 0), 0.8, 1e-9);
-  EXPECT_NEAR(one.show(2, 0), 0.45, 1e-9);  // halfway between 0.1 and 0.8
+  EXPECT_NEAR(one.show(2, 0), 0.45, 1e-9);  // the middle between the values 0.1 and 0.8
   EXPECT_NEAR(one.show(4, 8), 0.7, 1e-9);   // the opposite side is unchanged
   // bilinear, plus half of the upper side's surplus
   EXPECT_NEAR(one.show(4, 4), 0.45 + 0.6 / 2, 1e-9);

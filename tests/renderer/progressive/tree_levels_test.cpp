@@ -103,7 +103,7 @@ TEST(TreeLevels, CompleteTree) {
 TEST(TreeLevels, CompleteTreeHasTheRatioOfEq41) {
   constexpr int LIGHTS = 3;
   const auto steps = count_steps(make_complete(LIGHTS));
-  EXPECT_EQ(steps[3].repeated, 3u);  // figure 4.2
+  EXPECT_EQ(steps[3].repeated, 3u);  // value of figure 4.2
   EXPECT_EQ(steps[3].fresh.total(), 16u);
   for (int n = 1; n <= LEVELS; ++n)
     EXPECT_EQ(get_repeated_percent(steps[static_cast<std::size_t>(n)]),

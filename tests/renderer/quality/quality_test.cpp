@@ -70,7 +70,7 @@ double eval_plain_ssim(const Bitmap& a, const Bitmap& b) {
 TEST(Rmse, ByHand) {
   EXPECT_EQ(rmse({1, 1, {10, 20, 30}}, {1, 1, {10, 20, 30}}), 0);
   EXPECT_EQ(rmse(make_grey(2, 1, {0, 0}), make_grey(2, 1, {255, 255})), 255);
-  EXPECT_EQ(rmse({1, 1, {0, 0, 0}}, {1, 1, {1, 5, 1}}), 3);  // sqrt(27 / 3)
+  EXPECT_EQ(rmse({1, 1, {0, 0, 0}}, {1, 1, {1, 5, 1}}), 3);  // rmse = sqrt((1 + 25 + 1) / 3)
 }
 
 TEST(Ssim, ByHand) {

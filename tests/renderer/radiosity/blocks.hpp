@@ -47,11 +47,11 @@ inline Block make_block(Random& random, const Vec& size, std::span<const Block> 
   const int angle = random.below(6);
   block.turned = angle == 0 ? 0 : angle == 1 ? 1e-9 : random.range(-3, 3);
   switch (random.below(5)) {
-    case 0:  // in the air
+    case 0:  // a block in the air
       block.low = random.range(0.05, 0.3) * size.z;
       block.high += block.low;
       break;
-    case 1:  // on another block
+    case 1:  // a block on another one
       if (others.empty()) break;
       block.x = others.back().x;
       block.y = others.back().y;
@@ -60,11 +60,11 @@ inline Block make_block(Random& random, const Vec& size, std::span<const Block> 
       block.low = others.back().high;
       block.high = std::min(block.low + block.high, 0.9 * size.z);
       break;
-    case 2:  // with an edge or a side at the wall x = 0
+    case 2:  // a block with an edge or a side at the wall x = 0
       block.x = block.wide * std::abs(std::cos(block.turned)) +
                 block.deep * std::abs(std::sin(block.turned));
       break;
-    case 3:  // in a corner
+    case 3:  // a block in a corner
       block.turned = 0;
       block.x = block.wide;
       block.y = block.deep;

@@ -134,7 +134,7 @@ TEST(Scan, StaysInItsArea) {
   scanner.draw_line(wall[0], wall[2], put);
   EXPECT_EQ(count, 0);  // the diagonal from bottom to top passes (x, 23 - x)
   scanner.draw_line(wall[1], wall[3], put);
-  EXPECT_EQ(count, 4);  // from (5, 5) to (8, 8)
+  EXPECT_EQ(count, 4);  // the samples from (5, 5) to (8, 8)
 }
 
 TEST(Scan, LinesBehindTheEyeAreCutOff) {

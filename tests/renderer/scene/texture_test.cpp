@@ -110,8 +110,8 @@ TEST(Texture, ATexelIsTheMeanOfWhatItCovers) {
   ASSERT_EQ(three.levels.size(), 2u);
   EXPECT_EQ(three.levels[1].texels[0].r, 95 * 257);
   const Pyramid five = make_pyramid(5, 1, make_grey({0, 50, 100, 150, 200}));
-  EXPECT_EQ(five.levels[1].texels[0].r, 40 * 257);   // (0 + 50 + 100 / 2) / 2.5
-  EXPECT_EQ(five.levels[1].texels[1].r, 160 * 257);  // (100 / 2 + 150 + 200) / 2.5
+  EXPECT_EQ(five.levels[1].texels[0].r, 40 * 257);   // the mean (0 + 50 + 100 / 2) / 2.5
+  EXPECT_EQ(five.levels[1].texels[1].r, 160 * 257);  // the mean (100 / 2 + 150 + 200) / 2.5
   const Pyramid four = make_pyramid(2, 2, make_grey({10, 20, 30, 40}));
   EXPECT_EQ(four.levels[1].texels[0].r, 25 * 257);
 }
@@ -207,7 +207,7 @@ TEST(Texture, SphericalIsLongitudeAndLatitude) {
   // The seam is at longitude 0, and coordinates never pass it.
   EXPECT_GT(find({r, -1e-9, 0}).u, 0.99999);
   EXPECT_LT(find({r, -1e-9, 0}).u, 1);
-  EXPECT_EQ(find({}).v, 0.5);  // the middle of the sphere
+  EXPECT_EQ(find({}).v, 0.5);  // the point is the middle of the sphere
   EXPECT_THROW(make_spherical(middle, {}), base::BadInput);
   Random random{9};
   for (int i = 0; i < 50; ++i) {

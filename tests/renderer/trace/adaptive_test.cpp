@@ -57,7 +57,7 @@ TEST(Adaptive, RectanglesOfAllShapesHaveASampleEach) {
     for (std::uint32_t pixel = 0; pixel < 30; ++pixel)
       for (int group = 0; group < GROUPS; ++group)
         for (const int count : {2, 4, 8, 16, 32, 64, 128}) {
-          if (dimension != Dimension::pixel && count == 2) continue;  // half a round
+          if (dimension != Dimension::pixel && count == 2) continue;  // skips half rounds
           for (int columns = 1; columns <= count; columns *= 2) {
             std::set<int> parts;
             for (int place = 0; place < count; ++place)

@@ -43,7 +43,7 @@ double eval_slope(const std::vector<std::pair<int, double>>& errors) {
 
 struct Effect {
   const char* name;
-  const char* scene;  // text after the view
+  const char* scene;  // text of the scene, after the view
 };
 class Noise : public testing::TestWithParam<Effect> {};
 

@@ -15,7 +15,8 @@ void expect_within(double share, std::uint64_t found, double expected) {
 struct Row {
   int spheres;
   std::uint64_t total;
-  double box_tests, sphere_tests;  // per ray, for the Goldsmith-Salmon tree of another program
+  // tests per ray, for the Goldsmith-Salmon tree of another program
+  double box_tests, sphere_tests;
 };
 
 class Spheres : public testing::TestWithParam<Row> {};

@@ -6,7 +6,7 @@
 namespace renderer::test {
 namespace {
 
-constexpr int SIDE = 16;  // pixels
+constexpr int SIDE = 16;  // width and height of the image, pixels
 
 // A view from the origin along y. A pixel has size 1 at distance 100.
 Scene make_view() {

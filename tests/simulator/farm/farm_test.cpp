@@ -183,7 +183,8 @@ TEST(Farm, MissesAreShorterThanHits) {
 TEST(Farm, RaysInFarmAndFeelersAreBounded) {
   for (int workers : {1, 2, 5, 13}) {
     const std::size_t buffers = 1 + static_cast<std::size_t>(workers) * 4 +
-                                static_cast<std::size_t>(workers - 1);  // one sender per child
+                                // one sender buffer per child
+                                static_cast<std::size_t>(workers - 1);
     run_isolated([&] {
       const auto r = run_farm(machine::load_model("t805-25"),
                               topologies::make_topology(fmt::format("tree:{}", workers)),

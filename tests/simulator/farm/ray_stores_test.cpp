@@ -124,8 +124,8 @@ TEST(Priority, FirstSamplesOfPixelsComeFirst) {
   }
 }
 
-// The weighted sum has the largest factor, 1 / level, and log(cell size) / log(largest cell). Two
-// rays with nearly equal sums may come in either order.
+// The sum of the largest influence factor, 1 / level, and log(cell size) / log(largest cell), each
+// with a weight. Two rays with nearly equal sums may come in either order.
 TEST(Priority, IsTheWeightedSumOfItsKeys) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 2000; ++i) {
@@ -149,7 +149,7 @@ TEST(RayStores, CountTheirWork) {
   strong.influence = {1, 1, 1};
   stores.add(weak, work);
   EXPECT_EQ(work.heap_step, 0u);
-  stores.add(strong, work);  // rises above the weak ray
+  stores.add(strong, work);  // the strong ray rises above the weak one in the heap
   EXPECT_EQ(work.heap_step, 1u);
   EXPECT_EQ(work.record_stored, 2u);
   EXPECT_EQ(work.ray_classified, 2u);

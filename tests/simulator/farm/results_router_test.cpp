@@ -39,7 +39,7 @@ Numbers run_results_router() {
         active = !answer.stop();
         const auto* hit = std::get_if<Intersection>(&answer.content);
         found.push_back(hit ? static_cast<double>(hit->ray.sample) : -1);
-        compute(10'000);  // by then, every input waits
+        compute(10'000);  // by then, every input has a result waiting
       }
     });
     lab.machine.run();

@@ -157,7 +157,8 @@ TEST(Session, PointsAreDark) {
                        pixels - black_pixels(result.key_images[1].rgb8),
                        mean_level(result.key_images[0].rgb8) < 0.05 * mean_level(result.rgb8));
   });
-  EXPECT_EQ(told, "9 108 true");  // 3 x 3 cells of 8 pixels; 12 x 9 of 2
+  // the first stage has 3 x 3 cells of 8 pixels, the second 12 x 9 cells of 2
+  EXPECT_EQ(told, "9 108 true");
 }
 
 // The first limits are exhausted long before the order comes. The farm waits for it.

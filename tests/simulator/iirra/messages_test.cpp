@@ -17,7 +17,8 @@ TEST(IirraMessages, AreAsLongAsWhatTheySay) {
   constexpr std::uint64_t TAG = 1, NUMBER = 1, LIMITS = 6, AREA = 4, WEIGHTS = 6;
   EXPECT_EQ(words_of(UserOrder{}), TAG + NUMBER + LIMITS + AREA);
   NewPhase phase;
-  EXPECT_EQ(words_of(phase), TAG + 2 * NUMBER + LIMITS + AREA);  // numbers of phase and order
+  // two numbers: those of phase and order
+  EXPECT_EQ(words_of(phase), TAG + 2 * NUMBER + LIMITS + AREA);
   phase.limits.weights = Weights{};
   EXPECT_EQ(words_of(phase), TAG + 2 * NUMBER + LIMITS + AREA + WEIGHTS);
   EXPECT_EQ(words_of(Report{}), TAG + 3 * NUMBER);

@@ -197,7 +197,7 @@ Result run_case(const Case& c) {
 struct Needed {
   std::set<std::pair<int, int>> points;
   std::uint64_t asked = 0;    // samples of all levels, including repeated ones
-  std::uint64_t divided = 0;  // number of cells
+  std::uint64_t divided = 0;  // number of cells that are divided
 };
 
 void need(Needed& needed, SampledCell cell, const renderer::Area& area) {
@@ -304,7 +304,7 @@ void expect_session(const Case& c, const Result& result) {
 
 void expect_messages(const Case& c, const Result& result) {
   const auto& counts = result.counts;
-  EXPECT_EQ(counts.samples, result.rays.primary);  // one for each tree
+  EXPECT_EQ(counts.samples, result.rays.primary);  // one primary ray for each shading tree
   EXPECT_EQ(counts.samples_outside, result.rays_outside.primary);
   if (c.params.balance == BalanceMethod::none) {
     EXPECT_EQ(counts.task_messages(), 0u);

@@ -49,7 +49,7 @@ TEST(IirraTasks, TheMostImportantComesFirstAndNothingIsLost) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
-    const auto most_adds = 4 + random() % 5;  // number of additions in ten steps
+    const auto most_adds = 4 + random() % 5;  // limit on the additions in ten steps
     const auto may_go = [](const Task& task) { return !task.has_just_come; };
     TaskStores stores;
     TaskWork work;
@@ -78,7 +78,7 @@ TEST(IirraTasks, TheMostImportantComesFirstAndNothingIsLost) {
         EXPECT_FALSE(stores.take_last(may_go, work));
         continue;
       }
-      const Task first = *oracle.first();  // taken and put back
+      const Task first = *oracle.first();  // the first task is taken and put back
       const auto taken = stores.take(work);
       ASSERT_TRUE(taken);
       EXPECT_EQ(taken->cell, first.cell);
@@ -134,7 +134,7 @@ TEST(IirraTasks, WorkIsCounted) {
   TaskWork work;
   for (int i = 0; i < 8; ++i) {
     Task task{{2 * i, 0, 2, 1}};
-    task.importance.sum = i;  // each becomes the most important
+    task.importance.sum = i;  // each new task becomes the most important
     stores.add(task, work);
   }
   EXPECT_EQ(work.record_stored, 8u);

@@ -52,7 +52,7 @@ inline void start_load(Lab& lab, Processor& cpu, const Load& load, Recorded& rec
     };
     cpu.start("burst", Priority::high, body).set_server();
   }
-  // after everything else
+  // starts a process that ends after everything else
   lab.cpu().start("end", Priority::low, [] { wait_until_cycle(1 << 24); });
   cpu.start("low", Priority::low, [&load, &recorded] {
     compute(load.low);

@@ -17,7 +17,7 @@
 namespace dma_oracle {
 
 struct Machine {
-  double clock;               // cycles/s
+  double clock;               // clock rate, cycles/s
   double one_way, both_ways;  // rate of a link with one direction, and with both together, bytes/s
   double steal_byte;          // cycles that DMA takes for each byte, at both ends
   double come_to_link;        // cycles of the instruction that inputs or outputs

@@ -69,7 +69,7 @@ TEST(Dma, TakesItsCyclesFromAComputationThatLastsLonger) {
 // quarter. But the message ends early. The ALT waits for its tick or, if another guard is ready,
 // does not take it.
 TEST(Dma, EndsBeforeAnAltIsPaidFor) {
-  constexpr double TICK = 1024;  // cycles
+  constexpr double TICK = 1024;  // length of a tick, cycles
   constexpr std::int64_t MOST_OWED = 1000, BEFORE = 64;
   constexpr double ALT = 200;  // upper bound in cycles, with the reader and its message
   Model model = make_stealing_model();
@@ -90,7 +90,7 @@ TEST(Dma, EndsBeforeAnAltIsPaidFor) {
           bool skipped = false;
           a.start("waits", priority, [&] {
             compute(BEFORE);
-            this_process().sync();  // the message is being transferred
+            this_process().sync();  // waits until the message is being transferred
             compute(owes);
             auto tick = after(priority == Priority::high ? 64 : 1, [] {});
             Words message;
@@ -221,7 +221,7 @@ TEST(Dma, LeavesAMonitorWhatIsNotTaken) {
   Model model = make_stealing_model();
   model.scheduler.preemption = model.scheduler.return_to_low = {0};
   constexpr double END_S = 0.02;
-  constexpr std::int64_t ROUND = 8;  // cycles
+  constexpr std::int64_t ROUND = 8;  // length of a counting round, cycles
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const auto run = [&](bool has_controller) {
       return isolated_numbers([&] {

@@ -7,7 +7,7 @@ namespace occam {
 namespace {
 
 constexpr std::uint64_t LENGTHS[] = {0, 1, 4, 5, 8, 100, 4001};
-constexpr double HAIR = 1e-3;  // cycles; SimGrid resolves a picosecond
+constexpr double HAIR = 1e-3;  // tolerance in cycles, since SimGrid resolves a picosecond
 
 struct HardCase {
   bool reader_made_first, by_alt;

@@ -56,7 +56,7 @@ TEST(InstructionTable, IsThePublishedOneInEveryModel) {
   for (const auto& name : machine::builtin_models()) {
     const Model model = machine::override_model(name,
                                                 {{"memory.data_word", "\"memory.on_chip_word\""},
-                                                 // in no published table
+                                                 // this entry is in no published table
                                                  {"instruction.fetch", "0"}},
                                                 "tests");
     for (const Row& row : make_rows(model))
@@ -96,7 +96,7 @@ TEST(InstructionTable, ClocksAndSlices) {
       {"t414-20", 20e6, 20'480},
       {"t800-20", 20e6, 20'480},
       {"t805-25", 25e6, 25'600},
-      {"t805-30", 30e6, 30'720},  // 5120 periods of 5 MHz
+      {"t805-30", 30e6, 30'720},  // cycles in 5120 periods of 5 MHz
   };
   for (auto [name, clock, slice] : published) {
     const Model model = machine::load_model(name);

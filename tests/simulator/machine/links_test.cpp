@@ -6,7 +6,7 @@
 namespace occam {
 namespace {
 
-constexpr double HAIR_CYCLES = 1e-3;  // SimGrid resolves a picosecond
+constexpr double HAIR_CYCLES = 1e-3;  // tolerance in cycles, since SimGrid resolves a picosecond
 
 // A message between two processors. run_flows() starts all at once, and returns their arrivals in
 // cycles after the start.
@@ -43,7 +43,7 @@ Numbers run_flows(int processors, const std::vector<std::pair<int, int>>& links,
 TEST(Link, DirectionsAloneReachOneRateAndTogetherShareTheOther) {
   const Model model = make_exact_model();
   const double clock = model.cpu.clock.value, one = model.link.one_way_rate / clock,
-               half = model.link.both_ways_rate / clock / 2;  // bytes per cycle
+               half = model.link.both_ways_rate / clock / 2;  // rates in bytes per cycle
   constexpr std::uint64_t n = 100'000, m = 40'000;
   constexpr double slack = 200;
   EXPECT_NEAR(run_flows(2, {{0, 1}}, {{0, 1, n}}).at(0), n / one, slack);
@@ -62,7 +62,7 @@ TEST(Link, DirectionsAloneReachOneRateAndTogetherShareTheOther) {
 TEST(Link, WhatHasPassedGrowsAsTheBytesMove) {
   const Model model = make_exact_model();
   const double clock = model.cpu.clock.value, one = model.link.one_way_rate / clock,
-               half = model.link.both_ways_rate / clock / 2;  // bytes per cycle
+               half = model.link.both_ways_rate / clock / 2;  // rates in bytes per cycle
   constexpr double n = 10'000, m = 2'000, met_at = 40'000, every = 2'000;
   const auto passed = isolated_numbers([&] {
     Lab lab;

@@ -30,7 +30,7 @@ TEST(MixedModels, EachProcessorHasItsOwnClockAndCosts) {
         compute(6000);
         end = this_process().now().value;
         charge(Cycles{600});
-        end = this_process().now().value - end + 1000 * end;  // both times in one number
+        end = this_process().now().value - end + 1000 * end;  // packs both times into one number
       });
     }
     machine.run();
@@ -85,7 +85,7 @@ TEST(MixedModels, DmaTakesCyclesOfEachEndsOwnClock) {
     cpus[1]->start("reader", Priority::high, [&] { channel.in(); });
     for (const bool is_quick : {false, true})
       cpus[is_quick]->start("work", Priority::low, [&found, is_quick] {
-        constexpr std::int64_t CYCLES = 2'000'000;  // ends before the message
+        constexpr std::int64_t CYCLES = 2'000'000;  // a computation that ends before the message
         const double begun = this_process().now().value;
         this_process().charge(Cycles{CYCLES});
         const double took = this_process().now().value - begun;

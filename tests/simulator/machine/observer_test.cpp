@@ -11,7 +11,7 @@ using machine::LinkDirection;
 using machine::Observer;
 using machine::Seconds;
 
-constexpr double HAIR_S = 1e-12;  // s
+constexpr double HAIR_S = 1e-12;  // tolerance, s
 
 struct Span {
   double from, to;

@@ -32,7 +32,7 @@ struct Stream {
 
 struct Plan {
   topologies::Topology topology;
-  std::vector<Stream> streams;     // at most one on each link direction
+  std::vector<Stream> streams;     // streams, at most one on each link direction
   std::vector<bool> is_slow = {};  // processors with half the clock rate; empty: none
   std::vector<int> switches = {};  // number of switches on each link; empty: none
 };
@@ -46,7 +46,7 @@ inline Plan make_plan(std::uint64_t seed) {
   const auto neighbours = topologies::neighbours(plan.topology);
   std::map<std::pair<int, int>, bool> taken;
   const auto pick = [&] { return static_cast<int>(random() % plan.topology.processors); };
-  const auto kind = random() % 3;  // all high, all low, mixed priorities
+  const auto kind = random() % 3;  // processes have high, low or mixed priorities
   const auto priority = [&] { return BOTH_PRIORITIES[kind < 2 ? kind : random() % 2]; };
   for (int tries = 3 * plan.topology.processors; tries > 0; --tries) {
     std::vector<int> path{pick()};

@@ -60,7 +60,7 @@ TEST(Run, EndsAtItsLimitWithNothingBeyond) {
 
 // This holds for any kind of wait, and any number of parts.
 TEST(Run, EndsAtItsLimitThoughAProcessWaitsFromALaterTimeOn) {
-  constexpr std::int64_t LIMIT = 100;  // cycles
+  constexpr std::int64_t LIMIT = 100;  // limit of the run, cycles
   using Waits = void (*)(Channel<Words>&);
   const std::pair<const char*, Waits> all[] = {
       {"out", [](Channel<Words>& channel) { out(channel, {}); }},

@@ -26,7 +26,7 @@ std::vector<SoftCase> make_soft_cases() {
 // The first process pays its operands and `blocked`. The second, at `date`, pays its operands,
 // set-up and copy. Then both continue, and a high-priority one pre-empts a low-priority one.
 void expect_soft_times(const Model& model) {
-  constexpr std::int64_t date = 102'400;  // a tick of every clock
+  constexpr std::int64_t date = 102'400;  // a time that is a tick of every clock
   const auto cases = make_soft_cases();
   const auto found = isolated_numbers([&] {
     Lab lab(model);
@@ -135,7 +135,7 @@ TEST(SoftRendezvous, CompiledOccamMultipliesItsInstructions) {
     cpu.start("writer", Priority::low, [&] { out(channel, {8}); });
     cpu.start("reader", Priority::low, [&] {
       channel.in();
-      compute(1000);  // computation scales differently
+      compute(1000);  // adds computation, which another factor scales
       end = own_cycles();
       this_process().sync();
     });

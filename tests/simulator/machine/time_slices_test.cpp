@@ -50,7 +50,7 @@ std::string check_slices(std::uint64_t seed) {
     auto expect = [&](bool holds, const char* what) { holds || (wrong += what, wrong += '\n', 0); };
     expect(stretches.back().end == static_cast<double>(total), "total time is not conserved");
     expect(ends == whole_ends, "computing in one piece ends at another time");
-    std::deque<std::size_t> queue;  // round robin
+    std::deque<std::size_t> queue;  // processes in the order of round robin
     for (std::size_t i = 0; i < lengths.size(); ++i) queue.push_back(i);
     for (const Stretch& s : stretches) {
       const auto next = queue.front();
@@ -204,7 +204,7 @@ TEST(TimeSlices, LateComerWaitsForTheNextTick) {
       cpu.start("busy", Priority::low, [&] { compute(20 * period), this_process().sync(); });
       other.start("writer", Priority::high, [&] {
         compute(comes - model.channel.blocked.value);
-        out(channel, {1});  // 16 cycles
+        out(channel, {1});  // takes 16 cycles
       });
       lab.machine.run();
       return Numbers{begins};
@@ -230,7 +230,7 @@ TEST(TimeSlices, TickThatPassesDuringAPreemptionCounts) {
     cpu.start("high", Priority::high, [&] {
       wait_until_cycle(5 * period - 160);
       out(channel, {4});
-      compute(1000), this_process().sync();  // beyond the tick
+      compute(1000), this_process().sync();  // computes beyond the tick
       compute(1000);
     });
     lab.machine.run();

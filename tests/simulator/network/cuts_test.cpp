@@ -11,7 +11,7 @@
 namespace network {
 namespace {
 
-using Way = std::pair<int, int>;  // a processor, and a message's output port
+using Way = std::pair<int, int>;  // a processor, and the output port of a message there
 using Waits = std::map<Way, std::set<Way>>;
 
 // A message that holds a link waits for the next one on its route.

@@ -106,7 +106,8 @@ TEST(ParallelLinks, TrafficAlternates) {
   };
   EXPECT_NEAR(busy(2), busy(1) / 2, 1e-3 * busy(1));
   EXPECT_NEAR(busy(3), busy(1) / 3, 1e-3 * busy(1));
-  EXPECT_NEAR(busy(4), busy(1) / 3, 1e-3 * busy(1));  // messages divide into two, two, one and one
+  // the messages divide into two, two, one and one
+  EXPECT_NEAR(busy(4), busy(1) / 3, 1e-3 * busy(1));
 }
 
 TEST(ParallelLinks, TakeMessagesToAllOnce) {

@@ -32,7 +32,7 @@ TEST(Router, AddressesThatDoNotExistComeBackWithTheReason) {
   for (const Method method : METHODS)
     expect_in_child([&] {
       Params params = with(method);
-      params.processes.assign(4, {0b11});  // processes 0 and 1 only
+      params.processes.assign(4, {0b11});  // each processor has the processes 0 and 1 only
       Bench bench(topologies::make_topology("line:4"), params);
       for (int id = 1; id < 4; ++id) bench.start_sink(id);
       std::vector<Returned> reasons;
@@ -134,7 +134,8 @@ TEST(Router, NoRoomIsAFaultThatNamesTheRouter) {
       bench.start(0, [](Client& client) {
         for (int i = 0; i < 20; ++i) client.send(make_message({1, 0}));
       });
-      bench.start(1, [](Client&) { occam::wait_until(1'000'000); });  // takes no message
+      // a client that takes no message
+      bench.start(1, [](Client&) { occam::wait_until(1'000'000); });
       try {
         bench.machine.run();
       } catch (const Overflow& overflow) {

@@ -59,8 +59,9 @@ struct Viewer {
   std::set<std::string> types, values, containers;
   // by container: value and start time
   std::map<std::string, std::pair<std::string, double>> states;
-  std::map<std::string, std::map<std::string, double>> totals;  // by container and value
-  std::map<std::string, Event> arrows;                          // open arrows, by key
+  // total times by container and value
+  std::map<std::string, std::map<std::string, double>> totals;
+  std::map<std::string, Event> arrows;  // open arrows, by key
   double now_s = 0;
 
   void read(const Event& event) {

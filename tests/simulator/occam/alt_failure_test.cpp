@@ -23,7 +23,8 @@ Numbers wait_in_alt(const AltCase& c) {
     if (c.writes) writer.start();
     Numbers found(2);
     std::optional<Words> got;
-    const std::int64_t deadline = c.reader == Priority::high ? 512 : 8;  // cycle 8192
+    // the deadline is cycle 8192 at either priority
+    const std::int64_t deadline = c.reader == Priority::high ? 512 : 8;
     const auto message = [&] { return when(channel, got, [&] { found[0] = got ? 1 : -1; }); };
     const auto time_out = [&] { return after(deadline, [&] { found[0] = 0; }); };
     const auto with_stack = [&] {
@@ -71,7 +72,7 @@ TEST(AltFailure, MayComeAtAnyCycleOfAnAlt) {
         EXPECT_EQ(found.at(0) == 1, found.at(2) == 1) << cut;
         ++seen.at(static_cast<std::size_t>(found.at(0) + 1));
       }
-  for (int times : seen) EXPECT_GT(times, 0);  // in between; never; before
+  for (int times : seen) EXPECT_GT(times, 0);  // the cut came in between, never, or before
 }
 
 TEST(AltFailure, OtherGuardsGoOn) {

@@ -11,11 +11,11 @@ namespace occam {
 namespace {
 
 constexpr int CHANNELS = 3;
-constexpr std::int64_t LATE = 64 * 1024;  // by then, every writer waits
+constexpr std::int64_t LATE = 64 * 1024;  // cycle by which every writer waits
 
 struct Choice {
-  unsigned waiting, open;  // one bit per channel
-  int skip;                // place in the order, or -1
+  unsigned waiting, open;  // sets with one bit per channel
+  int skip;                // place of SKIP among the guards, or -1
 };
 
 // Every set of waiting writers, under every set of conditions, with a SKIP at any place.
@@ -144,7 +144,7 @@ TEST(Alt, IsWokenByTheFirstOfTwoWritersAndLosesNeither) {
         channels[i] = wake.hard[i] ? &lab.hard(from, cpu) : &lab.soft();
         from.start("writer", wake.writer, [&wake, channel = channels[i], i] {
           wait_until_cycle(LATE);
-          compute(wake.dates[i]);  // ahead of the clock if it has high priority
+          compute(wake.dates[i]);  // advances ahead of the clock if it has high priority
           out(*channel, {4, static_cast<std::uint64_t>(i)});
         });
       }
@@ -165,7 +165,7 @@ TEST(Alt, IsWokenByTheFirstOfTwoWritersAndLosesNeither) {
     const Wake& w = wakes[n];
     SCOPED_TRACE(fmt::format("case {}: {} {}, dates {} {}", n, w.hard[0] ? "hard" : "soft",
                              w.hard[1] ? "hard" : "soft", w.dates[0], w.dates[1]));
-    EXPECT_EQ(found[2 * n] + found[2 * n + 1], 3);  // both inputs, each once
+    EXPECT_EQ(found[2 * n] + found[2 * n + 1], 3);  // the two inputs have both messages, each once
     // (A soft writer computes on the reader's CPU, which may delay the reader.)
     const bool apart = std::abs(w.dates[0] - w.dates[1]) > 100 && w.hard[0] && w.hard[1];
     if (apart) {
@@ -253,7 +253,7 @@ std::string check_fairness(std::uint64_t seed) {
     }
     std::string wrong;
     cpu.start("reader", reader_priority, [&] {
-      std::vector<std::uint64_t> next(n), turns(n);  // turns of waiting
+      std::vector<std::uint64_t> next(n), turns(n);  // number of turns that each writer has waited
       std::uint64_t left = 0;
       for (auto count : messages) left += count;
       for (std::size_t favourite = 0; left > 0; --left) {

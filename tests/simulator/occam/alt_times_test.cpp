@@ -27,7 +27,7 @@ std::vector<Case> make_cases() {
   return cases;
 }
 
-constexpr std::int64_t DATE = 102'400;  // arrival of the second process
+constexpr std::int64_t DATE = 102'400;  // cycle at which the second process arrives
 
 struct Times {
   double reader, writer, busy;

@@ -10,7 +10,7 @@ namespace occam {
 namespace {
 
 constexpr std::size_t INPUTS = 4;
-constexpr int MESSAGES = 6;  // number from each writer
+constexpr int MESSAGES = 6;  // number of messages from each writer
 
 // A reader logs the input of each message, its content, and the cycle after it.
 using Reader = std::function<void(std::span<Channel<Words>* const>, Numbers&)>;

@@ -4,7 +4,7 @@
 namespace occam {
 namespace {
 
-constexpr std::int64_t COMES_AT = 20'000;  // cycles
+constexpr std::int64_t COMES_AT = 20'000;  // cycle at which the second process comes
 constexpr std::uint64_t LONG = 100'000;    // bytes; the transfer takes 1,600,000 cycles
 
 std::string misuse_of(const std::string& who, std::int64_t cycle) {
@@ -264,7 +264,7 @@ static_assert(!CanChargeWithoutBraces<int> && !CanChargeWithoutBraces<double>);
 
 TEST(Charge, TakesCyclesOrADuration) {
   Model model = make_exact_model();
-  model.software.occam_factor = 3;  // factor on compiled instructions only
+  model.software.occam_factor = 3;  // applies to compiled instructions only
   const auto found = isolated_numbers([&] {
     Lab lab(model, machine::Code::compiled);
     Numbers ends;

@@ -91,7 +91,8 @@ TEST(Par, BranchesOfBothPrioritiesJoin) {
     lab.cpu().start("parent", Priority::low, [&] {
       par({{"low", Priority::low, [&] { compute(5000), ends[0] = own_cycles(); }},
            {"high", Priority::high, [&] { compute(7000), ends[1] = own_cycles(); }}});
-      par({{"high only", Priority::high, [] { compute(100); }}});  // has ended by the join
+      // the high-priority branch has ended by the join
+      par({{"high only", Priority::high, [] { compute(100); }}});
       ends[2] = own_cycles();
     });
     lab.machine.run();

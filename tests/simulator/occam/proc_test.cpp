@@ -9,7 +9,7 @@ namespace occam::proc_test {
 namespace {
 
 constexpr std::size_t INPUTS = 4;
-constexpr std::uint64_t MESSAGES = 6;  // number from each writer
+constexpr std::uint64_t MESSAGES = 6;  // number of messages from each writer
 
 struct Writer {
   Channel<Words>& to;

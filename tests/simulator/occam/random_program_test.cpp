@@ -15,7 +15,8 @@ struct Rendezvous {
   bool hard, by_alt, in_par;
   Priority writer, reader;
   int messages;
-  std::int64_t writer_computes, reader_computes, patience;  // in cycles, cycles, and ticks
+  // computation in cycles, patience in ticks
+  std::int64_t writer_computes, reader_computes, patience;
 };
 
 std::vector<Rendezvous> make_pairs(std::uint64_t seed) {
@@ -57,7 +58,7 @@ void read_all(const Rendezvous& pair, Channel<Words>& channel, Tally& tally) {
       bool late = false;
       pri_alt(when(channel, got, [&] { received = true; }), after(deadline, [&] { late = true; }));
       if (late) {
-        patience *= 2;  // leaves time for the others
+        patience *= 2;  // longer patience leaves time for the other processes
         ++tally.timeouts;
         if (read_timer() < deadline) tally.wrong += "a timeout came early\n";
       }

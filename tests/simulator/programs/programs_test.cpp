@@ -42,7 +42,7 @@ TEST(Programs, MeasureTheColumnsThatTheyDeclare) {
     const bool has_own_test =
         program.name == "deadlock" || program.name == "farm" || program.name == "iirra";
     if (has_own_test) continue;
-    if (needs_a_file(program)) continue;  // tested elsewhere, see Radiosity
+    if (needs_a_file(program)) continue;  // tests of radiosity run these programs
     std::string declared;
     for (const auto& column : program.columns) declared += column.name + " ";
     const auto measured = occam::isolated([&] {
@@ -221,7 +221,7 @@ TEST(Programs, ARouterThatIsLateForAMomentIsNotSaturated) {
     return fmt::format("{} {} {}", get_number(row, "accepted_per_s"), get_number(row, "overflowed"),
                        get_number(row, "saturated"));
   });
-  EXPECT_EQ(found, "125 0 0");  // one message: 1 / 2 ms / 4 processors
+  EXPECT_EQ(found, "125 0 0");  // the rate of one message in 2 ms from 4 processors, 1/s
 }
 
 TEST(Programs, ParametersKnowWhatTheyAllow) {

@@ -10,7 +10,7 @@ namespace shared_memory {
 namespace {
 
 constexpr int NODES = 4, ITEMS = 40;
-constexpr std::uint64_t ITEM = 40;  // bytes
+constexpr std::uint64_t ITEM = 40;  // size of an item, bytes
 
 machine::Model make_model(const char* access, const char* look_up) {
   return machine::override_model("t805-25",
@@ -123,7 +123,7 @@ TEST(CompanionManager, TheQueueOfAccessesHasABound) {
     });
     return occam::Numbers{run.done[1].end_s, static_cast<double>(run.done[1].use.accesses())};
   });
-  EXPECT_EQ(found.at(1), ACCESSES);  // and one requested
+  EXPECT_EQ(found.at(1), ACCESSES);  // local accesses; one more is requested
   EXPECT_GT(found.at(0), (ACCESSES - MOST) * 19'900 / 25e6);
 }
 

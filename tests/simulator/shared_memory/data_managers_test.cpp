@@ -158,7 +158,7 @@ TEST(DataManagers, ACacheForAllAsksOnce) {
   auto load = make_load(50, 50, 400);
   load.passes = 2;
   const auto n = measure(topologies::make_topology("mesh:3x3"), load);
-  EXPECT_EQ(n[REQUESTS], 8 * 50);  // 400 draws reach every item
+  EXPECT_EQ(n[REQUESTS], 8 * 50);  // 400 draws reach every item, so 8 processors request all 50
   EXPECT_EQ(n[DISK], 50);
   EXPECT_EQ(n[COLUMNS + REQUESTS], 0);
   EXPECT_EQ(n[COLUMNS + LOCAL], 8 * 400);
@@ -171,7 +171,7 @@ TEST(DataManagers, ALocalAccessTakesTheCalibratedTime) {
   const auto n = measure(topologies::make_line(2), load);
   EXPECT_EQ(n[COLUMNS + LOCAL], 1000);
   const double look = (n[COLUMNS + TIME] * 25e6 - 1000 * 1000) / 1000;
-  EXPECT_GT(look, 30);  // cycles of a PRI ALT with two guards
+  EXPECT_GT(look, 30);  // cycles of a look: a PRI ALT with two guards
   EXPECT_LT(look, 200);
 }
 

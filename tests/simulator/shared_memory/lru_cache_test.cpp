@@ -15,7 +15,7 @@ namespace {
 struct Naive {
   std::vector<std::uint64_t> bytes;
   std::uint64_t capacity;
-  std::vector<std::size_t> order;  // most recent first
+  std::vector<std::size_t> order;  // cached items, the most recent first
 
   bool holds(std::size_t record) const { return std::ranges::count(order, record) > 0; }
   std::uint64_t used() const {

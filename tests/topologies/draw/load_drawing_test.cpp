@@ -42,7 +42,7 @@ void find_tips(const Tree& tree, const std::string& of_class, std::vector<std::s
 std::vector<std::string> tips_of(const std::string& svg, const std::string& of_class) {
   std::istringstream in(svg);
   Tree tree;
-  read_xml(in, tree);  // throws if the text is not well-formed
+  read_xml(in, tree);  // throws if the SVG is not well-formed
   std::vector<std::string> tips;
   find_tips(tree, of_class, tips);
   return tips;

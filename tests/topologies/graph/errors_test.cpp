@@ -8,7 +8,7 @@ namespace {
 
 struct Case {
   std::string input;
-  std::vector<std::string> told;  // what the message must contain
+  std::vector<std::string> told;  // texts that the message must contain
 };
 
 template <typename Act>

@@ -132,7 +132,7 @@ TEST(TopologyBisection, BranchAndBoundFindsTheLeast) {
     Topology t{"random", n, 0, {}, {}, {}};
     for (int p = 1; p < n; ++p) {
       const int links = 1 + static_cast<int>(random() % 3);
-      for (int i = 0; i < links; ++i)  // parallel links occur
+      for (int i = 0; i < links; ++i)  // links may repeat, so parallel links occur
         t.links.push_back({{static_cast<int>(random() % static_cast<unsigned>(p)), 0}, {p, 0}});
     }
     EXPECT_EQ(eval_bisection(t), brute_bisection(t)) << "seed " << seed << ", trial " << trial;
@@ -179,7 +179,8 @@ TEST(TopologyTraffic, ParallelLinksShareAllToAllAndTreesTakeOne) {
   Topology t{"parallel", 3, 0, {}, {}, {}};
   t.links = {{{0, 0}, {1, 0}}, {{1, 1}, {2, 0}}, {{0, 1}, {1, 2}}};
   const auto load = eval_all_pairs(t).load;
-  EXPECT_EQ(load[0], (std::array<std::int64_t, 2>{1, 1}));  // one of two messages each way
+  // each link carries one of two messages each way
+  EXPECT_EQ(load[0], (std::array<std::int64_t, 2>{1, 1}));
   EXPECT_EQ(load[1], (std::array<std::int64_t, 2>{2, 2}));
   EXPECT_EQ(load[2], (std::array<std::int64_t, 2>{1, 1}));
   EXPECT_EQ(eval_metrics(t).farm.messages, 2);

@@ -138,7 +138,7 @@ TEST(TopologyTreeLinks, OfAnyRootJoinAll) {
 }
 
 TEST(TopologyTreeLinks, MistakesAreNamed) {
-  const auto mesh = make_topology("mesh:2x2");  // links 0-1, 0-2, 1-3, 2-3
+  const auto mesh = make_topology("mesh:2x2");  // a mesh with the links 0-1, 0-2, 1-3, 2-3
   for (const auto& [links, message] : std::vector<std::pair<TreeLinks, std::string>>{
            {{{0, 1}, {0, 3}, {1, 2}}, "found [0, 3], but no link joins the two"},
            {{{0, 1}, {1, 0}, {1, 3}}, "found [1, 0], twice"},

@@ -57,7 +57,7 @@ void expect_routes_reach_all(const Topology& t, const RoutingTable& routes) {
 void expect_up_then_down(const Topology& t, const RoutingTable& routes) {
   const auto around = neighbours(t);
   const auto part = find_parts(t);
-  std::vector<std::pair<int, int>> height;  // in descending order
+  std::vector<std::pair<int, int>> height;  // heights of the processors, in descending order
   for (int p = 0; p < t.processors; ++p) height.emplace_back(plain_distances(t, part[p])[p], p);
   for (int to = 0; to < t.processors; ++to)
     for (int from = 0; from < t.processors; ++from) {

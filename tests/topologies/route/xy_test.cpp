@@ -96,7 +96,8 @@ TEST(TopologyXyRoutes, AreOfMeshesToriAndHypercubesOnly) {
 
 TEST(TopologyRouteLoad, IsThatOfEveryMessageWalked) {
   const auto expect_walked = [](const Topology& t, const RoutingTable& routes) {
-    std::map<std::pair<int, int>, std::int64_t> sent;  // by pair of neighbours, over all links
+    // messages by pair of neighbours, over all links
+    std::map<std::pair<int, int>, std::int64_t> sent;
     for_each_route(t, routes, [&](const std::vector<int>& path) {
       for (std::size_t i = 0; i + 1 < path.size(); ++i) ++sent[{path[i], path[i + 1]}];
     });

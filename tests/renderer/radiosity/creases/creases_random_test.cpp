@@ -30,7 +30,7 @@ double eval_area(const Polygon& polygon) {
 
 // A light and an occluder above a floor, both convex and slightly tilted.
 struct Case {
-  Polygon light, blocker;  // counter-clockwise as seen from above
+  Polygon light, blocker;  // polygons, counter-clockwise as seen from above
   Room room = make_room();
 };
 

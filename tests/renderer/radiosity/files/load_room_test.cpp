@@ -71,7 +71,7 @@ TEST(RoomFile, BoxesAreClosedAndFaceTheirSide) {
 }
 
 struct WrongText {
-  const char* text;   // text from line 4 on
+  const char* text;   // text of the file from line 4 on
   const char* error;  // beginning of the message, after "test.room:"
 };
 void PrintTo(const WrongText& wrong, std::ostream* out) { *out << wrong.text; }

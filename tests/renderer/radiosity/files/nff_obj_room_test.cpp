@@ -42,7 +42,7 @@ TEST(NffRoom, EmissionLastsUntilTheNextSurface) {
 }
 
 TEST(NffRoom, WhatIsWrongIsRejectedWithItsLine) {
-  const std::string head = CAMERA + "f 1 0.5 0.25 0.6 0.3 20 0 0\n";  // has 6 lines
+  const std::string head = CAMERA + "f 1 0.5 0.25 0.6 0.3 20 0 0\n";  // the text has 6 lines
   const std::pair<std::string, std::string> wrong[] = {
       {head + "s 0 0 0 1", "test.nff:7: found a sphere ('s'), expected flat faces: p or pp"},
       {head + "c 0 0 0 1 0 0 1 0", "test.nff:7: found a cone ('c'), expected flat faces: p or pp"},
@@ -95,7 +95,7 @@ const std::string MTL =
     "newmtl mirror\nKd 0.1 0.1 0.1\nKs 0.9 0.8 0.7\nillum 3\n";
 const std::string POINTS =
     "mtllib m.mtl\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.5 0.5 0.5\nv 0 1 0\n"
-    "vt 0 0\nvn 0 0 1\nvn 0.1 0 1\ng one two\ns off\n";  // now 10 lines
+    "vt 0 0\nvn 0 0 1\nvn 0.1 0 1\ng one two\ns off\n";  // the text has 10 lines here
 
 TEST_F(ObjRoom, EmissionMirrorsAndNormals) {
   save("m.mtl", MTL);
@@ -127,7 +127,7 @@ TEST_F(ObjRoom, WhatIsWrongIsRejectedWithItsLine) {
   save("bright.mtl", "newmtl a\nKd 0 0 0\n\nnewmtl b\nKd 1 1 1\n");
   save("glow.mtl", "newmtl a\nillum 3\nKe 1 1 1\nKs 1 1 1\n");
   const std::string in = folder_.string() + "/", at = in + "a.obj:";
-  const std::string use = POINTS + "usemtl wall\n";  // has 11 lines
+  const std::string use = POINTS + "usemtl wall\n";  // the text has 11 lines
   const std::pair<std::string, std::string> wrong[] = {
       {use + "f 1 2 5", at +
                             "12: found '5', expected the number of a vertex (v) in each corner, of "

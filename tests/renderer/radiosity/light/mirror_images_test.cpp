@@ -14,7 +14,7 @@ using Chains = std::vector<std::vector<MirrorPlane>>;
 
 void expect_images(const Room& room, const Chains& chains, FactorParams params,
                    double most = 0.02) {
-  params.mirror_share = 1e9;  // no finer than in direct view
+  params.mirror_share = 1e9;  // delta areas are cut no finer than in direct view
   const Room unfolded = unfold(room, chains);
   const std::size_t faces = unfolded.faces.size() / (chains.size() + 1);
   const Mesh mesh = make_mesh(room, {}), images = make_mesh(unfolded, {});

@@ -18,7 +18,8 @@ double sum_by_mirrors(const Mesh& mesh, const Vertex& vertex, const FactorParams
 
 TEST(Mirrors, ReflectAtTheirFrontOnly) {
   Room room = make_cube("xXyYzZ", true, 2);
-  add_quad(room, 2, {0.3, 0.2, 0.1}, {0, 0, 1.5}, {0, 1.6, 0});  // its front faces low x
+  // the front of the mirror faces low x
+  add_quad(room, 2, {0.3, 0.2, 0.1}, {0, 0, 1.5}, {0, 1.6, 0});
   const Mesh mesh = make_mesh(room, {});
   const Vec normal = mesh.mirrors.at(0).normal;
   int before = 0, behind = 0;
@@ -114,7 +115,8 @@ TEST(Mirrors, BentOnesFocusLight) {
   add_gutter(room, 1);
   add_gutter(flat, 1e6);
   const Mesh bent = make_mesh(room, {}), plane = make_mesh(flat, {});
-  const Vertex focus = make_point({0.02, 0.01, 1}, {0, 0, -1});  // looks down into the mirrors
+  // a point that looks down into the mirrors
+  const Vertex focus = make_point({0.02, 0.01, 1}, {0, 0, -1});
   const auto of_lamp = [&](const Mesh& mesh) {
     double total = 0;
     Work work;

@@ -22,7 +22,7 @@ TEST(TwoCalculators, AgreeWithLambertOnPolygons) {
     room.faces = {face};
     const Mesh mesh = make_mesh(room, {});
     const Vertex point = make_point(random.point(1), random.direction());
-    // skip points behind the polygon or in its plane
+    // skips points behind the polygon or in its plane
     if (dot(mesh.patches[0].normal, point.at - face.corners[0]) < 0.01) continue;
     const double exact = closed::polygon(point.at, point.normal, face.corners);
     const double error = sum_factors({mesh, {}}, point) - exact;

@@ -111,7 +111,7 @@ TEST(Contacts, OnlyOpenEdgesOfWhatHangsCount) {
   two.faces[2].corners = {{4.9, 2, 0.1}, {4.9, 5, 0.1}, {5.1, 5, 0.1}, {5.1, 2, 0.1}};
   EXPECT_EQ(find_contacts(two, 1)[0].folds.size(), 3u) << "one is narrower than a patch";
 
-  Room sheet = make_floor();  // has a front and a back
+  Room sheet = make_floor();  // a sheet with a front and a back
   add_quad(sheet, 0, {2, 2, 0.1}, {0, 3, 0}, {3, 0, 0}, 1, 1);
   add_quad(sheet, 0, {2, 2, 0.1}, {3, 0, 0}, {0, 3, 0}, 1, 1);
   EXPECT_EQ(find_contacts(sheet, 1)[0].folds.size(), 8u);

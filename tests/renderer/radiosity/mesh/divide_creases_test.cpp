@@ -14,7 +14,7 @@ constexpr double TOUCH = 0.1;  // largest shift of a crease, as a share of a pat
 
 struct Flat {
   Face face;
-  Vec u, v;  // orthogonal unit vectors in its plane
+  Vec u, v;  // orthogonal unit vectors in the plane of the face
   double width = 0;
   Vec at(double x, double y) const { return x * u + y * v; }
 };
@@ -220,11 +220,12 @@ TEST(DivideCreases, LinesOfTheGridGiveWay) {
 TEST(DivideCreases, ThoseElsewhereChangeNothing) {
   const Face wall = make_wall();
   const Division plain = divide_face(wall, 2);
-  const std::vector<Crease> elsewhere{{{1, 1, 0.01}, {2, 2, 0.01}},   // in front of the face
-                                      {{1, 1, 0}, {2, 2, 1}},         // through the face
-                                      {{4.2, 0, 0}, {4.2, 3, 0}},     // beside the face
-                                      {{-1, 2.5, 0}, {0.4, 3.9, 0}},  // past a corner
-                                      {{1, 1, 0}, {1, 1, 0}}};        // without length
+  // a crease in front of the face
+  const std::vector<Crease> elsewhere{{{1, 1, 0.01}, {2, 2, 0.01}},
+                                      {{1, 1, 0}, {2, 2, 1}},         // a crease through the face
+                                      {{4.2, 0, 0}, {4.2, 3, 0}},     // a crease beside the face
+                                      {{-1, 2.5, 0}, {0.4, 3.9, 0}},  // a crease past a corner
+                                      {{1, 1, 0}, {1, 1, 0}}};        // a crease without length
   const Division division = divide_face(wall, 2, {.creases = elsewhere});
   EXPECT_EQ(division.points, plain.points);
   EXPECT_EQ(division.quads, plain.quads);

@@ -82,7 +82,8 @@ TEST(Grade, HalvesRowsBesideTheLamp) {
   EXPECT_TRUE(graded.faces[1].grid.along.empty()) << "behind the lamp it is dark";
   EXPECT_TRUE(graded.faces[6].grid.along.empty()) << "the lamp";
   EXPECT_TRUE(graded.faces[3].grid.along.empty()) << "the wall that is far";
-  const Grid& wall = graded.faces[2].grid;  // the wall's grid runs along y, then z
+  // the first direction of this wall's grid is y, the second z
+  const Grid& wall = graded.faces[2].grid;
   ASSERT_FALSE(wall.along.empty());
   EXPECT_GT(count_steps(wall.along, 8)[1], 1u);
   EXPECT_GT(count_steps(wall.across, 8)[2], 1u);

@@ -69,7 +69,8 @@ TEST(Ledges, MayNarrowToAPoint) {
              std::sin(angle) * p.x + std::cos(angle) * p.y, p.z};
     for (const Vertex& vertex : make_mesh(room, {}).vertices) {
       const double moved = length(vertex.lit - vertex.at);
-      EXPECT_LT(moved, 0.4) << vertex.at.x << ' ' << vertex.at.y;  // finite, and not NaN
+      // the displacement is finite, and not NaN
+      EXPECT_LT(moved, 0.4) << vertex.at.x << ' ' << vertex.at.y;
     }
   }
 }
@@ -109,7 +110,7 @@ TEST(Hanging, GivesPatchesBesideItsEdgeTheirMeanLight) {
     room.materials = {{"floor", grey(0.5), {}}, {"sky", grey(0), grey(1)}};
     add_quad(room, 0, {0, 0, 0}, {LONG, 0, 0}, {0, 12, 0}, 60, 12);
     add_quad(room, 0, {0, 6, gap - slope * LONG / 2}, {0, 6, 0}, {LONG, 0, slope * LONG});
-    // large enough to act as half of the sky
+    // a wall large enough to act as half of the sky
     add_quad(room, 1, {2000, -40, 0}, {-4000, 0, 0}, {0, 0, 2000});
     const Mesh mesh = make_mesh(room, {});
     double worst = 0;

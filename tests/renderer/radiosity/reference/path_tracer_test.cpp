@@ -117,7 +117,8 @@ TEST(PathTracer, MirrorShowsALampTwice) {
   // image.
   Room room = make_floor(1);
   add_quad(room, 1, {1, -1, 0.5}, {0, 3, 0}, {0, 0, 2});
-  std::ranges::reverse(room.faces.back().corners);  // shines towards the mirror and the floor
+  // the lamp shines towards the mirror and the floor
+  std::ranges::reverse(room.faces.back().corners);
   add_quad(room, 2, {-1, -9, -9}, {0, 19, 0}, {0, 0, 19});
   const auto params = make_params(12, 12, 512);
   auto image = room.faces[1].corners;
@@ -132,9 +133,9 @@ TEST(PathTracer, MirrorShowsALampTwice) {
 
 TEST(PathTracer, BacksAreBlackAndBackToBackShowTheirFronts) {
   Room room = make_floor(1);
-  add_quad(room, 1, {0, 0, 1}, {0.5, 0, 0}, {0, 1, 0});    // its front is visible
-  add_quad(room, 1, {0.5, 0, 1}, {0, 1, 0}, {0.5, 0, 0});  // its back is visible
-  add_quad(room, 1, {0, 0, 1}, {0, 0.5, 0}, {0.5, 0, 0});  // behind the first face
+  add_quad(room, 1, {0, 0, 1}, {0.5, 0, 0}, {0, 1, 0});    // a face whose front is visible
+  add_quad(room, 1, {0.5, 0, 1}, {0, 1, 0}, {0.5, 0, 0});  // a face whose back is visible
+  add_quad(room, 1, {0, 0, 1}, {0, 0.5, 0}, {0.5, 0, 0});  // a face behind the first one
   const auto made = trace_paths(room, make_params(8, 8, 8));
   for (std::size_t i = 0; i < 64; ++i) {
     const bool left = i % 8 < 4;

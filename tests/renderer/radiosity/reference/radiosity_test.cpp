@@ -166,7 +166,7 @@ TEST(Deviation, FindsGroupsBiasAndEdges) {
   EXPECT_NEAR(even.p99, 0.1, 1e-12);
   EXPECT_EQ(even.group, 0);
 
-  // pixels of a diagonal
+  // changes the pixels of a diagonal
   for (const std::size_t i : {0, 11, 22, 33}) picture.pixels[i] = {1, 1, 1};
   picture.pixels[29] = {1, 1, 1};  // not a neighbour of pixel 30, which is in the next row
   picture.pixels[30] = {1, 1, 1};
@@ -174,7 +174,7 @@ TEST(Deviation, FindsGroupsBiasAndEdges) {
   EXPECT_EQ(spots.group, 4);
   EXPECT_NEAR(spots.worst, 0.5, 1e-12);
   EXPECT_NEAR(spots.edges, 0.1, 1e-12);
-  picture.pixels[4] = {4, 4, 4};  // at the border between the faces
+  picture.pixels[4] = {4, 4, 4};  // a pixel at the border between the faces
   EXPECT_NEAR(compare(picture, reference).edges, 1, 1e-12);
   EXPECT_NEAR(compare(picture, reference).worst, 0.5, 1e-12);
   // Noise of a quarter of the radiosity explains the errors.
@@ -183,7 +183,7 @@ TEST(Deviation, FindsGroupsBiasAndEdges) {
   EXPECT_EQ(compare(picture, reference).group, 0);
 
   const auto inner = find_inner(reference);
-  EXPECT_EQ(std::ranges::count(inner, true), 8 * H);  // all except the columns at the border
+  EXPECT_EQ(std::ranges::count(inner, true), 8 * H);  // all pixels except the columns at the border
   reference.emits[0] = true;
   EXPECT_EQ(std::ranges::count(find_inner(reference), true), 8 * H - 1);
 }

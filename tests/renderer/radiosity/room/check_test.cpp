@@ -77,7 +77,7 @@ INSTANTIATE_TEST_SUITE_P(
                   },
                   "a.room:7: found a face that goes around more than once before corner"},
         WrongRoom{"Spiral",
-                  [](Room& r) {  // winds around more than once, always to the left
+                  [](Room& r) {  // a polygon that winds around more than once, always to the left
                     corners(r) = {{0, 0, 0}};
                     for (int i = 0; i < 11; ++i)
                       corners(r).push_back({std::cos(0.7 * i), std::sin(0.7 * i), 0});

@@ -149,14 +149,14 @@ TEST(Adapt, SharesAreOfThePictureAndOfItsSquare) {
   const Mesh straight = make_mesh(room, {});
   for (const Rgb& share : find_shares(straight, room.view, picture)) all += share.r;
   EXPECT_NEAR(all, 0.96, 1e-12);  // the back of the lamp, 2 x 2 of 10 x 10, is black
-  add_quad(room, 2, {-5, -5, 900}, {0, 10, 0}, {10, 0, 0});  // faces down
+  add_quad(room, 2, {-5, -5, 900}, {0, 10, 0}, {10, 0, 0});  // a mirror that faces down
   room.view.from = {0, 0, 0.5};
   room.view.at = {0, 0, 1};
   room.view.angle = 0.1;
   all = 0;
   const Mesh mirrored = make_mesh(room, {});
   for (const Rgb& share : find_shares(mirrored, room.view, picture)) all += share.r;
-  EXPECT_NEAR(all, 1, 1e-12);  // includes the lamp, 2.5 above
+  EXPECT_NEAR(all, 1, 1e-12);  // the shares include the lamp, 2.5 above
   room.view.from = {3, 0, 0.5};
   room.view.at = {3, 0, 1};
   all = 0;

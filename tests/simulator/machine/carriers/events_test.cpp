@@ -18,7 +18,7 @@ TEST(Events, ComeByDateAndThenAsTheyWereAskedFor) {
     std::mt19937_64 random{seed};
     struct Asked {
       double date;
-      bool is_other;  // scheduled normally, not as `first`
+      bool is_other;  // true if scheduled normally, not as `first`
       int number;
       auto operator<=>(const Asked&) const = default;
     };

@@ -12,7 +12,7 @@
 
 namespace machine {
 
-constexpr double ALONE = 1.74e6, BOTH = 2.35e6, SHARED = BOTH / 2;  // bytes/s
+constexpr double ALONE = 1.74e6, BOTH = 2.35e6, SHARED = BOTH / 2;  // rates of a link in bytes/s
 constexpr double HAIR_S = 1e-10;
 
 void expect_next(Forecast& forecast, double date_s) {

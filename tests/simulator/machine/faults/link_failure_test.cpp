@@ -6,7 +6,7 @@
 namespace occam {
 namespace {
 
-constexpr double CUT = 5000;  // cycles
+constexpr double CUT = 5000;  // cycle of the cut
 
 double blocked() { return static_cast<double>(make_exact_model().channel.blocked.value); }
 

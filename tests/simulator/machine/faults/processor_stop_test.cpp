@@ -9,7 +9,7 @@
 namespace occam {
 namespace {
 
-constexpr double STOP = 5000;  // cycles
+constexpr double STOP = 5000;  // cycle of the stop
 
 // Two joined processors, the second of which stops.
 struct StoppedPair {
@@ -43,7 +43,7 @@ TEST(ProcessorStop, EndsWhatItComputes) {
         EXPECT_EQ(pair.lab.machine.run(), machine::End::done);
         EXPECT_TRUE(pair.b.stopped());
         EXPECT_FALSE(pair.a.stopped());
-        observe::collect(pair.lab.machine);  // checks invariants
+        observe::collect(pair.lab.machine);  // also checks the invariants of the counts
         return Numbers{end, never, pair.lab.busy_cycles(pair.b), pair.lab.cycles()};
       });
       EXPECT_EQ(found, (Numbers{-1, -1, STOP, elsewhere > 0 ? 20'000 : STOP}));
@@ -100,7 +100,7 @@ TEST(ProcessorStop, CutsItsLinks) {
         for (std::int64_t computes : {100, 9000}) {
           const auto found = isolated_numbers([&] {
             StoppedPair pair;
-            Processor& c = pair.lab.neighbour(pair.a);  // not affected
+            Processor& c = pair.lab.neighbour(pair.a);  // this neighbour is not affected
             auto& channel = side == Side::writer ? pair.lab.hard(pair.a, pair.b)
                                                  : pair.lab.hard(pair.b, pair.a);
             const Side other = side == Side::writer ? Side::reader : Side::writer;

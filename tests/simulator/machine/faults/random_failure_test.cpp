@@ -22,7 +22,7 @@ constexpr int UNKNOWN = -1;
 struct Traffic {
   Priority writer, reader;
   bool by_alt;
-  std::int64_t writes, reads;  // cycles per message
+  std::int64_t writes, reads;  // cycles of computation per message
   std::uint64_t longest;
 };
 
@@ -30,7 +30,7 @@ void write_all(const Traffic& t, Record& record) {
   for (std::size_t n = 0; n < record.sent.size(); ++n) {
     compute(t.writes);
     record.sent[n] = out_or_fail(*record.channel, {n * 37 % t.longest, n});
-    if (record.sent[n] == 0 && n % 3 == 0) return;  // otherwise tries again
+    if (record.sent[n] == 0 && n % 3 == 0) return;  // gives up; otherwise it tries again
   }
 }
 
@@ -122,7 +122,8 @@ std::pair<std::string, std::string> run(std::uint64_t seed, const Model& model, 
       wrong += chaos.check(record);
       lost += static_cast<int>(std::ranges::count(record.sent, 0));
     }
-    const auto use = observe::collect(chaos.lab.machine);  // checks invariants
+    // also checks the invariants of the counts
+    const auto use = observe::collect(chaos.lab.machine);
     for (const auto& cpu : use.cpus) log += fmt::format("{:a} ", cpu.busy_s);
     for (const auto& link : use.links) log += fmt::format("{:a} {} ", link.busy_s, link.bytes);
     return fmt::format("{}|{}|{} {:a}", wrong, lost, log, use.time_s);
