@@ -40,8 +40,8 @@ struct Spread {
 /// Summarises the ratios of a run. The returned pointers refer to points of `matched`.
 Spread find_spread(const MatchedRuns& matched, std::size_t run, const std::string& column);
 
-/// Formats that summary: "time_s: b is 0.83 times a (geometric mean of 6 points; 0.81 at workers =
-/// 1 to 0.84 at ...)".
+/// Formats a summary of ratios: "time_s: b is 0.83 times a (geometric mean of 6 points; 0.81 at
+/// workers = 1 to 0.84 at ...)".
 std::string tell_spread(const MatchedRuns& matched, std::size_t run, const std::string& column,
                         const Spread& spread);
 

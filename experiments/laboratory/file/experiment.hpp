@@ -75,7 +75,7 @@ struct Setting {
   /// Dotted name: "scene.objects". As an axis of [sweep], its last part is enough: "objects".
   /// Entries of the model have the prefix "model", as in "model.link.one_way_rate".
   std::string key;
-  std::string help;  ///< meaning, unit and range
+  std::string help;  ///< meaning, unit and range of the key
 };
 std::vector<Setting> settings();
 
@@ -98,14 +98,15 @@ struct Point {
 std::string name_of(const Point& point);
 
 struct ExperimentFile {
-  std::string path;      ///< as spelled by the user, relative to the current folder at that time
+  /// path of the file as the user spelled it, relative to the current folder at that time
+  std::string path;
   std::string folder;    ///< folder that paths in the file are relative to; "": the current folder
   std::string resolved;  ///< TOML text of the file after applying --set
   std::vector<std::string> axes;       ///< names of the axes of [sweep]
   std::vector<std::string> axis_keys;  ///< dotted key of each axis, "scene.objects"
   /// Groups of axes that take their values together, as in "workers, height" = [[1, 16], ...].
   std::vector<std::vector<std::string>> coupled;
-  /// all points, the last axis varying fastest; without a sweep only one
+  /// all points, the last axis varying fastest; a file without a sweep has one point
   std::vector<Point> points;
   /// Keys of the file that change a point's computation, with their values as spelled in TOML.
   std::map<std::string, std::string> settings;

@@ -320,7 +320,7 @@ Axis name_axis(const std::string& name, const Programs& in_play, const std::stri
   for (const auto* program : in_play)
     for (const auto& list : program->lists) try_key(list.key);
   const auto known_here = known;
-  // these names are known, but binding their values fails
+  // parameters of programs that the file does not use: known names, but binding their values fails
   for (const auto& other : programs::all_programs())
     for (const auto& p : other.parameters) try_key(programs::key_of(p));
   if (found) return *found;

@@ -22,7 +22,8 @@ void draw_title(Canvas& canvas, const std::string& title);
 /// current time to 1/100 of the whole film or finer.
 void draw_time_scale(Canvas& canvas, const Span& film, const Span& now);
 
-/// Formats a time as that label does: "12.5 ms". `whole_s` determines unit and digits.
+/// Formats a time as the label of the time axis does: "12.5 ms". `whole_s` determines unit and
+/// digits.
 std::string format_time(double time_s, double whole_s);
 
 }  // namespace laboratory

@@ -46,8 +46,8 @@ struct CheckResult {
   /// present only if the check distinguishes calibrated points
   std::optional<Predicted> predicted = {};
   /// Coverage by intervals that include the model's own error (cover.hpp): the number of points
-  /// inside, then shift and half width of the intervals. The latter are medians over the points,
-  /// relative to the simulated values.
+  /// inside, then shift and half width of the intervals. Shift and half width are medians over the
+  /// points, relative to the simulated values.
   struct WithOwnError {
     std::size_t inside = 0;
     double mean = 0, half_width = 0;

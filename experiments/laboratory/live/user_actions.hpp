@@ -12,7 +12,7 @@ namespace laboratory {
 struct UserAction {
   std::string table;  ///< table of the experiment file: "order" or "fault"
   double at_s = 0;    ///< simulated time of the execution, on the file's time scale
-  /// its keys except at_s, with values as spelled in TOML
+  /// keys of the order or fault except at_s, with values as spelled in TOML
   std::vector<std::pair<std::string, std::string>> keys;
 };
 

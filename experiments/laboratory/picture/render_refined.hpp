@@ -18,7 +18,7 @@ struct RefinedOptions {
   std::optional<Budget> budget;
   std::string state, resume;  ///< state files to write and to continue from; "": none
 
-  /// True if the user gave one of these options.
+  /// True if the user gave any option of a refined rendering.
   bool are_wanted() const { return order || budget || !state.empty() || !resume.empty(); }
 };
 

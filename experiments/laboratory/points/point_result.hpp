@@ -75,7 +75,7 @@ std::optional<PointResult> make_failure(const std::exception& error);
 /// The result of a point whose process died for the reason `died`.
 PointResult make_failure(const std::string& died);
 
-/// A sentence on why a run of so many points ended.
+/// Describes in a sentence why a run of `points` points ended.
 std::string describe_end(const Results& results, std::size_t points);
 /// Throws Failure if a point failed: exit code 1 for a defect or a process that died, else 3.
 /// `where` describes the state of the results.

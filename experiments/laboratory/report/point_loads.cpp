@@ -19,7 +19,7 @@ double share_of(const ordered_json& part) {
   return busy.is_null() ? 0 : busy.get<double>();
 }
 
-// The busiest of these resources; null if there are none.
+// The busiest resource of a list; null if the list is empty.
 const ordered_json* find_busiest(const ordered_json& parts) {
   const auto busiest = std::ranges::max_element(parts, {}, share_of);
   return busiest == parts.end() ? nullptr : &*busiest;

@@ -25,8 +25,8 @@ struct HostSpeed {
 };
 using HostSpeeds = std::map<std::string, HostSpeed>;  ///< Host speeds by model_key.
 
-/// Measures the host for each model that points with cost = "timed" use, and sets cycles_per_host_s
-/// of these points.
+/// Measures the host for each model that a point with cost = "timed" uses, and sets
+/// cycles_per_host_s of all such points.
 HostSpeeds measure_host(ExperimentFile& file);
 
 }  // namespace laboratory

@@ -21,7 +21,7 @@ std::vector<Value> distinct(const Table& table, const RowList& rows, std::size_t
 bool is_determined(const Table& table, const RowList& rows, std::size_t axis,
                    const std::vector<std::size_t>& others);
 
-/// Formats the values of these axes, without empty ones: "tree, 3200 objects".
+/// Formats the values of some axes in a row, without empty ones: "tree, 3200 objects".
 std::string name_values(const Table& table, std::size_t row, const std::vector<std::size_t>& axes);
 
 /// True if the numbers are positive and span more than a decade, such as 50, 200, 800, 3200. A

@@ -4,8 +4,8 @@
 
 namespace laboratory {
 
-/// These functions throw std::invalid_argument for too few samples: none, or fewer than two for
-/// variance and deviation.
+/// Mean, median, variance and deviation throw std::invalid_argument for too few samples: none, or
+/// fewer than two for variance and deviation.
 double find_mean(const std::vector<double>& samples);
 double find_median(std::vector<double> samples);
 double find_variance(const std::vector<double>& samples);  ///< sample variance, divided by n - 1

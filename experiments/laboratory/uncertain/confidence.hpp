@@ -51,8 +51,8 @@ struct Weight {
 /// Lists the influences on a column, sorted by the number of rows, then by share.
 std::vector<Weight> weigh(const ConfidenceTables& confidence, const std::string& column);
 
-/// Makes a sentence for each of these columns that has intervals: their width, and up to five of
-/// the most influential entries.
+/// Makes a sentence for each of the columns that has intervals: the width of the intervals, and up
+/// to five of the most influential entries.
 std::vector<std::string> describe_confidence(const ConfidenceTables& confidence,
                                              const std::vector<std::string>& columns);
 

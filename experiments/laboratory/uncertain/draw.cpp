@@ -153,7 +153,7 @@ ExperimentFile spread(const ExperimentFile& file) {
         spec.entries = found->second;
       };
       draw(point.experiment.model);
-      // this engine yields equal results up to rounding in half the time
+      // the engine with direct links yields results equal up to rounding in half the time
       point.experiment.links = machine::Links::direct;
       point.experiment.processes = machine::Processes::fibers;
       for (auto& other : point.experiment.others) draw(other.model);
