@@ -22,7 +22,7 @@ using Path = std::vector<PathRow>;
 /// may be a header that begins with `T`. Throws BadInput "path:line: found ..., expected ...", or
 /// "path: ..." if the file is unreadable.
 Path load_path(const std::string& path, bool has_target);
-/// Parses a path from a text in that format.
+/// Parses a path from a text in the format of load_path().
 Path parse_path(std::string text, const std::string& name, bool has_target);
 
 /// Evaluates the path at a time. Rows are interpolated linearly; the first and the last row hold

@@ -12,7 +12,7 @@ struct Step {
   /// contrast (Eq 4.7) above which cells are divided, 0..1; 0: divide all cells
   double contrast = 0;
   int min_cell = 1;     ///< side of the smallest cell, pixels, a power of two
-  bool pyramid = true;  ///< also divides cells that may hide an object (figure 4.4)
+  bool pyramid = true;  ///< true: cells that may hide an object are divided as well (figure 4.4)
   int depth = 15;       ///< levels of the shading trees, 1..1000
   Area area;            ///< area of interest; cells without a pixel in it stay unchanged
 };

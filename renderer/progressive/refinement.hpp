@@ -31,7 +31,7 @@ class Walk {
 
  private:
   Area area_;
-  std::optional<QuadrantQueue> queue_;  // none for Order::scan
+  std::optional<QuadrantQueue> queue_;  // the quadrants still to be drawn; none for Order::scan
   int column_ = 0, row_ = 0;
 };
 

@@ -122,8 +122,8 @@ void insert(Tree& tree, const Bounds& object, std::uint32_t item) {
     tree.nodes[up].bounds = join(tree.nodes[up].bounds, object);
 }
 
-// Adds a tree of these items and returns its root. Splits recursively at the median of the centres,
-// along the axis of their largest extent.
+// Adds a tree of the given items and returns its root. Splits recursively at the median of the
+// centres, along the axis of their largest extent.
 std::uint32_t add_halves(Tree& tree, std::span<const Bounds> objects,
                          std::span<std::uint32_t> items) {
   if (items.size() == 1) return add_node(tree, objects[items[0]], items[0]);

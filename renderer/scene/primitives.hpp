@@ -156,7 +156,7 @@ struct Probe {
   if (ray.starts_on(p.tag)) return NO_HIT;
   const Vec &origin = ray.origin, &direction = ray.direction;
   const double distance =
-      (p.offset - dot(p.normal, origin)) / dot(p.normal, direction);  // this distance may be NaN
+      (p.offset - dot(p.normal, origin)) / dot(p.normal, direction);  // the distance may be NaN
   const bool ahead = (distance > ray.epsilon) & (distance < NO_HIT);
   ray.edges += ahead;
   if (!(ahead & (distance <= ray.reach))) return NO_HIT;

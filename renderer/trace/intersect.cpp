@@ -22,7 +22,7 @@ struct Walk {
   const Scene& scene;
   const Ray& ray;
   Nearest best;
-  Probe probe;  // its reach is the distance of the nearest hit so far
+  Probe probe;  // the reach of the probe is the distance of the nearest hit so far
   std::uint32_t boxes = 0;
   std::uint32_t tests[4] = {};  // number of tests by Kind
 };

@@ -31,7 +31,7 @@ struct Ray {
   /// true if its cell shows more detail than neighbours (see farm::CellOrder)
   bool is_urgent = false;
   std::uint8_t order = 0;  ///< the user's order that admitted this ray or an ancestor; 0: none
-  std::uint16_t pass = 0;  ///< index of its sample in the pixel, from 0
+  std::uint16_t pass = 0;  ///< index of the ray's sample in the pixel, from 0
   /// position in the shading tree of the sample, which seeds its random numbers
   std::uint32_t path = 1;
   float time = 0;       ///< fraction of the shutter's time, 0..1

@@ -26,7 +26,7 @@ std::vector<Crease> find_creases(const Room& room);
 /// The creases that the mesh of a room contains.
 enum class Creases : std::uint8_t {
   file,   ///< only creases listed in the room's file
-  found,  ///< also those of find_creases(); patches near lights are finer too
+  found,  ///< listed creases and those of find_creases(); patches near lights are finer too
   none
 };
 

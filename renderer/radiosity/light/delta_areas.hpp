@@ -59,7 +59,7 @@ struct DeltaSide {
   Number square;  ///< squared length of the side, relative to that of the way
   Share growth;   ///< relative growth of the other side along this one
 
-  /// This side's term in eval_extent() of a delta area.
+  /// The term of this side in eval_extent() of a delta area.
   [[gnu::always_inline]] Number eval_extent() const {
     return turn * (turn - 1.0 / 3 * rise) - 1.0 / 6 * square +
            1.0 / 12 * growth * (rise - 4.0 * turn);

@@ -27,7 +27,8 @@ namespace radiosity {
 Rgb eval_mirrored_light(const Eye& eye, const Vertex& vertex, const Sender& sender,
                         renderer::Work& work);
 
-/// Adds the terms of that light, which do not depend on the patch's radiosity, with their chains.
+/// Adds the terms of the light that eval_mirrored_light() sums, with their chains. Terms do not
+/// depend on the patch's radiosity.
 void find_mirrored_terms(const Eye& eye, const Vertex& vertex, const Sender& sender, Terms& kept,
                          renderer::Work& work);
 

@@ -442,7 +442,7 @@ class Builder {
   Mesh mesh_;
   Welder welder_;
   std::vector<Contacts> contacts_;  // contacts of each face
-  Edges creases_, touched_;         // edges on creases, and those of them on contacts
+  Edges creases_, touched_;         // all edges on creases, and edges on creases that are contacts
   std::uint32_t object_ = 0;
   int growth_ = 1;  // growth that make_cuts() passes to Cuts::growth
 };

@@ -32,7 +32,8 @@ struct Grid {
 /// front emits and receives light. It blocks light from both sides.
 struct Face {
   std::vector<Vec> corners;
-  std::vector<Vec> normals;  ///< one per corner if the face is part of a curved surface, else empty
+  /// one normal per corner of a face that is part of a curved surface, else empty
+  std::vector<Vec> normals;
   std::uint32_t material = 0;  ///< material of the face in Room::materials
   bool two_sided = false;      ///< true if the back is a second face
   /// Number of patches along the first edge and across it, before MeshParams::refine. A face

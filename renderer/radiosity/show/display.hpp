@@ -15,10 +15,9 @@ struct Display {
 /// Makes the fields exposure and gamma.
 base::Fields<Display> display_fields();
 
-/// The largest exposure that does not clip a fraction `share` of the pixels: the largest component
-/// of the brightest of these becomes 1. If they are black, the brightest of all pixels counts; if
-/// that is black too, the exposure is 1. Pixels in `left_out` (find_emitters) are ignored unless
-/// all are; an empty list ignores none.
+/// The exposure that brings the quantile `share` of the pixels' largest components to 1. If that
+/// quantile is 0, the maximum becomes 1. The exposure is 1 if all pixels are black. Pixels in
+/// `left_out` (find_emitters) are ignored unless all are; an empty list ignores none.
 double find_exposure(const Picture& picture, const std::vector<bool>& left_out = {},
                      double share = 0.99);
 

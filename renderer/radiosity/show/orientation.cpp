@@ -48,8 +48,8 @@ std::optional<std::string> check_camera(const Room& room, const Mesh& mesh) {
       100.0 * backs / (fronts + backs));
 }
 
-// True if a lamp would light something straight ahead of its centre, on the side of this normal.
-// This is the front of a face that is not directly before the lamp.
+// True if a lamp would light something straight ahead of its centre, on the side of the normal. The
+// front of a face does so unless it is directly before the lamp.
 bool lights_something(const Room& room, const Mesh& mesh, std::size_t face, const Vec& normal) {
   constexpr double NEAR = 0.1;  // least distance of the lit face, relative to the size of the lamp
   const auto& corners = room.faces[face].corners;
