@@ -1,5 +1,6 @@
 #pragma once
-// Declarations shared by the benchmarks of simulated machines. Each adds its cases for run_all().
+// Declarations shared by the benchmarks of simulated machines. Each function adds its cases for
+// run_all().
 #include "simulator/machine/machine.hpp"
 #include "tests/benchmarks/pairs.hpp"
 
@@ -35,15 +36,15 @@ void add_on_all(const std::string& what, Run run) {
     add_simulation(what, engine.by, [run, engine] { return run(engine.params); });
 }
 
-void add_line();       // adds a line of store-and-forward hops
-void add_mesh();       // adds routers on an 8 x 8 mesh
-void add_farm();       // adds the farm of chapter 4
-void add_scheduler();  // adds rendezvous and pre-emptions on one processor
+void add_line();       // a line of store-and-forward hops
+void add_mesh();       // routers on an 8 x 8 mesh
+void add_farm();       // the farm of chapter 4
+void add_scheduler();  // rendezvous and pre-emptions on one processor
 // message exchange between neighbours of a mesh: costs per transputer and per event
 void add_neighbours();
 void add_threads();       // message exchange with one thread of the host and with two
-void add_renderers();     // adds the sequential renderer
+void add_renderers();     // the sequential renderer
 void add_noise();         // the sequential renderer with a lens and an area light
-void add_form_factors();  // adds radiosity
+void add_form_factors();  // rays of form factors
 
 }  // namespace benchmarks

@@ -55,7 +55,7 @@ class Contest {
   double error = 0;        // error of tlab's picture with OURS samples
   double apart = 0;        // difference of the converged pictures of both programs
   PovraySamples theirs;    // the fastest samples that reach the error
-  double their_error = 0;  // error of these samples
+  double their_error = 0;  // error of POV-Ray's picture with these samples
 
   Contest() {
     const Samples ours = render(scene, make_params(REFERENCE, 2)).samples;

@@ -34,8 +34,8 @@ using Arguments = std::vector<std::string>;
 // What the program does with the file.
 enum class Task {
   read,     // reads it; the time depends on the size of the input
-  compute,  // also computes for a long time, and is then interrupted
-  judge     // also computes, and may end with a failed check or a simulated fault
+  compute,  // reads the file and computes for a long time, until it is interrupted
+  judge     // reads the file and computes; may end with a failed check or a simulated fault
 };
 
 struct Way {
@@ -44,7 +44,7 @@ struct Way {
   std::string corpus;  // name of the reader whose texts are used
   std::string file;    // name of the file with the text; "": the text replaces the argument TEXT
   fs::path beside;     // folder whose files are copied beside the text
-  // one of these is run; files after -o and similar options are outputs
+  // commands of which one is run; files after -o and similar options are outputs
   std::vector<Arguments> commands;
 };
 

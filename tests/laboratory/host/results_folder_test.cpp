@@ -158,7 +158,7 @@ TEST(ExperimentsResultsFolder, LooksOnceMoreAtWhatItHasReplaced) {
     int looks = 0;
     const auto told = message_of<base::BadInput>([&] {
       results.commit([&](const fs::path& replaced) {
-        if (++looks == 1) {  // the other process writes at this moment
+        if (++looks == 1) {  // another process writes its results at this moment
           fs::create_directories(out);
           write_file(out / "run.json", "another's");
         } else if (read_file(replaced / "run.json") == "another's") {
@@ -261,7 +261,7 @@ TEST(ExperimentsResultsFolder, RemovesWhatDeadProcessesLeft) {
                    ".out.partial-of-another-host-" + dead};
   fs::create_directories(folder.path / (partial + dead) / "plots");
   for (const auto& name : kept) fs::create_directories(folder.path / name / "plots");
-  // a file; processes leave only folders of such a name
+  // processes leave only folders of such a name, never files
   const auto dead_too = hidden("out.old") + dead;
   write_file(folder.path / dead_too, "x");
   { ResultsFolder results(folder.path / "out"); }
@@ -284,7 +284,7 @@ TEST(ExperimentsResultsFolder, RecordsAreKept) {
     return fs::exists(out / "points/0123" / record) &&
            read_file(out / "points/0123" / record) == record;
   };
-  // One process was killed after it put its results in place, another before.
+  // One process was killed after it put its results in place, another process before.
   put(working.string() + dead, "a.json");
   fs::create_directories(working.string() + dead + "/points/lone");
   write_file(working.string() + dead + "/points/lone/x.json", "x");

@@ -167,8 +167,8 @@ TEST_F(Sweep, ResultsOfAnotherExperimentAreNotTouched) {
   EXPECT_EQ(tlab(folder.path, {"run", "other.toml", "-o", "r"}).exit_code, 0);
 }
 
-// All points of the other experiment have records here. The run writes no new record, so the check
-// must come before.
+// The results folder has records for all points of the other experiment, so its run would write no
+// new record. The check must come before the run.
 TEST_F(Sweep, AnotherExperimentWithTheSamePointsIsRefused) {
   std::ofstream(folder.path / "other.toml") << "title = \"other\"\n" << SWEEP;
   ASSERT_EQ(run({"-o", "r"}).exit_code, 0);

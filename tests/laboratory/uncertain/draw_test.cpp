@@ -60,7 +60,7 @@ TEST(Draw, SetsEveryEntryThatHasARangeButThoseThatAreSet) {
     EXPECT_EQ(std::ranges::count(drawn, entry.key, &Entries::value_type::first),
               entry.range ? 1 : 0)
         << entry.key;
-  // A formula stays a formula of other entries.
+  // A drawn entry whose value is a formula remains a formula of other entries.
   EXPECT_NE(entry_of(after, "operation.box_test").formula.find("instruction.add"),
             std::string::npos);
 }

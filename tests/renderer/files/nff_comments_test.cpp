@@ -110,7 +110,7 @@ TEST(NffComments, EveryKindOfObjectMoves) {
   EXPECT_GT(hits, 200);
 }
 
-// These comments are from files older than statements in comments.
+// Files older than statements in comments have prose comments such as these.
 TEST(NffComments, ProseIsNoStatement) {
   const Scene plain = parse(COMMENTED_VIEW + COMMENTED_SURFACE + "s 0 0 0 1\nl 1 1 1\n");
   const Scene scene =

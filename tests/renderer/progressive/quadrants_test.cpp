@@ -119,11 +119,11 @@ TEST(Quadrants, EveryPixelOfLargerAreasIsComputedOnce) {
 TEST(Quadrants, TheFirstBlocksAreInThePapersOrder) {
   const std::vector<Area> expected = {
       {0, 0, 8, 8},                              // the whole picture
-      {0, 0, 4, 4}, {4, 4, 4, 4}, {4, 0, 4, 4},  // its quadrants, except the lower left one
-      {0, 0, 2, 2}, {2, 2, 2, 2}, {2, 0, 2, 2},  // those of its upper left quadrant
-      {4, 4, 2, 2}, {6, 6, 2, 2}, {6, 4, 2, 2},  // those of the lower right quadrant
-      {4, 0, 2, 2}, {6, 2, 2, 2}, {6, 0, 2, 2},  // those of the upper right quadrant
-      {0, 4, 2, 2}, {2, 6, 2, 2}, {2, 4, 2, 2},  // those of the lower left quadrant
+      {0, 0, 4, 4}, {4, 4, 4, 4}, {4, 0, 4, 4},  // all quadrants except the lower left one
+      {0, 0, 2, 2}, {2, 2, 2, 2}, {2, 0, 2, 2},  // quadrants of the upper left quadrant
+      {4, 4, 2, 2}, {6, 6, 2, 2}, {6, 4, 2, 2},  // quadrants of the lower right quadrant
+      {4, 0, 2, 2}, {6, 2, 2, 2}, {6, 0, 2, 2},  // quadrants of the upper right quadrant
+      {0, 4, 2, 2}, {2, 6, 2, 2}, {2, 4, 2, 2},  // quadrants of the lower left quadrant
       {0, 0, 1, 1}, {1, 1, 1, 1}, {1, 0, 1, 1}, {2, 2, 1, 1}  // the next blocks are pixels
   };
   EXPECT_EQ(first_of({0, 0, 8, 8}, expected.size()), expected);

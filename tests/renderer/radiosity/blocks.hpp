@@ -7,7 +7,7 @@
 namespace radiosity::test {
 
 struct Block {
-  double x = 0, y = 0, low = 0, high = 1;     // its centre, bottom and top
+  double x = 0, y = 0, low = 0, high = 1;     // centre, bottom and top of the block
   double wide = 0.5, deep = 0.5, turned = 0;  // half sides; angle about z in radians
 
   std::array<Vec, 4> ring(double z) const {

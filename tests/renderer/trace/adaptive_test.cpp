@@ -49,8 +49,8 @@ SquarePoint sample_in_group(const Params& params, int group, int place, Dimensio
   return {2 * at.u - std::floor(2 * at.u), 2 * at.v - std::floor(2 * at.v)};
 }
 
-// In the pixel this holds for any power of two in each group, in other dimensions after whole
-// rounds.
+// Each of equal rectangles has one sample of a group: for the pixel, with any power of two of
+// samples; for other dimensions, after whole rounds.
 TEST(Adaptive, RectanglesOfAllShapesHaveASampleEach) {
   const Params params = make_adaptive(1, 0.1, 1000);
   for (const auto dimension : {Dimension::pixel, Dimension::lens, Dimension::gloss})

@@ -185,7 +185,7 @@ TEST(Distributed, PenumbraOfARectangle) {
     const double expected = l * d2 / d1;
     const auto light = fmt::format("rect 0 0 {{}} {} 0 0 0 0.3 0", l / 2);
     EXPECT_NEAR(measure_penumbra(light, d1 + d2, d2, expected, ramp), expected, 0.02 * expected);
-    // The same light, turned upside down.
+    // The same light with its front and back exchanged.
     const auto turned = fmt::format("rect 0 0 {{}} 0 -0.3 0 {} 0 0", -l / 2);
     EXPECT_NEAR(measure_penumbra(turned, d1 + d2, d2, expected, ramp), expected, 0.02 * expected);
   }

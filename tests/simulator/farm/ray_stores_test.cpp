@@ -111,7 +111,7 @@ TEST(RayStores, GiveEveryRayOnceByPriority) {
   }
 }
 
-// This holds for any influence, level and weights.
+// First samples of pixels come first, whatever their influence, level and weights.
 TEST(Priority, FirstSamplesOfPixelsComeFirst) {
   renderer::Ray first, second;
   first.influence = {0.001, 0, 0};

@@ -106,7 +106,7 @@ TEST(IirraAdvance, NothingIsDoneOutsideTheAreaOfInterest) {
     return choose({x, y, 4, 0}, waiting(1, 1, 1), limits) != Advance::none;
   };
   EXPECT_TRUE(chosen(20, 10));
-  EXPECT_TRUE(chosen(17, 7));    // its last pixel is the first of the area
+  EXPECT_TRUE(chosen(17, 7));    // the last pixel of this cell is the first of the area
   EXPECT_FALSE(chosen(16, 10));  // only its border lies in the area, and belongs to its neighbour
   EXPECT_FALSE(chosen(20, 6));
   EXPECT_TRUE(chosen(24, 14));

@@ -15,7 +15,8 @@ constexpr double INTERVAL_S = 0.7e-6;
 
 constexpr double CALL_S = 3e-9, YARDSTICK_S = 40e-6;
 
-// Every reading takes the clock's own interval. Other programs slow down everything else.
+// A host whose clock advances by INTERVAL_S at every reading. `slowness` is the factor by which
+// other programs slow down all calls.
 struct FakeHost {
   double at_s = 0, slowness = 1;
   int readings = 0;

@@ -60,8 +60,8 @@ TEST(Companion, ARendezvousCostsThatOfASoftChannelAndAnEvent) {
         }
 }
 
-// Both come simultaneously and find no partner. The one that first learns of the other completes
-// the second's work.
+// Two processes come simultaneously, and neither finds its partner. The one that first learns of
+// the other completes the second's work.
 TEST(Companion, TwoThatComeAtOnceMeet) {
   const Model model = make_exact_model();
   const auto found = isolated_numbers([&] {

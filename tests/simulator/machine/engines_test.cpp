@@ -70,7 +70,7 @@ TEST_F(Engines, RunRandomMachinesTheSame) {
   EXPECT_GE(deadlocks, 3);
 }
 
-// This holds on 2 to 16 threads, for any division into parts.
+// Results are equal on 2 to 16 threads, for any division into parts.
 TEST_F(Engines, RunRandomMachinesTheSameInParts) {
   for (std::uint64_t seed = 0; seed < 42; ++seed) {
     EngineParams one = DIRECT;

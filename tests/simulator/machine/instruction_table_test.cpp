@@ -56,7 +56,8 @@ TEST(InstructionTable, IsThePublishedOneInEveryModel) {
   for (const auto& name : machine::builtin_models()) {
     const Model model = machine::override_model(name,
                                                 {{"memory.data_word", "\"memory.on_chip_word\""},
-                                                 // this entry is in no published table
+                                                 // no published table has the time of the
+                                                 // instruction fetch
                                                  {"instruction.fetch", "0"}},
                                                 "tests");
     for (const Row& row : make_rows(model))

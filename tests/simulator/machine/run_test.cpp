@@ -58,7 +58,7 @@ TEST(Run, EndsAtItsLimitWithNothingBeyond) {
   }
 }
 
-// This holds for any kind of wait, and any number of parts.
+// A run ends at its limit with any kind of wait and any number of parts.
 TEST(Run, EndsAtItsLimitThoughAProcessWaitsFromALaterTimeOn) {
   constexpr std::int64_t LIMIT = 100;  // limit of the run, cycles
   using Waits = void (*)(Channel<Words>&);

@@ -199,7 +199,8 @@ TEST(TimeSlices, LateComerWaitsForTheNextTick) {
       Processor& other = lab.neighbour(cpu);
       auto& channel = lab.hard(other, cpu);
       double begins = 0;
-      // It waits for its message first, so the busy process begins after its 20 cycles.
+      // The process "late" waits for its message first. The busy process begins after the 20 cycles
+      // of that input.
       cpu.start("late", Priority::low, [&] { channel.in(), begins = own_cycles(); });
       cpu.start("busy", Priority::low, [&] { compute(20 * period), this_process().sync(); });
       other.start("writer", Priority::high, [&] {

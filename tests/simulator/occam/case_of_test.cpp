@@ -32,7 +32,7 @@ TEST(CaseOf, CallsTheCaseOfTheAlternative) {
   EXPECT_EQ(name(std::variant<int, double>{4.0}), "else");
 }
 
-// It takes no simulated time, since the tag has already been input.
+// A CASE takes no simulated time, since the tag has already been input.
 TEST(CaseOf, OfAMessageFromAChannel) {
   const auto found = isolated_numbers([] {
     Lab lab;

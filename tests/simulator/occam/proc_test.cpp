@@ -278,7 +278,7 @@ TEST(Operation, ThrowsInTheBodyAfterItHasWaited) {
   EXPECT_EQ(found, (Numbers{1, 7}));
 }
 
-// Its objects are destroyed with the machine, or when the body has ended.
+// Objects of a process are destroyed with the machine, or when the body has ended.
 TEST(Proc, IsUnwoundWhereItWaits) {
   const auto found = isolated_numbers([] {
     const auto held = std::make_shared<int>(1);

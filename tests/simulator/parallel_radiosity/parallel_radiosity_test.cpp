@@ -106,8 +106,8 @@ TEST(Amp, EveryFrameIsTheSequentialSolutionAfterItsShots) {
   });
 }
 
-// One processor loses only the time of the rounds' decisions. On many, the shares are of the total
-// time.
+// A single processor loses only the time of the rounds' decisions. On several processors, the
+// shares of the losses are of the total time.
 TEST(Amp, LossesAddUp) {
   const Mesh mesh = make_room(0, 4);
   for (const char* topology : {"line:1", "mesh:3x3"})
@@ -168,7 +168,8 @@ TEST(Amp, SharedGeometryGivesTheSameSolution) {
       });
 }
 
-// Another model on all processors is another machine. On some processors, the others wait.
+// Another model on all processors is another machine. If only some processors have another model,
+// the faster ones wait.
 TEST(Amp, ProcessorsOfOtherModels) {
   const Mesh mesh = make_room(1, 3);
   for (const double cache_percent : {0., 30.}) {

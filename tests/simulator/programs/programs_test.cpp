@@ -102,7 +102,7 @@ TEST(Programs, AMessageTakesItsStartAndItsBytes) {
   }
 }
 
-// One processor has no link. Its only queue is that of its client.
+// A single processor has no link. Its only queue is that of its client.
 TEST(Programs, ANetworkDeliversToItsSender) {
   const auto model = machine::load_model("t805-25");
   const auto found = occam::isolated_numbers([&] {
@@ -114,7 +114,8 @@ TEST(Programs, ANetworkDeliversToItsSender) {
   EXPECT_EQ(found.at(1), 2);  // guards of the queue: the entry, and the sender becoming free
 }
 
-// A user's earlier limit ends such a program without numbers. A later one has no effect.
+// A program without an end runs up to its own date. An earlier limit of the user ends it without
+// numbers; a later one has no effect.
 TEST(Programs, WithoutAnEndRunUpToTheirDateOrTheUsersLimit) {
   const auto model = machine::load_model("t805-25");
   const auto& program = get_program("random_traffic");

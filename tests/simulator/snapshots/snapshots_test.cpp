@@ -104,8 +104,8 @@ std::vector<int> durations_of_movie(const std::vector<double>& times_s) {
   return test::durations_of_webp(base::read_text(path));
 }
 
-// Each picture lasts in proportion to its time, on a scale that ends at 6 s. The last one lasts 2 s
-// longer.
+// The last picture lasts 2 s. Every other picture lasts in proportion to the time until the next
+// one, together 6 s.
 TEST(Movie, ShowsPicturesInProportionToTheirTimes) {
   EXPECT_EQ(durations_of_movie({0, 1, 3, 4}), (std::vector{1500, 3000, 1500, 2000}));
   EXPECT_EQ(durations_of_movie({0, 0.02, 0.05}), (std::vector{2400, 3600, 2000}));

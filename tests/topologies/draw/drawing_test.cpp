@@ -131,7 +131,7 @@ TEST(Layout, ALineOfMoreThan16HasRows) {
   }
 }
 
-// This holds for any size, and any division into rows.
+// Neighbours in a ring stand together for any size, and any division into rows.
 TEST(Layout, NeighboursInARingStandTogether) {
   for (int n = 3; n <= 300; ++n) {
     const auto t = make_ring(n);

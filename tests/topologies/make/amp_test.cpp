@@ -33,7 +33,7 @@ TEST(TopologyAmp, HasEveryLinkItsPortsAllowAndThreeAtTheRoot) {
   }
   // all pairs are linked
   for (int n = 2; n <= 4; ++n) EXPECT_EQ(mean_distance(make_amp(n)), 1) << n;
-  EXPECT_EQ(make_amp(5).links.size(), 9u);  // all pairs but one are linked
+  EXPECT_EQ(make_amp(5).links.size(), 9u);  // all pairs except one are linked
 }
 
 TEST(TopologyAmp, IsNumberedLevelByLevel) {

@@ -20,7 +20,7 @@ Face make_random_face(Random& random) {
   return face;
 }
 
-// Such a quad over a floor, and on request a mirror beside them.
+// A quad without a right angle over a floor, and on request a mirror beside them.
 Mesh make_lamp_and_floor(Random& random, bool mirror) {
   Room room;
   room.materials = {{"lamp", grey(0.5), grey(1)}, {"mirror", {0.9, 0.8, 0.7}, {}, true}};

@@ -104,7 +104,7 @@ TEST_F(Pieces, OneLargeOneIsTheImage) {
   EXPECT_GT(lit, 100);
 }
 
-// One piece and four then give equal results.
+// If a mirror piece shows more than every delta area, one piece and four pieces give equal results.
 TEST_F(Pieces, LargerThanDeltaAreasDoNotMatter) {
   const Mesh mesh = make(2);
   for (const Vertex& point : make_points(4))

@@ -45,7 +45,7 @@ TEST(TracePicture, DoesNotDependOnTheMesh) {
   }
 }
 
-// The mirror at x = 1 shows 2 - x for x. Between two facing mirrors, a ray continues.
+// The mirror at x = 1 shows at x what lies at 2 - x. Two facing mirrors reflect a ray repeatedly.
 TEST(TracePicture, MirrorsShowTheMirroredRoom) {
   Room room = make_cube(3);
   room.view.at = {1, 0.4, 0.2};

@@ -133,7 +133,7 @@ TEST(Reconstruct, IsC1AcrossInnerBorders) {
     }
     const auto gaps = find_gaps(mesh, reconstruct(mesh, values, BILINEAR), 5, random);
     EXPECT_LT(gaps.value, 1e-12);
-    EXPECT_GT(gaps.slope, 0.1);  // this discontinuity causes Mach bands
+    EXPECT_GT(gaps.slope, 0.1);  // this discontinuity of the slope causes Mach bands
   }
 }
 

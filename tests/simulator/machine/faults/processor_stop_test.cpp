@@ -43,7 +43,7 @@ TEST(ProcessorStop, EndsWhatItComputes) {
         EXPECT_EQ(pair.lab.machine.run(), machine::End::done);
         EXPECT_TRUE(pair.b.stopped());
         EXPECT_FALSE(pair.a.stopped());
-        observe::collect(pair.lab.machine);  // also checks the invariants of the counts
+        observe::collect(pair.lab.machine);  // collect() also checks the invariants of the counts
         return Numbers{end, never, pair.lab.busy_cycles(pair.b), pair.lab.cycles()};
       });
       EXPECT_EQ(found, (Numbers{-1, -1, STOP, elsewhere > 0 ? 20'000 : STOP}));
@@ -73,7 +73,7 @@ TEST(ProcessorStop, CountsASwitchUpToTheInstant) {
   }
 }
 
-// Its timers neither fire nor postpone the end of the run.
+// Timers of a stopped processor neither fire nor postpone the end of the run.
 TEST(ProcessorStop, ForgetsItsTimers) {
   for (auto priority : BOTH_PRIORITIES) {
     const auto found = isolated_numbers([&] {
@@ -100,7 +100,7 @@ TEST(ProcessorStop, CutsItsLinks) {
         for (std::int64_t computes : {100, 9000}) {
           const auto found = isolated_numbers([&] {
             StoppedPair pair;
-            Processor& c = pair.lab.neighbour(pair.a);  // this neighbour is not affected
+            Processor& c = pair.lab.neighbour(pair.a);  // the stop does not affect this neighbour
             auto& channel = side == Side::writer ? pair.lab.hard(pair.a, pair.b)
                                                  : pair.lab.hard(pair.b, pair.a);
             const Side other = side == Side::writer ? Side::reader : Side::writer;
@@ -118,7 +118,7 @@ TEST(ProcessorStop, CutsItsLinks) {
         }
 }
 
-// Its soft channels and PARs stand still, which is not a deadlock.
+// Soft channels and PARs of a stopped processor stand still, which is not a deadlock.
 TEST(ProcessorStop, ItsProcessesStayWhereTheyAre) {
   const auto found = isolated_numbers([] {
     StoppedPair pair;

@@ -122,7 +122,7 @@ std::pair<std::string, std::string> run(std::uint64_t seed, const Model& model, 
       wrong += chaos.check(record);
       lost += static_cast<int>(std::ranges::count(record.sent, 0));
     }
-    // also checks the invariants of the counts
+    // collect() also checks the invariants of the counts
     const auto use = observe::collect(chaos.lab.machine);
     for (const auto& cpu : use.cpus) log += fmt::format("{:a} ", cpu.busy_s);
     for (const auto& link : use.links) log += fmt::format("{:a} {} ", link.busy_s, link.bytes);
