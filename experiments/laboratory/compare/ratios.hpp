@@ -17,8 +17,8 @@ struct Ratio {
   std::optional<std::pair<double, double>> interval = {};
 };
 
-/// The ratio at a point, without seeds whose cell is empty in either run. None if no sample is left,
-/// or if one of either run is not a number, infinite or not positive.
+/// The ratio at a point, without seeds whose cell is empty in either run. None if no sample is
+/// left, or if one of either run is not a number, infinite or not positive.
 std::optional<Ratio> find_ratio(const MatchedRuns& matched, const MatchedRuns::Point& point,
                                 std::size_t run, const std::string& column);
 

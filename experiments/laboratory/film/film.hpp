@@ -4,8 +4,8 @@
 #include <string>
 
 #include "experiments/laboratory/file/experiment.hpp"
-#include "experiments/laboratory/points/run_options.hpp"
 #include "experiments/laboratory/film/machine_drawing.hpp"
+#include "experiments/laboratory/points/run_options.hpp"
 #include "renderer/image/animation.hpp"
 #include "simulator/observe/trace.hpp"
 #include "simulator/snapshots/recorder.hpp"
