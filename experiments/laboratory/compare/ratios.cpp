@@ -75,18 +75,22 @@ double half_width_apart(const Numbers& a, const Numbers& b) {
   return half_width(std::sqrt(va + vb), degrees);
 }
 
-// The rows of `b` in the order of the seeds of `a`; none if the two have different seeds.
-std::optional<Rows> pair_seeds(const Table& a, const Table& b, const Rows& rows_a,
-                               const Rows& rows_b, const std::string& seed) {
+// The rows of both runs in the order of the seeds of `a`, without seeds for which the column is
+// empty in either run; none if the two have different seeds.
+std::optional<std::pair<Rows, Rows>> pair_seeds(const Table& a, const Table& b, const Rows& rows_a,
+                                                const Rows& rows_b, const std::string& seed,
+                                                const std::string& column) {
   const auto seed_a = a.find(seed), seed_b = b.find(seed);
   if (!seed_a || !seed_b || rows_a.size() != rows_b.size()) return std::nullopt;
   std::map<std::string, std::size_t> row_of;
   for (const auto row : rows_b) row_of[to_string(b.rows[row][*seed_b])] = row;
-  Rows paired;
+  std::pair<Rows, Rows> paired;
   for (const auto row : rows_a) {
     const auto found = row_of.find(to_string(a.rows[row][*seed_a]));
     if (found == row_of.end()) return std::nullopt;
-    paired.push_back(found->second);
+    if (is_empty(a, row, column) || is_empty(b, found->second, column)) continue;
+    paired.first.push_back(row);
+    paired.second.push_back(found->second);
   }
   return paired;
 }
@@ -109,15 +113,10 @@ std::string format_interval(const Ratio& ratio) {
 std::optional<Ratio> find_ratio(const MatchedRuns& matched, const MatchedRuns::Point& point,
                                 std::size_t run, const std::string& column) {
   const Table &first = matched.runs[0].table, &other = matched.runs[run].table;
-  const auto paired = pair_seeds(first, other, point.rows[0], point.rows[run], matched.seed);
-  Rows rows_a, rows_b;  // pairs without empty cells, or else all rows
-  for (std::size_t i = 0; paired && i < paired->size(); ++i)
-    if (!is_empty(first, point.rows[0][i], column) && !is_empty(other, (*paired)[i], column)) {
-      rows_a.push_back(point.rows[0][i]);
-      rows_b.push_back((*paired)[i]);
-    }
-  const auto a = find_logs(first, paired ? rows_a : point.rows[0], column);
-  const auto b = find_logs(other, paired ? rows_b : point.rows[run], column);
+  const auto paired =
+      pair_seeds(first, other, point.rows[0], point.rows[run], matched.seed, column);
+  const auto a = find_logs(first, paired ? paired->first : point.rows[0], column);
+  const auto b = find_logs(other, paired ? paired->second : point.rows[run], column);
   if (!a || !b) return std::nullopt;
   const double middle = find_mean(*b) - find_mean(*a);
   Ratio ratio{std::exp(middle)};

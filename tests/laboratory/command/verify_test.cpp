@@ -40,13 +40,18 @@ TEST(ExperimentsVerify, AFailingCheckEndsWithOneAndKeepsResults) {
   EXPECT_TRUE(verify.out.ends_with("1 check(s) hold, 1 do not\n")) << verify.out;
 }
 
-TEST(ExperimentsVerify, ACheckOfNoPointFailsInVerifyAndIsNamedInRun) {
+TEST(ExperimentsVerify, ACheckOfNoPointFailsUnlessItMayBeEmpty) {
   const TemporaryFolder folder;
-  std::ofstream(folder.path / "e.toml") << MESSAGES << HOLDS << "where = \"bytes > 1e6\"\n";
-  const auto run = tlab(folder.path, {"run", "e.toml"});
-  EXPECT_EQ(run.exit_code, 0);
-  EXPECT_TRUE(contains(run.out, "no point right")) << run.out;
-  EXPECT_EQ(tlab(folder.path, {"verify", "e.toml"}).exit_code, 1);
+  for (const bool may_be_empty : {false, true})
+    for (const auto* command : {"run", "verify"}) {
+      std::ofstream(folder.path / "e.toml") << MESSAGES << HOLDS << "where = \"bytes > 1e6\"\n"
+                                            << (may_be_empty ? "may_be_empty = true\n" : "");
+      const auto done = tlab(folder.path, {command, "e.toml"});
+      EXPECT_EQ(done.exit_code, may_be_empty ? 0 : 1) << command;
+      EXPECT_TRUE(contains(done.out, may_be_empty ? "ok       right: latency_s at no point\n"
+                                                  : "FAILED   right: latency_s at no point, "))
+          << done.out;
+    }
 }
 
 TEST(ExperimentsVerify, RunsOnlyWhatIsMissing) {

@@ -267,7 +267,7 @@ TEST(ExperimentsChecks, NamesOfFilesCanBeCompared) {
            {"net.dot", "topology_is_net.dot"},
            {"./my nets/a-1.graphml", "topology_is___my_nets_a_1_graphml"},
            {"K\xc3\xb6ln.gv", "topology_is_K__ln_gv"}}) {
-    ChecksCase test(check("at_least = 2\nat_most = 2.5\nwhere = \"" + name + "\"\n"));
+    ChecksCase test(check("between = [2, 2.5]\nwhere = \"" + name + "\"\n"));
     test.table.rows[1][0] = file;
     const auto result = test.eval().at(0);
     ASSERT_EQ(result.points.size(), 1u) << name;
