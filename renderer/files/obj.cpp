@@ -69,8 +69,8 @@ struct Attributes {
     if (const Item* item = items_of_file.find(number))
       items.push_back(*item);
     else if (problem.empty())
-      problem = fmt::format("found {}, expected the number of a {} that can be used",
-                            base::quote(number), items_of_file.what);
+      problem = fmt::format("found {}, expected the number of a usable {}", base::quote(number),
+                            items_of_file.what);
   }
 };
 
@@ -284,10 +284,9 @@ class ObjReader {
       const auto words = split_corner(tokens_.peek());
       const Vec* point = words ? points_.find(words->v) : nullptr;
       if (!point)
-        tokens_.fail_next(
-            fmt::format("the number of a vertex (v) in each corner, of the {} in the file, 1 the "
-                        "first and -1 the last above, that can be read",
-                        points_.all.size()));
+        tokens_.fail_next(fmt::format(
+            "the number of a readable vertex (v): 1 to {}, or -1 to -{} from the last above",
+            points_.all.size(), points_.above));
       face.corners.push_back(*point);
       coordinates.add(coordinates_, words->vt);
       normals.add(normals_, words->vn);

@@ -119,8 +119,8 @@ TEST_F(ObjReading, OneBadFaceNeverRejectsAFile) {
   const std::string unnamed =
       "a.obj:5: found 'f', expected 'usemtl' before it; faces in light grey (1)";
   const std::string number =
-      ", expected the number of a vertex (v) in each corner, of the 4 in the file, 1 the first and "
-      "-1 the last above, that can be read; left out faces (1)";
+      ", expected the number of a readable vertex (v): 1 to 4, or -1 to -4 from the last above; "
+      "left out faces (1)";
   const std::pair<std::string, std::string> cases[] = {
       {"f 1 2 5", "found '5'" + number},
       {"f 1 2 0", "found '0'" + number},

@@ -12,11 +12,11 @@
 namespace renderer::test {
 namespace {
 
-using Triangle = std::array<Vec, 3>;
+using TriangleCorners = std::array<Vec, 3>;
 
 // The triangles in file order.
-std::vector<Triangle> get_triangles(const Scene& scene) {
-  std::vector<Triangle> triangles;
+std::vector<TriangleCorners> get_triangles(const Scene& scene) {
+  std::vector<TriangleCorners> triangles;
   for (const Place place : scene.objects) {
     const Polygon& p = place.kind() == Kind::patch
                            ? static_cast<const Polygon&>(scene.patches[place.index()])
@@ -51,7 +51,7 @@ TEST(Hills, AreOneNetWithoutCracks) {
     // the two ends of each edge, for each triangle that has it
     std::map<std::pair<Point, Point>, std::vector<Vec>> sides;
     double area = 0, back = 0;
-    for (const Triangle& t : triangles) {
+    for (const TriangleCorners& t : triangles) {
       area += cross(t[1] - t[0], t[2] - t[0]).z / 2;
       for (int i = 0; i < 3; ++i) {
         const Vec &a = t[i], &b = t[(i + 1) % 3];

@@ -129,12 +129,10 @@ TEST_F(ObjRoom, WhatIsWrongIsRejectedWithItsLine) {
   const std::string in = folder_.string() + "/", at = in + "a.obj:";
   const std::string use = POINTS + "usemtl wall\n";  // the text has 11 lines
   const std::pair<std::string, std::string> wrong[] = {
-      {use + "f 1 2 5", at +
-                            "12: found '5', expected the number of a vertex (v) in each corner, of "
-                            "the 4 in the file"},
-      {use + "f 1 2 0", at + "12: found '0', expected the number of a vertex"},
-      {use + "f 1 2 -5", at + "12: found '-5', expected the number of a vertex"},
-      {use + "f 1 2 3x", at + "12: found '3x', expected the number of a vertex"},
+      {use + "f 1 2 5", at + "12: found '5', expected the number of a readable vertex (v): 1 to 4"},
+      {use + "f 1 2 0", at + "12: found '0', expected the number of a readable vertex"},
+      {use + "f 1 2 -5", at + "12: found '-5', expected the number of a readable vertex"},
+      {use + "f 1 2 3x", at + "12: found '3x', expected the number of a readable vertex"},
       {use + "f 1 2", at + "12: found 2 different corners, expected 3 or more"},
       {use + "f", at + "12: found 0 different corners"},
       {use + "v 2 0 0\nf 1 2 5", at + "13: found 3 corners around no area"},
