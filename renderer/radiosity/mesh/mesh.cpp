@@ -214,7 +214,8 @@ void inset_borders(Mesh& mesh, const std::vector<bool>& is_border, double inset,
           at + find_inset(at, way, first.normal, fringes[first.face], inset) * way;
     };
     move_to(centre);
-    // At the foot of an edge, the mean may lie below the standing object.
+    // Where an object stands on the floor, the mean of the patches' centres may lie below the
+    // object.
     const auto holds = [&](std::uint32_t p) {
       return is_on(mesh.patches[p], mesh.vertices[v].lit);
     };
