@@ -240,8 +240,9 @@ TEST(Timer, WakesAtTheTickAndReadsIt) {
       lab.machine.run();
       return seen;
     });
-    // The third wait begins 3 cycles after tick 20. The two waits take 7 and 33 cycles and end
-    // after tick 21 (25 cycles) at high priority, so the clock is not read again.
+    // The wait for tick 21 begins 3 cycles after tick 20 and takes 33 cycles, after 7 of the past
+    // wait. At high priority a tick is 25 cycles, so tick 21 has passed and the clock is not read
+    // again.
     const double third = us == 1 ? 20 + (3 + 7 + 33) / 25.0 : 21 * us;
     const double dates[] = {10 * us, 20 * us, third, 1000 * us}, reads[] = {10, 20, 21, 1000};
     for (std::size_t i = 0; i < std::size(dates); ++i) {
