@@ -18,7 +18,7 @@ struct Ratio {
 };
 
 /// The ratio at a point, without seeds whose cell is empty in either run. None if no sample is
-/// left, or if one of either run is not a number, infinite or not positive.
+/// left, or if a sample of either run is not a number, infinite or not positive.
 std::optional<Ratio> find_ratio(const MatchedRuns& matched, const MatchedRuns::Point& point,
                                 std::size_t run, const std::string& column);
 
