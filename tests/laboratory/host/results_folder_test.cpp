@@ -173,9 +173,9 @@ TEST(ExperimentsResultsFolder, LooksOnceMoreAtWhatItHasReplaced) {
 }
 
 // A check of results that fails the second time, after the exchange.
-class Look {
+class CountedCheck {
  public:
-  explicit Look(std::function<void()> before_failing = [] {})
+  explicit CountedCheck(std::function<void()> before_failing = [] {})
       : before_failing_(std::move(before_failing)) {}
   void operator()(const fs::path&) {
     if (++looks_ != 2) return;
@@ -196,7 +196,7 @@ TEST(ExperimentsResultsFolder, AnyErrorAfterTheExchangeBringsTheOlderBack) {
   {
     ResultsFolder results(out);
     write_file(results.working() / "run.json", "new");
-    EXPECT_EQ(message_of<std::runtime_error>([&] { results.commit(Look()); }),
+    EXPECT_EQ(message_of<std::runtime_error>([&] { results.commit(CountedCheck()); }),
               "the host has no more memory");
   }
   EXPECT_EQ(read_file(out / "points/0123/a.json"), "old");
@@ -211,7 +211,7 @@ TEST(ExperimentsResultsFolder, OlderRecordsThatCannotBePutBackAreKept) {
   write_file(out / "points/0123/a.json", "old");
   {
     ResultsFolder results(out);
-    const Look look([&] { fs::rename(out, folder.path / "elsewhere"); });
+    const CountedCheck look([&] { fs::rename(out, folder.path / "elsewhere"); });
     const auto told = message_of<std::system_error>([&] { results.commit(look); });
     EXPECT_TRUE(told.starts_with("the host has no more memory; it cannot be put back to ")) << told;
   }
