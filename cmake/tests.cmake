@@ -79,11 +79,11 @@ add_test(NAME Reference.ComparesARandomRoom
          COMMAND reference --seeds 5-5 --size 24x18 --paths 16 --creases none)
 add_tests(laboratory ALSO tests/fuzz/campaign_test.cpp LINKS tests_fuzz tlab::webpdemux)
 add_dependencies(tests_laboratory tlab ${examples})
-add_test(NAME Report.HandsDoWhatTheyShould
-         COMMAND ${PROJECT_SOURCE_DIR}/tests/laboratory/report/hands $<TARGET_FILE:tlab>)
-add_test(NAME Live.HandsDoWhatTheyShould
-         COMMAND ${PROJECT_SOURCE_DIR}/tests/laboratory/live/hands $<TARGET_FILE:tlab>)
-set_tests_properties(Report.HandsDoWhatTheyShould Live.HandsDoWhatTheyShould
+add_test(NAME Report.WorksInABrowser
+         COMMAND ${PROJECT_SOURCE_DIR}/tests/laboratory/report/browser_trial $<TARGET_FILE:tlab>)
+add_test(NAME Live.WorksInABrowser
+         COMMAND ${PROJECT_SOURCE_DIR}/tests/laboratory/live/browser_trial $<TARGET_FILE:tlab>)
+set_tests_properties(Report.WorksInABrowser Live.WorksInABrowser
                      PROPERTIES SKIP_RETURN_CODE 77)
 
 # Benchmarks: speed as ratios against peers in the same run: tests/benchmarks/run.
@@ -145,7 +145,7 @@ set_tests_properties(Tutorials.lecture Tutorials.topology Tutorials.board Tutori
                      PROPERTIES SKIP_RETURN_CODE 77)
 
 # Starts the longest tests first, so that none of them runs alone at the end.
-set_tests_properties(Live.HandsDoWhatTheyShould Report.HandsDoWhatTheyShould Python.notebooks
+set_tests_properties(Live.WorksInABrowser Report.WorksInABrowser Python.notebooks
                      Routers.SpinFindsOnlyTheNaiveRoutersDeadlock
                      Termination.SpinFindsOnlyWrongWaysWrong Kills.LoseNothingAndLeaveNothing
                      PROPERTIES COST 100)
