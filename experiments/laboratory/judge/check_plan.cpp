@@ -179,12 +179,14 @@ void note_comparison(const std::string& name, const std::string& place, const Ta
                      std::vector<std::string>& notes) {
   if (table.find(name)) return;
   for (const auto& column : table.columns) {
-    if (!name.starts_with(name_comparison(column, ""))) continue;
+    const auto prefix = name_comparison(column, "");
+    if (!name.starts_with(prefix)) continue;
+    const auto asked = name_comparison(column, name.substr(prefix.size()));
     std::set<std::string> equal;
     std::vector<std::string> names;
     for (const auto& text : texts_of(table, column)) {
       names.push_back(name_comparison(column, text));
-      if (names.back() == name) equal.insert(text);
+      if (names.back() == asked) equal.insert(text);
     }
     if (names.empty()) continue;
     if (equal.empty())
