@@ -15,8 +15,7 @@
 using namespace occam;
 using machine::Priority;
 
-// A task, its computation and its cost: replace these by your own. A task also carries its result
-// back.
+// A task, its computation and its cost: replace these. A task also carries its result back.
 constexpr int TASKS = 200;
 struct Task {
   int number = -1, terms = 0, sum = 0;

@@ -48,8 +48,7 @@ void cell(Items& left, Items& right) {
         for (auto instruction : {"ldl", "stl", "ldl", "stl"}) charge(instruction);
     }
     out(right, next);
-    // charges WHILE NOT end
-    for (auto instruction : {"ldl", "cj", "prefix", "j"}) charge(instruction);
+    for (auto instruction : {"ldl", "cj", "prefix", "j"}) charge(instruction);  // WHILE NOT end
   }
   out(right, largest);
   out(right, next);

@@ -41,9 +41,10 @@ TEST_F(SceneWarnings, OneLineForEachKind) {
   EXPECT_EQ(warnings_of({"render", "s.obj", "-o", "a.png", "--size", "8x8"}), all);
   EXPECT_EQ(warnings_of({"render", "s.obj", "-o", "a.png", "--size", "8x8", "--preview", "phong"}),
             all);
-  EXPECT_EQ(warnings_of({"render", "s.obj", "-o", "a.png", "--size", "8x8", "--frames", "0:1"}),
+  EXPECT_EQ(warnings_of({"render", "s.obj", "-o", "a.png", "--size", "8x8", "--frames", "0-1"}),
             all);
-  EXPECT_EQ(warnings_of({"radiosity", "s.obj", "-o", "a.png", "--size", "8x8"}), all);
+  // Radiosity also warns of the light that leaves this open room.
+  EXPECT_TRUE(warnings_of({"radiosity", "s.obj", "-o", "a.png", "--size", "8x8"}).starts_with(all));
   EXPECT_EQ(warnings_of({"convert", "s.obj", "-o", "a.nff"}), of_files);
   EXPECT_EQ(out, "scene    a.nff\nleft out faces (2), lines (1)\n");
   EXPECT_EQ(warnings_of({"convert", "s.obj", "-o", "a.room"}), of_files);
@@ -51,7 +52,7 @@ TEST_F(SceneWarnings, OneLineForEachKind) {
 
 TEST_F(SceneWarnings, AnExperimentWarnsOnceForAllItsPoints) {
   write_file(folder.path / "e.toml",
-             "program = \"farm\"\n[scene]\nsource = \"s.obj\"\n[image]\nwidth = 8\nheight = 8\n"
+             "[scene]\nsource = \"s.obj\"\n[image]\nwidth = 8\nheight = 8\n"
              "[sweep]\nworkers = [1, 2]\n");
   const auto errors = warnings_of({"run", "e.toml", "-o", "results"});
   const auto first = errors.find("s.obj:7: ");

@@ -158,7 +158,7 @@ TEST(Programs, OfRoutersNeedTwoProcessors) {
 // The latency is a mean over the packets of the window's second half.
 TEST(Programs, AMeanLatencyOfNoPacketIsEmpty) {
   const auto model = machine::load_model("t805-25");
-  const double load = 0.0002, window_s = 0.5;
+  const double load = 0.0006, window_s = 0.5;
   int without = 0, with = 0;
   for (std::int64_t seed = 1; seed <= 10; ++seed) {
     const auto arrivals = make_uniform_traffic(4, load * model.link.one_way_rate / 1000,
