@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/files/left_out.hpp"
 #include "renderer/files/nff.hpp"
+#include "renderer/files/text/left_out.hpp"
 #include "renderer/scene/scene.hpp"
 
 namespace renderer {

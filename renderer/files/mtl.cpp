@@ -7,7 +7,7 @@
 
 #include "base/text.hpp"
 #include "renderer/files/beside.hpp"
-#include "renderer/files/statements.hpp"
+#include "renderer/files/text/statements.hpp"
 
 namespace renderer {
 

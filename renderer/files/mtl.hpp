@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/files/left_out.hpp"
+#include "renderer/files/text/left_out.hpp"
 #include "renderer/scene/vec.hpp"
 
 namespace renderer {

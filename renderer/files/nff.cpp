@@ -6,8 +6,8 @@
 #include <functional>
 
 #include "base/text.hpp"
-#include "renderer/files/statements.hpp"
-#include "renderer/files/tokens.hpp"
+#include "renderer/files/text/statements.hpp"
+#include "renderer/files/text/tokens.hpp"
 #include "renderer/scene/require.hpp"
 
 namespace renderer {

@@ -18,9 +18,9 @@
 // This is a reader of our own because tinyobjloader 2.0.0 reads "nan" as 0. It also skips unknown
 // statements without a message or a line number.
 
-#include "renderer/files/left_out.hpp"
 #include "renderer/files/mtl.hpp"
-#include "renderer/files/statements.hpp"
+#include "renderer/files/text/left_out.hpp"
+#include "renderer/files/text/statements.hpp"
 
 namespace renderer {
 

@@ -1,7 +1,7 @@
 #include "renderer/files/obj_items.hpp"
 
 #include "base/text.hpp"
-#include "renderer/files/statements.hpp"
+#include "renderer/files/text/statements.hpp"
 
 namespace renderer {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "renderer/files/left_out.hpp"
+#include "renderer/files/text/left_out.hpp"
 #include "renderer/scene/primitives.hpp"
 
 namespace renderer {

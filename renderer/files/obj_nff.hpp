@@ -8,9 +8,9 @@
 // because NFF has no highlights without mirror images. A perfect mirror gets `illum` 3, the mirror
 // of a room; one that is also diffuse gets 5. Pictures (map_Kd) become textures by coordinates.
 
-#include "renderer/files/left_out.hpp"
 #include "renderer/files/nff.hpp"
 #include "renderer/files/obj.hpp"
+#include "renderer/files/text/left_out.hpp"
 
 namespace renderer {
 

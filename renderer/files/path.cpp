@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/whole_file.hpp"
-#include "renderer/files/tokens.hpp"
+#include "renderer/files/text/tokens.hpp"
 
 namespace renderer {
 

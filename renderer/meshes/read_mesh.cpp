@@ -8,8 +8,8 @@
 #include <filesystem>
 
 #include "base/text.hpp"
-#include "renderer/files/statements.hpp"
-#include "renderer/files/tokens.hpp"
+#include "renderer/files/text/statements.hpp"
+#include "renderer/files/text/tokens.hpp"
 #include "renderer/files/write_nff.hpp"
 #include "renderer/scene/primitives.hpp"
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "renderer/files/left_out.hpp"
 #include "renderer/files/obj.hpp"
+#include "renderer/files/text/left_out.hpp"
 
 namespace renderer {
 

@@ -3,8 +3,8 @@
 // process, which alternates between application, data manager and task manager (figure 5.4). In a
 // double node, application and task manager run on a second processor. One processor coordinates
 // and serves data, one displays the picture, and all others compute it.
-#include "simulator/iirra/balance.hpp"
 #include "simulator/iirra/record.hpp"
+#include "simulator/iirra/tasks/balance.hpp"
 #include "simulator/observe/run_monitor.hpp"
 #include "simulator/programs/declare/program.hpp"
 #include "simulator/ray_tracing/busy.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 // Record of a run, kept outside the simulated machine, so that it takes no simulated time.
-#include "simulator/iirra/tasks.hpp"
+#include "simulator/iirra/tasks/tasks.hpp"
 #include "simulator/ray_tracing/rendering.hpp"
 
 namespace iirra {

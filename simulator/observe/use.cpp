@@ -2,7 +2,7 @@
 
 #include <unordered_map>
 
-#include "base/mean.hpp"
+#include "simulator/observe/mean.hpp"
 
 namespace observe {
 
@@ -120,7 +120,7 @@ base::Column<Use> link_busy_column() {
       [](const Use& use) {
         double busy_s = 0;
         for (const auto& link : use.links) busy_s = std::max(busy_s, link.busy_s);
-        return base::eval_mean(busy_s, use.time_s);
+        return observe::eval_mean(busy_s, use.time_s);
       },
       "share of the time that the busiest direction of a link was busy");
 }

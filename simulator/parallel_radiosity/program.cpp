@@ -1,8 +1,8 @@
 #include "simulator/parallel_radiosity/program.hpp"
 
-#include "base/mean.hpp"
 #include "renderer/radiosity/show/adapt.hpp"
 #include "renderer/radiosity/show/display.hpp"
+#include "simulator/observe/mean.hpp"
 #include "simulator/parallel_radiosity/pictures.hpp"
 #include "simulator/programs/declare/routers.hpp"
 #include "simulator/snapshots/quality_curve.hpp"
@@ -117,15 +117,16 @@ Columns<Loss> loss_columns() {
 
 Columns<Result> work_columns() {
   using R = Result;
-  return {
-      column<R>("rays", &count_rays, "rays cast"),
-      column<R>(
-          "rays_per_s",
-          [](const R& r) { return base::eval_mean(static_cast<double>(count_rays(r)), r.time_s); },
-          "rays over time_s"),
-      column("vertices_max", &R::vertices_done_max,
-             "vertices that a processor finds in a shot, at most"),
-      column("kernel_cycles", &R::kernel_cycles, "cycles that kernels were charged")};
+  return {column<R>("rays", &count_rays, "rays cast"),
+          column<R>(
+              "rays_per_s",
+              [](const R& r) {
+                return observe::eval_mean(static_cast<double>(count_rays(r)), r.time_s);
+              },
+              "rays over time_s"),
+          column("vertices_max", &R::vertices_done_max,
+                 "vertices that a processor finds in a shot, at most"),
+          column("kernel_cycles", &R::kernel_cycles, "cycles that kernels were charged")};
 }
 
 Columns<observe::Use> load_columns() {

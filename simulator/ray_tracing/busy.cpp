@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "base/mean.hpp"
+#include "simulator/observe/mean.hpp"
 
 namespace ray_tracing {
 
@@ -200,7 +200,7 @@ Columns<observe::Use> model_columns() {
       all += tasks;
       others += is_other(use, cpu) ? tasks : 0;
     }
-    return base::eval_mean(others, all);
+    return observe::eval_mean(others, all);
   };
   return base::only_if(
       [is_other](const observe::Use& use) {

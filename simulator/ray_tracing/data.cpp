@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "base/mean.hpp"
+#include "simulator/observe/mean.hpp"
 #include "simulator/programs/declare/routers.hpp"
 
 namespace ray_tracing {
@@ -37,7 +37,7 @@ base::Columns<SharedUse> shared_columns() {
   using U = SharedUse;
   using base::column;
   const auto wait_share = [](const U& u) {
-    return base::eval_mean(u.data.waited.value, u.workers_s);
+    return observe::eval_mean(u.data.waited.value, u.workers_s);
   };
   return base::join(
       base::Columns<U>{column("cache_bytes", &U::cache_bytes, "cache of a worker")},

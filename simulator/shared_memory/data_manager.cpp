@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "base/mean.hpp"
+#include "simulator/observe/mean.hpp"
 #include "simulator/occam/case_of.hpp"
 #include "simulator/occam/process.hpp"
 
@@ -29,7 +29,7 @@ void change(DataUse& use, const DataUse& by, Change apply) {
 }
 
 std::optional<double> share(double part, std::uint64_t all) {
-  return base::eval_mean(part, static_cast<double>(all));
+  return observe::eval_mean(part, static_cast<double>(all));
 }
 
 base::Column<DataUse> level_column(const std::string& name, Level level, const std::string& where) {

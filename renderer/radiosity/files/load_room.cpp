@@ -6,7 +6,7 @@
 #include "base/whole_file.hpp"
 #include "renderer/files/nff.hpp"
 #include "renderer/files/obj.hpp"
-#include "renderer/files/tokens.hpp"
+#include "renderer/files/text/tokens.hpp"
 #include "renderer/radiosity/room/check.hpp"
 
 namespace radiosity {

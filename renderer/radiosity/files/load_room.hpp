@@ -28,7 +28,7 @@
 #include <string>
 #include <string_view>
 
-#include "renderer/files/left_out.hpp"
+#include "renderer/files/text/left_out.hpp"
 #include "renderer/radiosity/room/room.hpp"
 
 namespace radiosity {

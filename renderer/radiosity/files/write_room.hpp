@@ -1,9 +1,9 @@
 #pragma once
 // Writers of rooms in the formats of load_room.hpp. They count what a format cannot express.
 
-#include "renderer/files/left_out.hpp"
 #include "renderer/files/nff.hpp"
 #include "renderer/files/obj.hpp"
+#include "renderer/files/text/left_out.hpp"
 #include "renderer/radiosity/room/room.hpp"
 
 namespace radiosity {

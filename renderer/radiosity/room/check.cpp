@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "renderer/files/tokens.hpp"
+#include "renderer/files/text/tokens.hpp"
 #include "renderer/scene/require.hpp"
 
 namespace radiosity {

@@ -1,8 +1,8 @@
 #include "simulator/programs/network/traffic.hpp"
 
-#include "base/mean.hpp"
 #include "base/random.hpp"
 #include "simulator/network/store_and_forward.hpp"
+#include "simulator/observe/mean.hpp"
 #include "simulator/programs/declare/support.hpp"
 
 namespace programs {
@@ -110,8 +110,9 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   const double later = mean_inside(result.deliveries, 3 * window_s / 4, window_s);
   const bool is_saturated = later > 1.6 * earlier && later > setup.topology.processors;
   const double links = static_cast<double>(result.links) / static_cast<double>(arrivals.size());
-  Outcome<Measured> outcome(Measured{base::eval_mean(sum_s, count), arrivals.size(), links, later,
-                                     result.longest_queue, result.link_busy_max, is_saturated});
+  Outcome<Measured> outcome(Measured{observe::eval_mean(sum_s, count), arrivals.size(), links,
+                                     later, result.longest_queue, result.link_busy_max,
+                                     is_saturated});
   outcome.is_saturated = is_saturated;
   return outcome;
 }

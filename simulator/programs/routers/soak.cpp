@@ -4,8 +4,8 @@
 
 #include <set>
 
-#include "base/mean.hpp"
 #include "base/random.hpp"
+#include "simulator/observe/mean.hpp"
 #include "simulator/programs/declare/routers.hpp"
 
 namespace programs {
@@ -110,7 +110,7 @@ class Account {
 
   void finish() {
     result.links_mean =
-        base::eval_mean(static_cast<double>(links_), static_cast<double>(result.delivered));
+        observe::eval_mean(static_cast<double>(links_), static_cast<double>(result.delivered));
     name_lost();
   }
 

@@ -1,5 +1,5 @@
 // Lengths of IIRRA's messages.
-#include "simulator/iirra/messages.hpp"
+#include "simulator/iirra/tasks/messages.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Choice of the next cell, and of the next step on it.
-#include "simulator/iirra/realism.hpp"
+#include "simulator/iirra/tasks/realism.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // The stores of a task manager, compared with a simple list, and the properties of cells.
-#include "simulator/iirra/tasks.hpp"
+#include "simulator/iirra/tasks/tasks.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "simulator/iirra/messages.hpp"
+#include "simulator/iirra/tasks/messages.hpp"
 
 #include "simulator/occam/case_of.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 // NFF statements for views and lights, which other formats use in comments.
 
-#include "renderer/files/tokens.hpp"
+#include "renderer/files/text/tokens.hpp"
 #include "renderer/scene/scene.hpp"
 
 namespace renderer {

@@ -1,4 +1,4 @@
-#include "simulator/iirra/balance.hpp"
+#include "simulator/iirra/tasks/balance.hpp"
 
 #include <algorithm>
 #include <map>

@@ -1,4 +1,4 @@
-#include "renderer/files/tokens.hpp"
+#include "renderer/files/text/tokens.hpp"
 
 #include <charconv>
 

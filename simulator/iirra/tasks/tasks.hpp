@@ -7,7 +7,7 @@
 
 #include "renderer/trace/adaptive.hpp"
 #include "renderer/trace/render.hpp"
-#include "simulator/iirra/realism.hpp"
+#include "simulator/iirra/tasks/realism.hpp"
 
 namespace iirra {
 

@@ -2,7 +2,7 @@
 // Messages between the processes of IIRRA, carried by routers.
 #include <variant>
 
-#include "simulator/iirra/tasks.hpp"
+#include "simulator/iirra/tasks/tasks.hpp"
 #include "simulator/kernels/kernels.hpp"
 #include "simulator/shared_memory/data_manager.hpp"
 

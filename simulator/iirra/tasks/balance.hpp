@@ -4,7 +4,7 @@
 // Workers therefore need not repeat requests.
 #include <memory>
 
-#include "simulator/iirra/messages.hpp"
+#include "simulator/iirra/tasks/messages.hpp"
 
 namespace iirra {
 

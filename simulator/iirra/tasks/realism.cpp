@@ -1,4 +1,4 @@
-#include "simulator/iirra/realism.hpp"
+#include "simulator/iirra/tasks/realism.hpp"
 
 #include <algorithm>
 #include <bit>

@@ -1,4 +1,4 @@
-#include "renderer/files/statements.hpp"
+#include "renderer/files/text/statements.hpp"
 
 #include <algorithm>
 #include <functional>

@@ -1,4 +1,4 @@
-#include "simulator/iirra/tasks.hpp"
+#include "simulator/iirra/tasks/tasks.hpp"
 
 #include <algorithm>
 

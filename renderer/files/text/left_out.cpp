@@ -1,4 +1,4 @@
-#include "renderer/files/left_out.hpp"
+#include "renderer/files/text/left_out.hpp"
 
 #include <fmt/format.h>
 
