@@ -56,7 +56,10 @@ PendingConnection::PendingConnection(Pages& pages, std::function<void()> close)
 // --- functions of one page ----------------------------------------------------------------------
 
 Page::Page(Pages& pages, beast::tcp_stream stream)
-    : pages_(pages), socket_(std::move(stream)), patience_(pages.io), later_(pages.io) {}
+    : pages_(pages),
+      socket_(std::move(stream)),
+      authentication_timeout_(pages.io),
+      later_(pages.io) {}
 
 void Page::accept(const beast::http::request<beast::http::empty_body>& request) {
   beast::get_lowest_layer(socket_).expires_never();
@@ -66,11 +69,11 @@ void Page::accept(const beast::http::request<beast::http::empty_body>& request) 
   socket_.set_option(timeout);
   socket_.read_message_max(LONGEST_MESSAGE);
   socket_.auto_fragment(false);
-  stranger_.emplace(pages_, [self = weak_from_this()] {
+  pending_.emplace(pages_, [self = weak_from_this()] {
     if (const auto page = self.lock()) page->close();
   });
-  patience_.expires_after(TO_ASK);
-  patience_.async_wait([self = weak_from_this()](Error error) {
+  authentication_timeout_.expires_after(TO_ASK);
+  authentication_timeout_.async_wait([self = weak_from_this()](Error error) {
     const auto page = self.lock();
     if (!error && page && !page->is_known()) page->close();
   });
@@ -112,7 +115,7 @@ void Page::tell_steering() {
 void Page::close() {
   if (std::exchange(is_closed_, true)) return;
   const auto self = shared_from_this();
-  stranger_.reset();
+  pending_.reset();
   pages_.known.erase(self);
   Error ignored;
   auto& stream = beast::get_lowest_layer(socket_);
@@ -175,7 +178,7 @@ bool Page::welcome(const Json& message) {
   if (!message.contains("token") || !message["token"].is_string()) return false;
   if (!is_same_secret(message["token"].get_ref<const std::string&>(), pages_.token)) return false;
   if (pages_.known.size() == MOST_CLIENTS) return false;
-  stranger_.reset();
+  pending_.reset();
   number_ = ++pages_.known_so_far;
   pages_.known.insert(shared_from_this());
   if (pages_.steers.expired()) pages_.steers = shared_from_this();

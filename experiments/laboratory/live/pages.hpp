@@ -98,9 +98,9 @@ class Page : public std::enable_shared_from_this<Page> {
   void write();
 
   Pages& pages_;
-  std::optional<PendingConnection> stranger_;
+  std::optional<PendingConnection> pending_;
   boost::beast::websocket::stream<boost::beast::tcp_stream> socket_;
-  boost::asio::steady_timer patience_, later_;
+  boost::asio::steady_timer authentication_timeout_, later_;
   boost::beast::flat_buffer buffer_;
   Allowance allowance_;
   bool has_outline_ = false, wants_frame_ = false, looks_later_ = false, is_closed_ = false;

@@ -47,7 +47,7 @@ class Client : public std::enable_shared_from_this<Client> {
       : pages_(pages), port_(port), stream_(std::move(socket)), buffer_(LONGEST_HEADER) {}
 
   void read() {
-    stranger_.emplace(pages_, [self = weak_from_this()] {
+    pending_.emplace(pages_, [self = weak_from_this()] {
       if (const auto client = self.lock()) client->stream_.close();
     });
     parser_.header_limit(LONGEST_HEADER);
@@ -76,7 +76,7 @@ class Client : public std::enable_shared_from_this<Client> {
       if (!origin.starts_with(scheme) || !is_own(origin.substr(scheme.size())))
         return refuse(http::status::forbidden, "found a page of another site");
       if (request.target() != "/live") return refuse(http::status::not_found, "not found");
-      stranger_.reset();
+      pending_.reset();
       std::make_shared<Page>(pages_, std::move(stream_))->accept(parser_.release());
       return;
     }
@@ -110,7 +110,7 @@ class Client : public std::enable_shared_from_this<Client> {
 
   Pages& pages_;
   std::uint16_t port_;  // port of this server
-  std::optional<PendingConnection> stranger_;
+  std::optional<PendingConnection> pending_;
   beast::tcp_stream stream_;
   beast::flat_buffer buffer_;
   http::request_parser<http::empty_body> parser_;

@@ -317,7 +317,7 @@ Table choose_rows(Table table, const Texts& columns) {
 
 // Adds the uncertainty of the results, from drawn machines, and a tornado chart of the first
 // result.
-void add_sureness(Report& report, Texts& undrawn, const fs::path& folder) {
+void add_confidence(Report& report, Texts& undrawn, const fs::path& folder) {
   const auto found = load_confidence(folder);
   if (!found) return;
   const auto& columns = report.shown_columns;
@@ -375,7 +375,7 @@ Texts write_report(const fs::path& folder, const RunOptions& options, const Simu
   save_unless_empty(folder / "growth.csv", growth);
   add_plots(report, undrawn, folder / "plots", s.table, std::move(exhibits));
   add_plots(report, undrawn, folder / "plots", growth, plot_growth(s.file, growth));
-  add_sureness(report, undrawn, folder);
+  add_confidence(report, undrawn, folder);
   append(report.notes, notes_of(s.file, s.results));
   add_images(report, folder, s);
   auto networks = draw_networks(folder, options, s);
