@@ -85,6 +85,10 @@ struct Rgbs {
 [[gnu::always_inline]] inline Lanes sqrt(const Lanes& a) {
   return Lanes{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
 }
+[[gnu::always_inline]] inline Lanes abs(const Lanes& a) { return a < 0.0 ? -a : a; }
+/// std::min() and std::max() of each lane.
+[[gnu::always_inline]] inline Lanes min(const Lanes& a, const Lanes& b) { return b < a ? b : a; }
+[[gnu::always_inline]] inline Lanes max(const Lanes& a, const Lanes& b) { return a < b ? b : a; }
 /// std::clamp() of each lane.
 [[gnu::always_inline]] inline Lanes clamp(const Lanes& a, double lo, double hi) {
   const Lanes least = a < lo ? lo - Lanes{} : a;

@@ -7,7 +7,14 @@ namespace renderer {
 namespace {
 
 // tolerances relative to a polygon's size, and to its square
-constexpr double MAX_BEND = 0.05, MIN_AREA = 1e-12;
+constexpr double MAX_BEND = 0.05, FLAT = 1e-6, MIN_AREA = 1e-12;
+
+// Relative to the largest coordinate: a generous bound of the rounding of a ray's test.
+constexpr double ROUNDING = 64 * std::numeric_limits<double>::epsilon();
+// Covers EDGE_MARGIN times the epsilon of rays that start on the polygon.
+constexpr double CLOSE = 32e-10;
+// Relative to a polygon's span.
+constexpr double MAX_PULL = 1e-3;
 
 // Newell's method, which is correct for any simple polygon, also concave or only nearly flat ones.
 Vec eval_newell_normal(std::span<const Vec> corners, const Vec& centre) {
@@ -17,6 +24,46 @@ Vec eval_newell_normal(std::span<const Vec> corners, const Vec& centre) {
   return sum;
 }
 
+float round_up(double x) {
+  return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
+}
+
+// True if all turns are to the same side and the edges go up once and down once.
+bool is_convex(std::span<const Corner3> corners) {
+  const std::size_t n = corners.size();
+  const auto rise = [&](std::size_t i) { return corners[(i + 1) % n].v - corners[i % n].v; };
+  const auto run = [&](std::size_t i) { return corners[(i + 1) % n].u - corners[i % n].u; };
+  std::size_t left = 0, right = 0, climbs = 0;
+  bool was_up = false;
+  for (std::size_t i = 0; i < 2 * n; ++i) {
+    const double turn = run(i) * rise(i + 1) - rise(i) * run(i + 1);
+    left += turn > 0;
+    right += turn < 0;
+    const bool up = rise(i) != 0 ? rise(i) > 0 : was_up;
+    climbs += up && !was_up && i >= n;
+    was_up = up;
+  }
+  return (left == 2 * n || right == 2 * n) && climbs <= 1;
+}
+
+// Sets the fields that tell which rays need intersect_closely().
+void set_limits(Polygon& polygon, std::span<const Vec> corners, const Bounds& box, double size) {
+  double bend = 0, span = 0;
+  const Vec* last = &corners.back();
+  for (const Vec& p : corners) {
+    bend = std::max(bend, std::abs(dot(polygon.normal, p) - polygon.offset));
+    const Vec edge = p - *last;
+    span = std::max(span, std::abs(edge[polygon.u]) + std::abs(edge[polygon.v]));
+    last = &p;
+  }
+  polygon.span = round_up(span);
+  const double largest = std::max(max_abs(box.lo), max_abs(box.hi));
+  const bool flat = bend <= FLAT * size + ROUNDING * largest;
+  if (!flat) polygon.shape = Shape::bent;
+  polygon.slack =
+      flat ? round_up(2 * bend + CLOSE * largest) : std::numeric_limits<float>::infinity();
+}
+
 }  // namespace
 
 Sphere make_sphere(const Vec& centre, double radius, Tag tag) {
@@ -24,7 +71,7 @@ Sphere make_sphere(const Vec& centre, double radius, Tag tag) {
   return {centre, radius, tag};
 }
 
-Polygon make_polygon(std::span<const Vec> corners, Tag tag, std::vector<Corner>& pool) {
+Polygon make_polygon(std::span<const Vec> corners, Tag tag, std::vector<Corner3>& pool) {
   require(corners.size() >= 3, fmt::format("a polygon of {} vertices", corners.size()),
           "3 or more");
   Vec centre;
@@ -49,12 +96,14 @@ Polygon make_polygon(std::span<const Vec> corners, Tag tag, std::vector<Corner>&
   made.v = static_cast<std::uint8_t>((made.w + 2) % 3);
   made.first = static_cast<std::uint32_t>(pool.size());
   made.count = static_cast<std::uint32_t>(corners.size());
-  for (const Vec& p : corners) pool.push_back({p[made.u], p[made.v]});
+  for (const Vec& p : corners) pool.push_back({{p[made.u], p[made.v]}, p[made.w]});
+  if (is_convex(std::span(pool).last(corners.size()))) made.shape = Shape::convex;
+  set_limits(made, corners, box, size);
   return made;
 }
 
 Patch make_patch(std::span<const Vec> corners, std::span<const Vec> corner_normals, Tag tag,
-                 std::vector<Corner>& pool, std::vector<Vec>& normal_pool) {
+                 std::vector<Corner3>& pool, std::vector<Vec>& normal_pool) {
   require(corners.size() == corner_normals.size(),
           fmt::format("{} normals for {} vertices", corner_normals.size(), corners.size()),
           "one each");
@@ -73,7 +122,7 @@ Patch make_patch(std::span<const Vec> corners, std::span<const Vec> corner_norma
 }
 
 void check_polygon(std::span<const Vec> corners, std::span<const Vec> corner_normals) {
-  std::vector<Corner> pool;
+  std::vector<Corner3> pool;
   std::vector<Vec> normal_pool;
   if (corner_normals.empty())
     make_polygon(corners, {}, pool);
@@ -91,19 +140,18 @@ Cone make_cone(const Vec& base, double base_radius, const Vec& apex, double apex
           tag};
 }
 
-Vec eval_corner(const Polygon& polygon, const Corner& c) {
-  const double w =
-      (polygon.offset - polygon.normal[polygon.u] * c.u - polygon.normal[polygon.v] * c.v) /
-      polygon.normal[polygon.w];
-  return polygon.w == 0 ? Vec{w, c.u, c.v} : polygon.w == 1 ? Vec{c.v, w, c.u} : Vec{c.u, c.v, w};
+Vec eval_corner(const Polygon& polygon, const Corner3& c) {
+  return polygon.w == 0   ? Vec{c.w, c.u, c.v}
+         : polygon.w == 1 ? Vec{c.v, c.w, c.u}
+                          : Vec{c.u, c.v, c.w};
 }
 
 void translate(Sphere& sphere, const Vec& by) { sphere.centre += by; }
 
-void translate(Polygon& polygon, const Vec& by, std::vector<Corner>& pool) {
+void translate(Polygon& polygon, const Vec& by, std::vector<Corner3>& pool) {
   polygon.offset += dot(polygon.normal, by);
-  for (Corner& c : std::span(pool).subspan(polygon.first, polygon.count))
-    c = {c.u + by[polygon.u], c.v + by[polygon.v]};
+  for (Corner3& c : std::span(pool).subspan(polygon.first, polygon.count))
+    c = {{c.u + by[polygon.u], c.v + by[polygon.v]}, c.w + by[polygon.w]};
 }
 
 void translate(Cone& cone, const Vec& by) { cone.base += by; }
@@ -112,9 +160,9 @@ Bounds make_bounds(const Sphere& sphere) {
   return grow({sphere.centre, sphere.centre}, sphere.radius);
 }
 
-Bounds make_bounds(const Polygon& polygon, std::span<const Corner> pool) {
+Bounds make_bounds(const Polygon& polygon, std::span<const Corner3> pool) {
   Bounds box;
-  for (const Corner& c : pool.subspan(polygon.first, polygon.count))
+  for (const Corner3& c : pool.subspan(polygon.first, polygon.count))
     box = join(box, eval_corner(polygon, c));
   return box;
 }
@@ -139,17 +187,16 @@ Vec eval_normal(const Cone& c, const Vec& point) {
   return normalize((1 / radius) * across - c.slope * c.axis);
 }
 
-Blend interpolate(const Polygon& polygon, std::span<const Corner> pool, std::span<const Vec> values,
-                  const Vec& point) {
-  const auto corners = pool.subspan(polygon.first, polygon.count);
-  const double pu = point[polygon.u], pv = point[polygon.v];
-  const auto spoke = [&](std::size_t i) { return Corner{corners[i].u - pu, corners[i].v - pv}; };
-  const auto size = [](const Corner& c) { return std::sqrt(c.u * c.u + c.v * c.v); };
+namespace {
 
+// interpolate() for corners at `spoke(i)` from the point, with values `value(i)`.
+template <class Spoke, class Value>
+Blend blend(std::size_t count, const Spoke& spoke, const Value& value) {
+  const auto size = [](const Corner& c) { return std::sqrt(c.u * c.u + c.v * c.v); };
   Vec sum;
-  for (std::size_t i = polygon.count - 1, j = 0; j < polygon.count; i = j++) {
+  for (std::size_t i = count - 1, j = 0; j < count; i = j++) {
     const Corner a = spoke(i), b = spoke(j);
-    const Vec &value_a = values[i], &value_b = values[j];
+    const Vec value_a = value(i), value_b = value(j);
     const double a_size = size(a), b_size = size(b);
     if (a_size == 0) return {value_a, Blend::On::corner};
     if (b_size == 0) return {value_b, Blend::On::corner};
@@ -163,7 +210,121 @@ Blend interpolate(const Polygon& polygon, std::span<const Corner> pool, std::spa
   return {sum};
 }
 
-Vec eval_smooth_normal(const Patch& patch, std::span<const Corner> pool,
+// Coordinates with a ray as third axis: (u, v) across it, 0 on it, and the distance w along it.
+// Each corner is transformed by itself, so that faces with a common corner agree on its place.
+struct RayAxes {
+  RayAxes(const Vec& origin, const Vec& direction) {
+    if (std::abs(direction.y) > std::abs(direction.x)) w = 1;
+    if (std::abs(direction.z) > std::abs(direction[w])) w = 2;
+    u = (w + 1) % 3;
+    v = (w + 2) % 3;
+    start = {{origin[u], origin[v]}, origin[w]};
+    shear_u = direction[u] / direction[w];
+    shear_v = direction[v] / direction[w];
+    inverse = 1 / direction[w];
+  }
+  Corner3 operator()(const Vec& p) const {
+    const double ahead = p[w] - start.w;
+    return {{p[u] - start.u - shear_u * ahead, p[v] - start.v - shear_v * ahead}, inverse * ahead};
+  }
+
+  int u = 1, v = 2, w = 0;
+  Corner3 start;
+  double shear_u, shear_v, inverse;
+};
+
+// True if the edge crosses the half-line v = 0, u > 0; the same for both directions of the edge.
+bool crosses(const Corner& p, const Corner& q) {
+  if ((p.v > 0) == (q.v > 0)) return false;
+  const Corner &a = p.v > 0 ? q : p, &b = p.v > 0 ? p : q;
+  return a.u * b.v - b.u * a.v > 0;
+}
+
+// The point of the edge nearest to (0, 0), with its distance along the ray.
+Corner3 find_nearest(const Corner3& a, const Corner3& b) {
+  const double u = b.u - a.u, v = b.v - a.v, square = u * u + v * v;
+  const double share = square > 0 ? std::clamp(-(a.u * u + a.v * v) / square, 0.0, 1.0) : 0;
+  return {{a.u + share * u, a.v + share * v}, a.w + share * (b.w - a.w)};
+}
+
+}  // namespace
+
+double intersect_closely(const Polygon& polygon, const Corner3* pool, const Vec& origin,
+                         const Vec& direction, double distance, double epsilon) {
+  const RayAxes axes(origin, direction);
+  const auto at = [&](std::size_t i) {
+    return axes(eval_corner(polygon, pool[polygon.first + i]));
+  };
+  double largest = max_abs(origin), least = NO_HIT, most = -NO_HIT;
+  for (std::size_t i = 0; i < polygon.count; ++i) {
+    const double depth = at(i).w;
+    largest = std::max(largest, max_abs(eval_corner(polygon, pool[polygon.first + i])));
+    least = std::min(least, depth);
+    most = std::max(most, depth);
+  }
+  if (!(most > epsilon)) return NO_HIT;
+
+  // The even-odd rule finds one of the faces at a shared edge, as exactly one of them has an odd
+  // number of crossings. On an edge, within rounding, the ray meets all faces.
+  const double tolerance = ROUNDING * largest;
+  bool inside = false;
+  double on_edge = NO_HIT;
+  Corner3 last = at(polygon.count - 1);
+  for (std::size_t i = 0; i < polygon.count; ++i) {
+    const Corner3 corner = at(i), nearest = find_nearest(last, corner);
+    if (std::max(std::abs(nearest.u), std::abs(nearest.v)) <= tolerance && nearest.w > epsilon)
+      on_edge = std::min(on_edge, nearest.w);
+    inside ^= crosses(last, corner);
+    last = corner;
+  }
+  if (!inside && on_edge == NO_HIT) return NO_HIT;
+  if (polygon.shape == Shape::bent || std::abs(dot(polygon.normal, direction)) <= EDGE_ON) {
+    if (on_edge < NO_HIT) return on_edge;
+    const Vec sum = blend(polygon.count, at, [&](std::size_t i) { return Vec{at(i).w, 1, 0}; }).sum;
+    distance = sum.x / sum.y;
+  }
+  distance = distance >= least ? std::min(distance, most) : least;
+  return distance > epsilon ? distance : NO_HIT;
+}
+
+Vec pull_inside(const Polygon& polygon, const Corner3* pool, const Vec& point, double epsilon) {
+  const double margin = std::min(EDGE_MARGIN * epsilon, MAX_PULL * polygon.span);
+  const std::span corners(pool + polygon.first, polygon.count);
+  Corner3 at{{point[polygon.u], point[polygon.v]}, point[polygon.w]};
+  double area = 0;
+  const Corner* last = &corners.back();
+  for (const Corner& c : corners) {
+    area += (last->u - at.u) * (c.v - at.v) - (last->v - at.v) * (c.u - at.u);
+    last = &c;
+  }
+  for (const Corner& c : corners) {
+    const Corner nearest =
+        find_nearest({{last->u - at.u, last->v - at.v}}, {{c.u - at.u, c.v - at.v}});
+    const double u = last->v - c.v, v = c.u - last->u, size = std::sqrt(u * u + v * v);
+    if (size > 0 && nearest.u * nearest.u + nearest.v * nearest.v < margin * margin) {
+      const double by = std::copysign(margin / size, area);
+      at.w -= by * (polygon.normal[polygon.u] * u + polygon.normal[polygon.v] * v) /
+              polygon.normal[polygon.w];
+      at = {{at.u + by * u, at.v + by * v}, at.w};
+    }
+    last = &c;
+  }
+  return eval_corner(polygon, at);
+}
+
+Blend interpolate(const Polygon& polygon, std::span<const Corner3> pool,
+                  std::span<const Vec> values, const Vec& point) {
+  const auto corners = pool.subspan(polygon.first, polygon.count);
+  const double pu = point[polygon.u], pv = point[polygon.v];
+  return blend(
+      polygon.count,
+      [&](std::size_t i) {
+        return Corner{corners[i].u - pu, corners[i].v - pv};
+      },
+      [&](std::size_t i) { return values[i]; });
+}
+
+Vec eval_smooth_normal(const Patch& patch, std::span<const Corner3> pool,
                        std::span<const Vec> normal_pool, const Vec& point) {
   auto [sum, on] = interpolate(patch, pool, normal_pool.subspan(patch.normals, patch.count), point);
   if (on == Blend::On::corner) return sum;

@@ -49,7 +49,7 @@ void add_coordinates(Scene& scene, std::span<const Corner> coordinates) {
 
 // Sets the gradients of a polygon's texture coordinates, by a least-squares plane, which is exact
 // in a triangle.
-void set_gradients(TexturePoint& found, const Polygon& polygon, std::span<const Corner> corners,
+void set_gradients(TexturePoint& found, const Polygon& polygon, std::span<const Corner3> corners,
                    std::span<const Vec> coordinates) {
   const double share = 1.0 / static_cast<double>(corners.size());
   Corner middle;

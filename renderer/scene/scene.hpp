@@ -93,8 +93,8 @@ struct Scene {
   std::vector<Polygon> polygons;
   std::vector<Patch> patches;
   std::vector<Cone> cones;
-  std::vector<Corner> corners;  ///< corners of polygons and patches
-  std::vector<Vec> normals;     ///< normals at the corners of patches
+  std::vector<Corner3> corners;  ///< corners of polygons and patches
+  std::vector<Vec> normals;      ///< normals at the corners of patches
   std::vector<Texture> textures;
   std::vector<Pyramid> pyramids;  ///< pictures of the textures
   /// Texture coordinates (u, v, 1) of corners, by their index in `corners`, for polygons and

@@ -65,6 +65,7 @@ template <class Primitive>
   const double distance = intersect(primitive, probe);
   walk.probe.roots += probe.roots;
   walk.probe.edges += probe.edges;
+  walk.probe.is_close |= probe.is_close;
   return distance;
 }
 
@@ -151,6 +152,16 @@ void walk_boxes(Walk& walk, const Listener& listener) {
   walk.boxes = tested;
 }
 
+// Calls pull_inside() for polygons. Other primitives have no edges.
+Vec pull_from_edges(const Scene& scene, Place place, const Vec& point) {
+  return visit(scene, place, [&](const auto& primitive) {
+    if constexpr (requires { primitive.count; })
+      return pull_inside(primitive, scene.corners.data(), point, scene.epsilon);
+    else
+      return point;
+  });
+}
+
 // Makes the hit on the nearest object, for a feeler without point and normal. Inlined, because a
 // call with the walk as argument would keep its counts in memory.
 template <bool MOVES>
@@ -182,6 +193,8 @@ template <bool MOVES>
   }
   hit.inside = dot(geometric, ray.direction) > 0;
   if (hit.inside) hit.normal = -hit.normal;
+  if (walk.probe.is_close) [[unlikely]]
+    hit.point += pull_from_edges(scene, place, still) - still;
 }
 
 // The result of the traversal.

@@ -14,34 +14,89 @@ struct Counts {
   Mask boxes{}, tests{}, edges{};
 };
 
-// is_inside() for each lane.
-[[gnu::always_inline]] inline Mask find_inside(std::span<const Corner> corners, const Lanes& u,
-                                               const Lanes& v) {
+// Results of locate() for each lane.
+struct Places {
+  Mask inside, close;
+};
+
+[[gnu::always_inline]] inline Places locate_in_convex(std::span<const Corner3> corners,
+                                                      const Lanes& u, const Lanes& v,
+                                                      const Lanes& cosine, const Lanes& limit) {
+  Lanes least = NO_HIT - Lanes{}, most = -NO_HIT - Lanes{};
+  Lanes last_u = corners.back().u - u, last_v = corners.back().v - v;
+  for (const Corner& corner : corners) {
+    const Lanes next_u = corner.u - u, next_v = corner.v - v;
+    const Lanes side = last_u * next_v - next_u * last_v;
+    least = min(least, side);
+    most = max(most, side);
+    last_u = next_u;
+    last_v = next_v;
+  }
+  least *= cosine;
+  most *= cosine;
+  const Mask outside = (least < -limit) & (most > limit);
+  const Mask inside = (least > limit) | (most < -limit);
+  return {inside, ~(inside | outside)};
+}
+
+[[gnu::always_inline]] inline Places locate(std::span<const Corner3> corners, const Lanes& u,
+                                            const Lanes& v, const Lanes& cosine, const Lanes& limit,
+                                            double span) {
   Mask inside{};
+  Lanes row = NO_HIT - Lanes{}, nearest = row;
   const Corner* last = &corners.back();
   for (const Corner& corner : corners) {
+    row = min(row, abs(corner.v - v));
     const bool rises = corner.v > last->v;
     const Corner &a = rises ? *last : corner, &b = rises ? corner : *last;
     const Mask beside = (corner.v > v) ^ (last->v > v);
-    inside ^= beside & ((b.u - a.u) * (v - a.v) > (u - a.u) * (b.v - a.v));
+    const Lanes side = (b.u - a.u) * (v - a.v) - (u - a.u) * (b.v - a.v);
+    inside ^= beside & (side > 0.0);
+    nearest = beside ? min(nearest, abs(side)) : nearest;
     last = &corner;
   }
-  return inside;
+  const Mask close = min(row * span, nearest) * cosine <= limit;
+  return {inside & ~close, close};
+}
+
+// intersect_closely() for one lane.
+bool is_met_closely(const Scene& scene, const Polygon& p, const ShadowRays& rays, std::size_t i,
+                    double distance, double epsilon) {
+  const Vec origin{rays.origin.x[i], rays.origin.y[i], rays.origin.z[i]};
+  const Vec direction{rays.direction.x[i], rays.direction.y[i], rays.direction.z[i]};
+  return intersect_closely(p, scene.corners.data(), origin, direction, distance, epsilon) <
+         rays.reach[i];
 }
 
 // The rays among `here` that the polygon blocks: intersect() for each lane.
 [[gnu::always_inline]] inline Mask meet(const Scene& scene, const Polygon& p,
-                                        const ShadowRays& rays, const Mask& here, Counts& counts) {
+                                        const ShadowRays& rays, const Lanes& epsilon,
+                                        const Mask& here, Counts& counts) {
   counts.tests += here;
-  const Lanes distance = (p.offset - dot(rays.origin, p.normal)) / dot(rays.direction, p.normal);
-  const Mask ahead = here & (rays.from != static_cast<std::int64_t>(p.tag.object)) &
-                     (distance > scene.epsilon) & (distance < NO_HIT);
+  const Lanes height = p.offset - dot(rays.origin, p.normal);
+  const Lanes along = dot(rays.direction, p.normal), distance = height / along;
+  const Lanes cosine = abs(along);
+  const Lanes error = static_cast<double>(p.slack) + EDGE_MARGIN * epsilon;  // eval_closeness()
+  const Mask other = here & (rays.from != static_cast<std::int64_t>(p.tag.object));
+  const Mask ahead = other & (distance > epsilon) & (distance < NO_HIT);
   counts.edges += ahead;
   const Mask near = ahead & (distance < rays.reach);
-  if (!holds_any(near)) return near;
+  const Mask edge_on =
+      other & (cosine <= (p.shape == Shape::bent ? 2 : EDGE_ON)) & (near | (abs(height) <= error));
+  if (!holds_any(near | edge_on)) return near;
   const Lanes u = rays.origin[p.u] + distance * rays.direction[p.u];
   const Lanes v = rays.origin[p.v] + distance * rays.direction[p.v];
-  return near & find_inside({scene.corners.data() + p.first, p.count}, u, v);
+  const std::span corners(scene.corners.data() + p.first, p.count);
+  const Lanes limit = error * static_cast<double>(p.span);
+  const auto [inside, by_edge] = p.shape == Shape::convex
+                                     ? locate_in_convex(corners, u, v, cosine, limit)
+                                     : locate(corners, u, v, cosine, limit, p.span);
+  const Mask close = edge_on | (near & by_edge);
+  Mask hit = near & inside & ~close;
+  if (holds_any(close)) [[unlikely]]
+    for (std::size_t i = 0; i < LANES; ++i)
+      if (close[i]) hit[i] = -is_met_closely(scene, p, rays, i, distance[i], epsilon[i]);
+  return hit;
 }
 
 // Slab test of a box. Each lane enters by the plane that its direction meets first.
@@ -76,6 +131,7 @@ struct Slabs {
   const Box* boxes = scene.hierarchy.boxes.data();
   const auto end = static_cast<std::int64_t>(scene.hierarchy.boxes.size());
   const Slabs slabs(rays);
+  const Lanes epsilon = scene.epsilon - Lanes{};
   Counts counts;
   const Mask never = NEVER - Mask{};
   Mask next = rays.cast ? Mask{} : never;
@@ -84,7 +140,7 @@ struct Slabs {
     const Mask here = next <= i;
     if (box.item != Box::INNER) {
       const Polygon& polygon = scene.polygons[Place{box.item}.index()];
-      const Mask hit = meet(scene, polygon, rays, here, counts);
+      const Mask hit = meet(scene, polygon, rays, epsilon, here, counts);
       ++i;
       if (!holds_any(hit)) continue;
       next = hit ? never : next;

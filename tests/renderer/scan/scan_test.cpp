@@ -54,8 +54,8 @@ TEST(Scan, CoversWhatRaysMeet) {
     // Interpolates the plane's distance along the axis, which is linear in space too.
     std::vector<double> found(SCREEN_SIDE * SCREEN_SIDE), nearness(SCREEN_SIDE * SCREEN_SIDE);
     Scanner<1> scanner(eye.raster, ALL);
-    std::vector<Vec> flat;  // the corners, moved into the plane by rounding
-    for (const Corner& c : scene.corners) flat.push_back(eval_corner(scene.polygons[0], c));
+    std::vector<Vec> flat;
+    for (const Corner3& c : scene.corners) flat.push_back(eval_corner(scene.polygons[0], c));
     scanner.scan(make_corners(eye.view, flat, [](const Vec& p) { return p.x; }),
                  [&](int x, int y, double near, const auto& values) {
                    EXPECT_EQ(nearness[std::size_t(y * SCREEN_SIDE + x)], 0) << "covered twice";

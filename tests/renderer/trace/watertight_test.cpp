@@ -1,0 +1,377 @@
+// No ray passes between faces that share an edge or a vertex.
+//
+// TLAB_AIMED_RAYS sets the number of rays, by default some 300,000.
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "renderer/trace/shadow_rays.hpp"
+#include "tests/renderer/support.hpp"
+
+namespace renderer::test {
+namespace {
+
+// A closed surface; all of it is visible from near its middle.
+struct Closed {
+  std::vector<Vec> points;
+  std::vector<std::vector<std::uint32_t>> faces;
+  Vec middle;
+  double size = 1;
+};
+
+std::uint32_t add_point(Closed& mesh, const Vec& point) {
+  const auto index = std::ranges::find(mesh.points, point) - mesh.points.begin();
+  if (index == std::ssize(mesh.points)) mesh.points.push_back(point);
+  return static_cast<std::uint32_t>(index);
+}
+
+// A cube from -1 to 1, each side cut into side x side squares.
+Closed make_cube(int side) {
+  Closed mesh;
+  for (int axis = 0; axis < 3; ++axis)
+    for (const double end : {-1.0, 1.0})
+      for (int i = 0; i < side * side; ++i) {
+        const auto at = [&](int u, int v) {
+          const double a = 2.0 * u / side - 1, b = 2.0 * v / side - 1;
+          return add_point(mesh, axis == 0   ? Vec{end, a, b}
+                                 : axis == 1 ? Vec{a, end, b}
+                                             : Vec{a, b, end});
+        };
+        const int u = i % side, v = i / side;
+        mesh.faces.push_back({at(u, v), at(u + 1, v), at(u + 1, v + 1), at(u, v + 1)});
+      }
+  return mesh;
+}
+
+// Rings of quads and two triangle fans; the radii vary, so that quads are bent.
+Closed make_ball(Random& random, int rings, int sectors) {
+  Closed mesh;
+  const auto place = [&](double polar, double around) {
+    const double r = random.range(0.9, 1.1);
+    return Vec{r * std::sin(polar) * std::cos(around), r * std::sin(polar) * std::sin(around),
+               r * std::cos(polar)};
+  };
+  mesh.points = {place(0, 0), place(std::numbers::pi, 0)};
+  for (int i = 1; i < rings; ++i)
+    for (int k = 0; k < sectors; ++k)
+      mesh.points.push_back(
+          place(std::numbers::pi * i / rings, 2 * std::numbers::pi * k / sectors));
+  const auto at = [&](int i, int k) {
+    return static_cast<std::uint32_t>(i == 0       ? 0
+                                      : i == rings ? 1
+                                                   : 2 + (i - 1) * sectors + k % sectors);
+  };
+  for (int i = 0; i < rings; ++i)
+    for (int k = 0; k < sectors; ++k) {
+      mesh.faces.push_back({at(i, k), at(i + 1, k), at(i + 1, k + 1), at(i, k + 1)});
+      auto& face = mesh.faces.back();
+      if (i == 0) face.pop_back();
+      if (i == rings - 1) face.erase(face.begin() + 1);
+    }
+  return mesh;
+}
+
+// A prism over a star, mostly concave.
+Closed make_prism(Random& random) {
+  Closed mesh;
+  const int corners = 3 + random.below(9);
+  std::vector<std::uint32_t> bottom, top;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * std::numbers::pi * i / corners, r = random.range(0.7, 1.2);
+    const Vec at{r * std::cos(angle), r * std::sin(angle), -0.8};
+    bottom.push_back(add_point(mesh, at));
+    top.push_back(add_point(mesh, at + Vec{0.1, 0.05, 1.6}));
+  }
+  mesh.faces = {bottom, top};
+  for (std::size_t i = 0, j = bottom.size() - 1; i < bottom.size(); j = i++)
+    mesh.faces.push_back({bottom[j], bottom[i], top[i], top[j]});
+  return mesh;
+}
+
+std::vector<Vec> find_corners(const Closed& mesh, const std::vector<std::uint32_t>& face) {
+  std::vector<Vec> corners;
+  for (const auto i : face) corners.push_back(mesh.points[i]);
+  return corners;
+}
+
+bool is_valid(const std::vector<Vec>& corners) {
+  try {
+    check_polygon(corners, {});
+    return true;
+  } catch (const base::BadInput&) {
+    return false;
+  }
+}
+
+// Splits some quads, and all that are too bent; turns some faces around.
+void vary_faces(Random& random, Closed& mesh) {
+  std::vector<std::vector<std::uint32_t>> faces;
+  const bool splits = random.below(2) == 0;
+  for (const auto& face : mesh.faces) {
+    if (face.size() == 4 && (splits || !is_valid(find_corners(mesh, face)))) {
+      faces.push_back({face[0], face[1], face[2]});
+      faces.push_back({face[0], face[2], face[3]});
+    } else {
+      faces.push_back(face);
+    }
+  }
+  for (auto& face : faces)
+    if (random.below(2) == 0) std::ranges::reverse(face);
+  mesh.faces = faces;
+}
+
+// Turns, scales and moves the mesh, unless it stays on the axes with round coordinates.
+void place(Random& random, Closed& mesh) {
+  if (random.below(4) == 0) return;
+  const Vec n = random.direction();
+  const auto [u, v] = make_plane(n);
+  mesh.size = std::pow(10, random.range(-3, 3));
+  mesh.middle = mesh.size * random.point(random.below(2) == 0 ? 1 : 1000);
+  for (Vec& p : mesh.points)
+    p = mesh.middle + (mesh.size * p.x) * u + (mesh.size * p.y) * v + (mesh.size * p.z) * n;
+}
+
+Closed make_closed(std::uint64_t seed) {
+  Random random{seed};
+  const int kind = random.below(3);
+  Closed mesh = kind == 0   ? make_cube(1 + random.below(4))
+                : kind == 1 ? make_ball(random, 3 + random.below(6), 5 + random.below(8))
+                            : make_prism(random);
+  place(random, mesh);
+  vary_faces(random, mesh);
+  return mesh;
+}
+
+// `patches`: with normals.
+Scene make_scene(const Closed& mesh, bool patches, bool moves) {
+  Scene scene;
+  scene.surfaces.emplace_back();
+  scene.view.from = mesh.middle + Vec{0, 0, 5 * mesh.size};
+  scene.view.at = mesh.middle;
+  for (const auto& face : mesh.faces) {
+    const auto corners = find_corners(mesh, face);
+    std::vector<Vec> normals;
+    for (const Vec& corner : corners) normals.push_back(corner - mesh.middle);
+    patches ? add_patch(scene, corners, normals) : add_polygon(scene, corners);
+  }
+  if (moves) scene.moves.assign(mesh.faces.size(), mesh.size * Vec{0.3, -0.2, 0.1});
+  finish(scene);
+  return scene;
+}
+
+// A ray to a shared place of several faces.
+struct Aimed {
+  Ray ray;
+  double distance;
+};
+
+// A corner, or a point of an edge.
+struct Target {
+  Vec at;
+  std::vector<std::uint32_t> corners;  // one or two
+};
+
+Target choose_target(Random& random, const Closed& mesh) {
+  const auto& face = mesh.faces[static_cast<std::size_t>(random.below(int(mesh.faces.size())))];
+  const auto i = static_cast<std::size_t>(random.below(static_cast<int>(face.size())));
+  const std::uint32_t a = face[i], b = face[(i + 1) % face.size()];
+  const Vec &p = mesh.points[a], &q = mesh.points[b];
+  if (random.below(3) == 0) return {p, {a}};
+  const double share = random.below(3) == 0 ? 0.5 : random.unit();
+  return {p + share * (q - p), {a, b}};
+}
+
+// True if all faces at the target are seen clearly from the same side as the target.
+bool is_in_front(const Closed& mesh, const Target& target, const Vec& origin) {
+  for (const auto& face : mesh.faces) {
+    const auto has = [&](std::uint32_t corner) {
+      return std::ranges::find(face, corner) != face.end();
+    };
+    if (!std::ranges::all_of(target.corners, has)) continue;
+    // Bent quads: each of the corners counts.
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Vec& p = mesh.points[face[i]];
+      const Vec n = cross(mesh.points[face[(i + 1) % face.size()]] - p,
+                          mesh.points[face[(i + face.size() - 1) % face.size()]] - p);
+      const double out = dot(n, p - mesh.middle);
+      if (!(std::copysign(1, out) * dot(n, origin - p) > 1e-3 * length(n) * length(origin - p)))
+        return false;
+    }
+  }
+  return true;
+}
+
+std::optional<Aimed> aim(Random& random, const Closed& mesh) {
+  const Target target = choose_target(random, mesh);
+  const bool inside = random.below(2) == 0;
+  Vec origin = mesh.middle + (inside ? 0.1 : 4.0) * mesh.size * random.point(1);
+  if (random.below(8) == 0) origin = mesh.middle;
+  if (!inside && !is_in_front(mesh, target, origin)) return std::nullopt;
+  const Vec way = target.at - origin;
+  return Aimed{{.origin = origin, .direction = normalize(way), .influence = {}}, length(way)};
+}
+
+bool stops(const Scene& scene, const Aimed& aimed, Traversal traversal, RayKind kind) {
+  Ray ray = aimed.ray;
+  ray.kind = kind;
+  ray.reach = kind == RayKind::shadow ? aimed.distance * (1 + 1e-6) : ray.reach;
+  if (!scene.moves.empty()) {
+    ray.time = 0.75F;
+    ray.origin += eval_shift(scene, 0, ray.time);
+  }
+  Work work;
+  const auto hit = intersect(scene, ray, traversal, work);
+  return hit && hit->distance <= aimed.distance * (1 + 1e-6);
+}
+
+int count_passing(const Scene& scene, std::span<const Aimed> aimed) {
+  ShadowRays rays{};
+  for (std::size_t i = 0; i < LANES; ++i) {
+    const auto& [ray, distance] = aimed[i];
+    rays.origin.x[i] = ray.origin.x, rays.origin.y[i] = ray.origin.y;
+    rays.origin.z[i] = ray.origin.z;
+    rays.direction.x[i] = ray.direction.x, rays.direction.y[i] = ray.direction.y;
+    rays.direction.z[i] = ray.direction.z;
+    rays.reach[i] = distance * (1 + 1e-6);
+    rays.from[i] = NO_OBJECT;
+    rays.cast[i] = -1;
+  }
+  Work work;
+  find_blocked(scene, rays, work);
+  return static_cast<int>(LANES - count(rays.blocked));
+}
+
+int count_leaks(std::uint64_t seed, int number) {
+  const Closed mesh = make_closed(seed);
+  Random random{seed, 1'000'000};
+  const Scene flat = make_scene(mesh, false, false), smooth = make_scene(mesh, true, false),
+              moving = make_scene(mesh, seed % 2 == 0, true);
+  std::vector<Aimed> all;
+  int leaks = 0;
+  const auto expect = [&](bool stopped) { leaks += !stopped; };
+  while (static_cast<int>(all.size()) < number) {
+    const auto aimed = aim(random, mesh);
+    if (!aimed) continue;
+    all.push_back(*aimed);
+    for (const RayKind kind : {RayKind::primary, RayKind::shadow}) {
+      expect(stops(flat, *aimed, Traversal::nearest, kind));
+      expect(stops(smooth, *aimed, Traversal::exhaustive, kind));
+    }
+    expect(stops(flat, *aimed, Traversal::linear, RayKind::reflected));
+    expect(stops(moving, *aimed, Traversal::nearest, RayKind::primary));
+    if (all.size() % LANES == 0) leaks += count_passing(flat, std::span(all).last(LANES));
+  }
+  return leaks;
+}
+
+TEST(Watertight, NoRayPassesThroughASharedEdgeOrVertex) {
+  constexpr int RAYS = 1000, TESTS = 7;
+  const char* asked = std::getenv("TLAB_AIMED_RAYS");
+  const auto meshes = asked ? std::strtoull(asked, nullptr, 10) / (RAYS * TESTS) : 40;
+  for (std::uint64_t seed = 1; seed <= meshes; ++seed) {
+    ASSERT_EQ(count_leaks(seed, RAYS), 0) << "seed " << seed;
+  }
+}
+
+// Bent faces too reach as far as their edges: a ray that just misses an edge hits near it.
+TEST(Watertight, FacesMeetAtTheirEdges) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Closed mesh = make_closed(seed);
+    const Scene scene = make_scene(mesh, false, false);
+    Random random{seed, 1000};
+    for (int i = 0; i < 200; ++i) {
+      const Target target = choose_target(random, mesh);
+      const Vec origin = mesh.middle + 0.1 * mesh.size * random.point(1);
+      const Vec way = target.at + 1e-7 * mesh.size * random.direction() - origin;
+      const Ray ray{.origin = origin, .direction = normalize(way), .influence = {}};
+      Work work;
+      const auto hit = intersect(scene, ray, Traversal::nearest, work);
+      ASSERT_TRUE(hit);
+      EXPECT_NEAR(hit->distance, length(way), 1e-5 * mesh.size);
+    }
+  }
+}
+
+// Mirrors all around: a ray that is reflected at an edge must meet the face beyond it.
+TEST(Watertight, NoRayLeavesARoomOfMirrors) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random{seed};
+    Closed mesh = make_cube(1 + random.below(3));
+    place(random, mesh);
+    vary_faces(random, mesh);
+    const Scene scene = make_scene(mesh, false, false);
+    for (int i = 0; i < 200; ++i) {
+      const Target target = choose_target(random, mesh);
+      const Vec origin = mesh.middle + 0.5 * mesh.size * random.point(1);
+      Ray ray{.origin = origin, .direction = normalize(target.at - origin), .influence = {}};
+      for (int bounce = 0; bounce < 8; ++bounce) {
+        Work work;
+        const auto hit = intersect(scene, ray, Traversal::nearest, work);
+        ASSERT_TRUE(hit) << "ray " << i << ", bounce " << bounce;
+        ray.origin = hit->point;
+        ray.direction = reflect(ray.direction, hit->normal);
+        ray.from = hit->object;
+      }
+    }
+  }
+}
+
+// Square faces seen exactly edge-on, and rays along their borders.
+TEST(Watertight, RaysInThePlanesOfFaces) {
+  const Closed mesh = make_cube(4);
+  const Scene scene = make_scene(mesh, false, false);
+  Work work;
+  int rays = 0;
+  for (int x = -3; x <= 3; ++x)
+    for (int y = -3; y <= 3; ++y)
+      for (const Vec& way :
+           {Vec{1, 0, 0}, {0, -1, 0}, {0, 0, 1}, {1, 1, 0}, {0, 1, -1}, {1, 1, 1}}) {
+        const Ray inside{.origin = {x / 4.0, y / 4.0, (x + y) / 8.0},
+                         .direction = normalize(way),
+                         .influence = {}};
+        EXPECT_TRUE(intersect(scene, inside, Traversal::nearest, work));
+        ++rays;
+      }
+  // In the plane of the top, towards its border, which the side faces share.
+  const Ray beside{.origin = {-3, 0.25, 1}, .direction = {1, 0, 0}, .influence = {}};
+  const auto hit = intersect(scene, beside, Traversal::nearest, work);
+  ASSERT_TRUE(hit);
+  EXPECT_NEAR(hit->distance, 2, 1e-12);
+  EXPECT_GT(rays, 0);
+}
+
+// The cases' pictures: a cube's edge and a square's diagonal lie exactly on samples.
+TEST(Watertight, NoPixelShowsTheBackgroundThroughAnEdge) {
+  const auto count_seen_through = [](const Scene& scene, int side, int left, int width, int top,
+                                     int height) {
+    const Samples& samples = render(scene, make_params(side, side, 2)).samples;
+    int seen = 0;
+    for (int y = top; y < top + height; ++y)
+      for (int x = left; x < left + width; ++x)
+        seen += samples.sums[static_cast<std::size_t>(y * side + x)].b != 0;
+    return seen;
+  };
+  const std::string cube =
+      "v from 4 4 3 at 0 0 0 up 0 0 1 angle 40 hither 1 resolution 100 100\nb 0 0 1\nl 9 9 7\n"
+      "f 1 0.5 0 1 0 0 0 1\n"
+      "p 4 1 -1 -1  1 1 -1  1 1 1  1 -1 1\np 4 1 1 -1  -1 1 -1  -1 1 1  1 1 1\n";
+  EXPECT_EQ(count_seen_through(parse(cube), 100, 45, 10, 50, 25), 0);
+  std::string tiles =
+      "v from 0 0 3 at 0 0 0 up 0 1 0 angle 67.38013505195957 hither 1 resolution 400 400\n"
+      "b 0 0 1\nl 0 3 50\nf 1 0 0 1 0 0 0 1\n";
+  for (int y = 0; y < 40; ++y)
+    for (int x = 0; x < 40; ++x) {
+      const double left = (x - 20) / 10.0, right = (x - 19) / 10.0;
+      const double low = (y - 20) / 10.0, high = (y - 19) / 10.0;
+      tiles +=
+          fmt::format("p 3 {0} {2} 0  {1} {2} 0  {1} {3} 0\np 3 {0} {2} 0  {1} {3} 0  {0} {3} 0\n",
+                      left, right, low, high);
+    }
+  EXPECT_EQ(count_seen_through(parse(tiles), 400, 1, 398, 1, 398), 0);
+}
+
+}  // namespace
+}  // namespace renderer::test
