@@ -12,6 +12,8 @@ namespace {
 constexpr long long MAX_PIXELS = 1LL << 28;
 
 const base::Names<Feelers> FEELERS = {{"all", Feelers::all}, {"front", Feelers::front}};
+const base::Names<TotalReflection> TOTAL_REFLECTIONS = {{"mirrored", TotalReflection::mirrored},
+                                                        {"lost", TotalReflection::lost}};
 const base::Names<SamplePosition> SAMPLES = {{"center", SamplePosition::center},
                                              {"corner", SamplePosition::corner},
                                              {"lattice", SamplePosition::lattice}};
@@ -73,6 +75,9 @@ base::Fields<Params> param_fields() {
                 "influence factor below which no ray is made"),
       D::choice("feelers", &Params::feelers, FEELERS,
                 "lights that get a feeler: all, or those in front of the surface"),
+      D::choice("total_reflection", &Params::total_reflection, TOTAL_REFLECTIONS,
+                "transmitted light on total internal reflection in clear glass: mirrored, or lost "
+                "(T. Whitted)"),
       D::choice("sample", &Params::sample, SAMPLES,
                 "where a pixel is sampled: corner, center, or lattice (edge to edge)"),
       D::choice("traversal", &Params::traversal, TRAVERSALS,

@@ -21,6 +21,13 @@ enum class SamplePosition : std::uint8_t {
   lattice  ///< width x height samples span the view from edge to edge
 };
 
+/// The transmitted ray on total internal reflection in clear glass. (In rough glass it is always
+/// mirrored.)
+enum class TotalReflection : std::uint8_t {
+  mirrored,  ///< goes into the mirror direction, so that no light is lost
+  lost       ///< is omitted, as by T. Whitted (1980): the surface only reflects its ks
+};
+
 /// Limits of a shading tree.
 struct Limits {
   /// Levels, 1..1000; the primary ray is on level 1. Limits reflected and transmitted rays. Every
@@ -54,6 +61,7 @@ struct Params {
   Limits limits;
   Sampling sampling;
   Feelers feelers = Feelers::all;
+  TotalReflection total_reflection = TotalReflection::mirrored;
   SamplePosition sample = SamplePosition::corner;
   Area area;  ///< part of the image that render() computes
   Traversal traversal = Traversal::exhaustive;
@@ -61,8 +69,8 @@ struct Params {
   double ambient = 0.1;
 };
 
-/// Makes the fields width, height, depth, min_influence, feelers, sample, traversal, ambient and
-/// area, and those of sampling_fields().
+/// Makes the fields width, height, depth, min_influence, feelers, total_reflection, sample,
+/// traversal, ambient and area, and those of sampling_fields().
 base::Fields<Params> param_fields();
 /// Makes the fields pixel_samples, adaptive, lens, shutter and sample_seed.
 base::Fields<Params> sampling_fields();

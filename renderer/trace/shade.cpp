@@ -154,7 +154,8 @@ void add_branches(const Scene& scene, const Params& params, const Ray& ray, cons
   if (surface.t > 0 && influence * surface.t >= least) {
     const auto refracted =
         refract(ray.direction, hit.normal, hit.inside ? 1 / surface.ior : surface.ior);
-    if (!refracted && surface.translucency == 0) return;
+    if (!refracted && surface.translucency == 0 && params.total_reflection == TotalReflection::lost)
+      return;
     const Vec direction = refracted.value_or(mirrored);
     Ray transmitted = make_child(ray, hit, RayKind::transmitted);
     transmitted.direction = direction;

@@ -31,9 +31,9 @@ using Children = std::vector<Ray>;
 /// Appends to `out` the children of `ray` at its hit, within the limits, in this order: a shadow
 /// feeler to every light (Eq 4.17), the reflected ray if ks > 0, and the transmitted ray if t > 0
 /// (Eq 4.15). Feelers and probes have no children. On total internal reflection, the transmitted
-/// ray is mirrored if the surface has translucency, else omitted. Feelers go to the sample's point
-/// of the light. Rays from surfaces with gloss and translucency go to a point of a disc, or to its
-/// mirror image if it is on the wrong side of the surface.
+/// ray is mirrored, or omitted if `params.total_reflection` is `lost` and the surface is clear.
+/// Feelers go to the sample's point of the light. Rays from surfaces with gloss and translucency go
+/// to a point of a disc, or to its mirror image if it is on the wrong side of the surface.
 void make_children(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit,
                    Children& out, Work& work);
 /// Appends the children without shadow feelers.

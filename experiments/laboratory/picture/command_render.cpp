@@ -139,8 +139,9 @@ void add_render_command(CLI::App& app) {
   command->add_option("-o,--output", o->output, "the PNG image to write")->required();
   command->add_option("--size", o->size, "WxH in pixels [100x100]");
   bind_options(*command,
-               base::select(renderer::param_fields(), {"depth", "min_influence", "feelers",
-                                                       "sample", "traversal", "ambient"}),
+               base::select(renderer::param_fields(),
+                            {"depth", "min_influence", "feelers", "total_reflection", "sample",
+                             "traversal", "ambient"}),
                o->params, {{"min_influence", "influence"}});
   bind_options(*command, renderer::sampling_fields(), o->params);
   command->add_option("--samples-map", o->samples_map,

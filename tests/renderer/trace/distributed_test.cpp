@@ -332,27 +332,32 @@ TEST(Distributed, AWhiteFurnaceOfRoughGlassIsWhite) {
     }
 }
 
-// By the thesis's rays, clear glass loses totally reflected light.
-TEST(Distributed, TotalInternalReflectionInClearGlassLeavesNoRay) {
-  for (const bool is_rough : {false, true}) {
-    const Scene scene =
-        parse(fmt::format("v from 0 0 -5 at 0 0 0 up 0 1 0 angle 45\nf 0 0 0 0 0 1 1 1.5\n{}"
-                          "p 4 -9 -9 0 9 -9 0 9 9 0 -9 9 0\n",
-                          is_rough ? "# translucent 0.1\n" : ""));
-    const Vec in = normalize({1, 0, 0.2});
-    Params params = make_params(10, 10, 5);
-    const Ray ray{.origin = -1 * in, .direction = in, .influence = {1, 1, 1}};
-    Work work;
-    const auto hit = intersect(scene, ray, params.traversal, work);
-    ASSERT_TRUE(hit && hit->inside);
-    Children rays;
-    make_branches(scene, params, ray, *hit, rays, work);
-    ASSERT_EQ(rays.size(), is_rough ? 1u : 0u);
-    if (!is_rough) continue;
-    EXPECT_EQ(rays[0].kind, RayKind::transmitted);
-    EXPECT_EQ(rays[0].influence, ray.influence);
-    EXPECT_LT(rays[0].direction.z, 0);
-  }
+// Only clear glass may lose totally reflected light, and only if asked to.
+TEST(Distributed, TotalInternalReflectionMirrorsTheTransmittedRay) {
+  for (const bool is_rough : {false, true})
+    for (const auto rule : {TotalReflection::mirrored, TotalReflection::lost}) {
+      const Scene scene =
+          parse(fmt::format("v from 0 0 -5 at 0 0 0 up 0 1 0 angle 45\nf 0 0 0 0 0 1 1 1.5\n{}"
+                            "p 4 -9 -9 0 9 -9 0 9 9 0 -9 9 0\n",
+                            is_rough ? "# translucent 0.1\n" : ""));
+      const Vec in = normalize({1, 0, 0.2});
+      Params params = make_params(10, 10, 5);
+      params.total_reflection = rule;
+      const Ray ray{.origin = -1 * in, .direction = in, .influence = {1, 1, 1}};
+      Work work;
+      const auto hit = intersect(scene, ray, params.traversal, work);
+      ASSERT_TRUE(hit && hit->inside);
+      Children rays;
+      make_branches(scene, params, ray, *hit, rays, work);
+      ASSERT_EQ(rays.size(), is_rough || rule == TotalReflection::mirrored ? 1u : 0u);
+      if (rays.empty()) continue;
+      EXPECT_EQ(rays[0].kind, RayKind::transmitted);
+      EXPECT_EQ(rays[0].influence, ray.influence);
+      EXPECT_LT(rays[0].direction.z, 0);
+      if (!is_rough) {
+        EXPECT_NEAR(length(rays[0].direction - Vec{in.x, in.y, -in.z}), 0, 1e-12);
+      }
+    }
 }
 
 // A rectangle emits uniformly over its area, a sphere over its visible disc.

@@ -38,7 +38,8 @@ struct Whitted {
     if (level == params.limits.depth) return sum;
     if (s.ks > 0) sum += s.ks * shade(hit->point, mirrored, hit->object, level + 1);
     const auto refracted = refract(direction, n, hit->inside ? 1 / s.ior : s.ior);
-    if (s.t > 0 && refracted) sum += s.t * shade(hit->point, *refracted, hit->object, level + 1);
+    if (s.t > 0)
+      sum += s.t * shade(hit->point, refracted.value_or(mirrored), hit->object, level + 1);
     return sum;
   }
 };

@@ -100,7 +100,7 @@ TEST(Refraction, GlassOfIndexOneIsNotThere) {
   for (const Samples::Sums& s : found.samples.sums) EXPECT_EQ(s.r, std::int64_t{1} << 32);
 }
 
-TEST(Refraction, TotalReflectionTransmitsNothing) {
+TEST(Refraction, TotalReflectionMirrorsBothShares) {
   // From inside glass, at 60 degrees to the normal of its face.
   const Scene scene = parse(
       "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nf 1 1 1 0 0.5 0 0.5 1.5\n"
@@ -113,9 +113,49 @@ TEST(Refraction, TotalReflectionTransmitsNothing) {
   ASSERT_TRUE(hit);
   EXPECT_TRUE(hit->inside);
   make_children(scene, Params{}, ray, *hit, children, work);
+  ASSERT_EQ(children.size(), 2u);
+  EXPECT_EQ(children[0].kind, RayKind::reflected);
+  EXPECT_EQ(children[1].kind, RayKind::transmitted);
+  EXPECT_EQ(children[1].direction, children[0].direction);
+  for (const Ray& child : children) EXPECT_EQ(max_influence(child), 0.5);
+
+  Params lost;
+  lost.total_reflection = TotalReflection::lost;
+  children.clear();
+  make_children(scene, lost, ray, *hit, children, work);
   ASSERT_EQ(children.size(), 1u);
   EXPECT_EQ(children[0].kind, RayKind::reflected);
-  EXPECT_EQ(max_influence(children[0]), 0.5);
+}
+
+// A 45 degree prism with index 1.5 turns the view from +x to -z: onto a red floor, not a green
+// wall. The light goes in and out at right angles, so that all of it arrives.
+TEST(Refraction, APrismTurnsTheView) {
+  const Scene scene = parse(
+      "v from -3 0 0.4 at 0 0 0.4 up 0 1 0 angle 10\nb 0 0 1\n"
+      "f 1 1 1 0 0 0 1 1.5\n"
+      "p 3 0 -5 0  1 -5 0  0 -5 1\np 3 0 5 1  1 5 0  0 5 0\np 4 0 5 0  1 5 0  1 -5 0  0 -5 0\n"
+      "p 4 0 -5 1  0 5 1  0 5 0  0 -5 0\np 4 1 5 0  0 5 1  0 -5 1  1 -5 0\n"
+      "f 1 0 0 1 0 0 0 1\np 4 -5 -5 -2  5 -5 -2  5 5 -2  -5 5 -2\n"
+      "f 0 1 0 1 0 0 0 1\np 4 3 -5 -1.9  3 5 -1.9  3 5 5  3 -5 5\n");
+  Params params = make_params(16, 16, 15);
+  params.ambient = 1;
+  const Rendering found = render(scene, params);
+  for (const Samples::Sums& s : found.samples.sums) {
+    EXPECT_EQ(s.r, std::int64_t{1} << 32);
+    EXPECT_EQ(s.g + s.b, 0);
+  }
+  params.total_reflection = TotalReflection::lost;
+  for (const Samples::Sums& s : render(scene, params).samples.sums) EXPECT_EQ(s.r, 0);
+}
+
+// A white furnace of clear glass is white in every direction, up to what the depth cuts.
+TEST(Refraction, ClosedGlassLosesNoLight) {
+  const Scene scene = parse(
+      "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nb 1 1 1\nf 1 1 1 0 0 0 1 1.5\n"
+      "s 0 0 0 1.2\nf 1 1 1 0 0 0 1 0.6666666666666667\ns 0 0 0 1.1\n");
+  const Params params = make_params(64, 64, 60);
+  for (const Samples::Sums& s : render(scene, params).samples.sums)
+    EXPECT_NEAR(static_cast<double>(s.g), 0x1p32, 1);
 }
 
 }  // namespace
