@@ -13,7 +13,7 @@ constexpr double MAX_BEND = 0.05, FLAT = 1e-6, MIN_AREA = 1e-12;
 constexpr double ROUNDING = 64 * std::numeric_limits<double>::epsilon();
 // Covers EDGE_MARGIN times the epsilon of rays that start on the polygon.
 constexpr double CLOSE = 32e-10;
-// Relative to a polygon's span.
+// Relative to a polygon's longest edge.
 constexpr double MAX_PULL = 1e-3;
 
 // Newell's method, which is correct for any simple polygon, also concave or only nearly flat ones.
@@ -24,12 +24,8 @@ Vec eval_newell_normal(std::span<const Vec> corners, const Vec& centre) {
   return sum;
 }
 
-float round_up(double x) {
-  return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
-}
-
 // True if all turns are to the same side and the edges go up once and down once.
-bool is_convex(std::span<const Corner3> corners) {
+bool is_convex(std::span<const PolygonCorner> corners) {
   const std::size_t n = corners.size();
   const auto rise = [&](std::size_t i) { return corners[(i + 1) % n].v - corners[i % n].v; };
   const auto run = [&](std::size_t i) { return corners[(i + 1) % n].u - corners[i % n].u; };
@@ -46,22 +42,32 @@ bool is_convex(std::span<const Corner3> corners) {
   return (left == 2 * n || right == 2 * n) && climbs <= 1;
 }
 
+// Sets the edges of a polygon from its corners.
+void set_edges(std::span<PolygonCorner> corners) {
+  const PolygonCorner& first = corners.front();
+  PolygonCorner* last = &corners.back();
+  double area = 0;
+  for (PolygonCorner& corner : corners) {
+    area += (last->u - first.u) * (corner.v - first.v) - (corner.u - first.u) * (last->v - first.v);
+    last = &corner;
+  }
+  for (PolygonCorner& corner : corners) {
+    const double u = last->v - corner.v, v = corner.u - last->u, length = std::sqrt(u * u + v * v);
+    const double by = length > 0 ? std::copysign(1 / length, area) : 0;
+    last->edge = {by * u, by * v, by * u * corner.u + by * v * corner.v};
+    last = &corner;
+  }
+}
+
 // Sets the fields that tell which rays need intersect_closely().
 void set_limits(Polygon& polygon, std::span<const Vec> corners, const Bounds& box, double size) {
-  double bend = 0, span = 0;
-  const Vec* last = &corners.back();
-  for (const Vec& p : corners) {
+  double bend = 0;
+  for (const Vec& p : corners)
     bend = std::max(bend, std::abs(dot(polygon.normal, p) - polygon.offset));
-    const Vec edge = p - *last;
-    span = std::max(span, std::abs(edge[polygon.u]) + std::abs(edge[polygon.v]));
-    last = &p;
-  }
-  polygon.span = round_up(span);
   const double largest = std::max(max_abs(box.lo), max_abs(box.hi));
   const bool flat = bend <= FLAT * size + ROUNDING * largest;
   if (!flat) polygon.shape = Shape::bent;
-  polygon.slack =
-      flat ? round_up(2 * bend + CLOSE * largest) : std::numeric_limits<float>::infinity();
+  polygon.slack = flat ? 2 * bend + CLOSE * largest : NO_HIT;
 }
 
 }  // namespace
@@ -71,7 +77,7 @@ Sphere make_sphere(const Vec& centre, double radius, Tag tag) {
   return {centre, radius, tag};
 }
 
-Polygon make_polygon(std::span<const Vec> corners, Tag tag, std::vector<Corner3>& pool) {
+Polygon make_polygon(std::span<const Vec> corners, Tag tag, std::vector<PolygonCorner>& pool) {
   require(corners.size() >= 3, fmt::format("a polygon of {} vertices", corners.size()),
           "3 or more");
   Vec centre;
@@ -96,14 +102,16 @@ Polygon make_polygon(std::span<const Vec> corners, Tag tag, std::vector<Corner3>
   made.v = static_cast<std::uint8_t>((made.w + 2) % 3);
   made.first = static_cast<std::uint32_t>(pool.size());
   made.count = static_cast<std::uint32_t>(corners.size());
-  for (const Vec& p : corners) pool.push_back({{p[made.u], p[made.v]}, p[made.w]});
-  if (is_convex(std::span(pool).last(corners.size()))) made.shape = Shape::convex;
+  for (const Vec& p : corners) pool.push_back({{{p[made.u], p[made.v]}, p[made.w]}, {}});
+  const auto placed = std::span(pool).last(corners.size());
+  set_edges(placed);
+  if (is_convex(placed)) made.shape = Shape::convex;
   set_limits(made, corners, box, size);
   return made;
 }
 
 Patch make_patch(std::span<const Vec> corners, std::span<const Vec> corner_normals, Tag tag,
-                 std::vector<Corner3>& pool, std::vector<Vec>& normal_pool) {
+                 std::vector<PolygonCorner>& pool, std::vector<Vec>& normal_pool) {
   require(corners.size() == corner_normals.size(),
           fmt::format("{} normals for {} vertices", corner_normals.size(), corners.size()),
           "one each");
@@ -122,7 +130,7 @@ Patch make_patch(std::span<const Vec> corners, std::span<const Vec> corner_norma
 }
 
 void check_polygon(std::span<const Vec> corners, std::span<const Vec> corner_normals) {
-  std::vector<Corner3> pool;
+  std::vector<PolygonCorner> pool;
   std::vector<Vec> normal_pool;
   if (corner_normals.empty())
     make_polygon(corners, {}, pool);
@@ -148,10 +156,11 @@ Vec eval_corner(const Polygon& polygon, const Corner3& c) {
 
 void translate(Sphere& sphere, const Vec& by) { sphere.centre += by; }
 
-void translate(Polygon& polygon, const Vec& by, std::vector<Corner3>& pool) {
+void translate(Polygon& polygon, const Vec& by, std::vector<PolygonCorner>& pool) {
   polygon.offset += dot(polygon.normal, by);
-  for (Corner3& c : std::span(pool).subspan(polygon.first, polygon.count))
-    c = {{c.u + by[polygon.u], c.v + by[polygon.v]}, c.w + by[polygon.w]};
+  const auto corners = std::span(pool).subspan(polygon.first, polygon.count);
+  for (Corner3& c : corners) c = {{c.u + by[polygon.u], c.v + by[polygon.v]}, c.w + by[polygon.w]};
+  set_edges(corners);
 }
 
 void translate(Cone& cone, const Vec& by) { cone.base += by; }
@@ -160,7 +169,7 @@ Bounds make_bounds(const Sphere& sphere) {
   return grow({sphere.centre, sphere.centre}, sphere.radius);
 }
 
-Bounds make_bounds(const Polygon& polygon, std::span<const Corner3> pool) {
+Bounds make_bounds(const Polygon& polygon, std::span<const PolygonCorner> pool) {
   Bounds box;
   for (const Corner3& c : pool.subspan(polygon.first, polygon.count))
     box = join(box, eval_corner(polygon, c));
@@ -249,8 +258,13 @@ Corner3 find_nearest(const Corner3& a, const Corner3& b) {
 
 }  // namespace
 
-double intersect_closely(const Polygon& polygon, const Corner3* pool, const Vec& origin,
-                         const Vec& direction, double distance, double epsilon) {
+double intersect_closely(const Polygon& polygon, const PolygonCorner* pool, const Vec& origin,
+                         const Vec& direction, double epsilon) {
+  const double along = dot(polygon.normal, direction);
+  const double height = polygon.offset - dot(polygon.normal, origin);
+  double distance = height / along;
+  const bool is_ahead = distance > epsilon && distance < NO_HIT;
+  if (!is_ahead && !(std::abs(height) <= eval_closeness(polygon, epsilon))) return NO_HIT;
   const RayAxes axes(origin, direction);
   const auto at = [&](std::size_t i) {
     return axes(eval_corner(polygon, pool[polygon.first + i]));
@@ -278,7 +292,7 @@ double intersect_closely(const Polygon& polygon, const Corner3* pool, const Vec&
     last = corner;
   }
   if (!inside && on_edge == NO_HIT) return NO_HIT;
-  if (polygon.shape == Shape::bent || std::abs(dot(polygon.normal, direction)) <= EDGE_ON) {
+  if (polygon.shape == Shape::bent || std::abs(along) <= EDGE_ON) {
     if (on_edge < NO_HIT) return on_edge;
     const Vec sum = blend(polygon.count, at, [&](std::size_t i) { return Vec{at(i).w, 1, 0}; }).sum;
     distance = sum.x / sum.y;
@@ -287,16 +301,18 @@ double intersect_closely(const Polygon& polygon, const Corner3* pool, const Vec&
   return distance > epsilon ? distance : NO_HIT;
 }
 
-Vec pull_inside(const Polygon& polygon, const Corner3* pool, const Vec& point, double epsilon) {
-  const double margin = std::min(EDGE_MARGIN * epsilon, MAX_PULL * polygon.span);
+Vec pull_inside(const Polygon& polygon, const PolygonCorner* pool, const Vec& point,
+                double epsilon) {
   const std::span corners(pool + polygon.first, polygon.count);
   Corner3 at{{point[polygon.u], point[polygon.v]}, point[polygon.w]};
-  double area = 0;
+  double area = 0, span = 0;
   const Corner* last = &corners.back();
   for (const Corner& c : corners) {
     area += (last->u - at.u) * (c.v - at.v) - (last->v - at.v) * (c.u - at.u);
+    span = std::max(span, std::abs(last->u - c.u) + std::abs(last->v - c.v));
     last = &c;
   }
+  const double margin = std::min(EDGE_MARGIN * epsilon, MAX_PULL * span);
   for (const Corner& c : corners) {
     const Corner nearest =
         find_nearest({{last->u - at.u, last->v - at.v}}, {{c.u - at.u, c.v - at.v}});
@@ -312,7 +328,7 @@ Vec pull_inside(const Polygon& polygon, const Corner3* pool, const Vec& point, d
   return eval_corner(polygon, at);
 }
 
-Blend interpolate(const Polygon& polygon, std::span<const Corner3> pool,
+Blend interpolate(const Polygon& polygon, std::span<const PolygonCorner> pool,
                   std::span<const Vec> values, const Vec& point) {
   const auto corners = pool.subspan(polygon.first, polygon.count);
   const double pu = point[polygon.u], pv = point[polygon.v];
@@ -324,7 +340,7 @@ Blend interpolate(const Polygon& polygon, std::span<const Corner3> pool,
       [&](std::size_t i) { return values[i]; });
 }
 
-Vec eval_smooth_normal(const Patch& patch, std::span<const Corner3> pool,
+Vec eval_smooth_normal(const Patch& patch, std::span<const PolygonCorner> pool,
                        std::span<const Vec> normal_pool, const Vec& point) {
   auto [sum, on] = interpolate(patch, pool, normal_pool.subspan(patch.normals, patch.count), point);
   if (on == Blend::On::corner) return sum;

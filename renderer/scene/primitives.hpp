@@ -2,6 +2,7 @@
 // The four primitives of NFF, prepared for intersection. The make_ functions throw BadInput "found
 // ..., expected ..." for degenerate shapes; readers of files add the position.
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -27,16 +28,27 @@ struct Corner {
   double u = 0, v = 0;
 };
 
-/// A polygon's corner, with its coordinate along the third axis.
+/// A pair of coordinates with the third one.
 struct Corner3 : Corner {
   double w = 0;
+};
+
+/// A line in the plane (u, v): the points with normal_u u + normal_v v = offset.
+struct Line {
+  double normal_u = 0, normal_v = 0, offset = 0;
+};
+
+/// A polygon's corner and the edge from there to the next corner. The edge's normal points to the
+/// inside of a convex polygon, and is 0 if the corners are at the same place.
+struct PolygonCorner : Corner3 {
+  Line edge;
 };
 
 /// Shape of a polygon. If it is bent, corners are off the mean plane by more than rounding.
 enum class Shape : std::uint8_t { convex, concave, bent };
 
 /// A polygon, convex or not. The even-odd rule defines its inside. Its corners run
-/// counter-clockwise as seen from its front.
+/// counter-clockwise as seen from its front, unless it is a patch.
 struct Polygon {
   Vec normal;                          ///< unit normal of the front
   double offset = 0;                   ///< the mean plane is dot(normal, p) = offset
@@ -44,8 +56,7 @@ struct Polygon {
   std::uint8_t u = 0, v = 1, w = 2;    ///< kept axes u and v, and projection axis w
   Shape shape = Shape::concave;
   Tag tag;
-  float slack = 0;  ///< part of eval_closeness(), scene units
-  float span = 0;   ///< upper bound of |du| + |dv| of its edges
+  double slack = 0;  ///< part of eval_closeness(), scene units
 };
 
 /// A polygon with normals interpolated between its corners. They point to its front.
@@ -65,10 +76,10 @@ struct Cone {
 Sphere make_sphere(const Vec& centre, double radius, Tag tag);
 /// Makes a polygon and appends its corners to `pool`. Corners off the mean plane by more than 5 %
 /// of the polygon's size are an error. A polygon bent by less is a surface through its edges.
-Polygon make_polygon(std::span<const Vec> corners, Tag tag, std::vector<Corner3>& pool);
+Polygon make_polygon(std::span<const Vec> corners, Tag tag, std::vector<PolygonCorner>& pool);
 /// Makes a patch. `corner_normals` has one for every corner, of any length but 0.
 Patch make_patch(std::span<const Vec> corners, std::span<const Vec> corner_normals, Tag tag,
-                 std::vector<Corner3>& pool, std::vector<Vec>& normal_pool);
+                 std::vector<PolygonCorner>& pool, std::vector<Vec>& normal_pool);
 /// Throws BadInput if the corners form no valid polygon or, with normals, no valid patch. Polygons
 /// without an area are invalid.
 void check_polygon(std::span<const Vec> corners, std::span<const Vec> corner_normals);
@@ -79,11 +90,11 @@ Vec eval_corner(const Polygon& polygon, const Corner3& corner);
 
 // Translation of a primitive. The corners of a polygon are in `pool`.
 void translate(Sphere& sphere, const Vec& by);
-void translate(Polygon& polygon, const Vec& by, std::vector<Corner3>& pool);
+void translate(Polygon& polygon, const Vec& by, std::vector<PolygonCorner>& pool);
 void translate(Cone& cone, const Vec& by);
 
 Bounds make_bounds(const Sphere& sphere);
-Bounds make_bounds(const Polygon& polygon, std::span<const Corner3> pool);
+Bounds make_bounds(const Polygon& polygon, std::span<const PolygonCorner> pool);
 Bounds make_bounds(const Cone& cone);
 
 /// The unit normal of the primitive itself at a point on it.
@@ -99,11 +110,11 @@ struct Blend {
   Vec sum;
   enum class On : std::uint8_t { inside, edge, corner } on = On::inside;
 };
-Blend interpolate(const Polygon& polygon, std::span<const Corner3> pool,
+Blend interpolate(const Polygon& polygon, std::span<const PolygonCorner> pool,
                   std::span<const Vec> values, const Vec& point);
 
 /// The normal at a point, interpolated between those of the corners.
-Vec eval_smooth_normal(const Patch& patch, std::span<const Corner3> pool,
+Vec eval_smooth_normal(const Patch& patch, std::span<const PolygonCorner> pool,
                        std::span<const Vec> normal_pool, const Vec& point);
 
 // Ray-primitive tests. Each intersect() returns the least distance > epsilon at which the ray meets
@@ -112,7 +123,7 @@ Vec eval_smooth_normal(const Patch& patch, std::span<const Corner3> pool,
 //
 // Self-intersection: a ray may start on the tested primitive itself. The root at the origin is then
 // known and omitted, regardless of rounding. A flat primitive has no other root, a quadric has one.
-// The scene's epsilon applies to other primitives through the origin.
+// The epsilon applies to other primitives through the origin.
 //
 // All tests are inlined into every traversal, since calls would slow a rendering by a tenth.
 
@@ -121,10 +132,10 @@ inline constexpr double NO_HIT = std::numeric_limits<double>::infinity();
 /// A ray with the counts of its tests.
 struct Probe {
   const Vec &origin, &direction;
-  std::uint32_t from;      ///< object at the ray's origin
-  double epsilon;          ///< epsilon of the scene
-  double reach;            ///< distance beyond which hits do not matter
-  const Corner3* corners;  ///< corner pool of the scene
+  std::uint32_t from;            ///< object at the ray's origin
+  double epsilon;                ///< see eval_epsilon()
+  double reach;                  ///< distance beyond which hits do not matter
+  const PolygonCorner* corners;  ///< corner pool of the scene
   /// number of sphere tests with a root, and of polygon tests with the plane ahead
   std::uint32_t roots = 0, edges = 0;
   bool is_close = false;  ///< intersect_closely() has hit a polygon
@@ -153,69 +164,38 @@ struct Probe {
 // The test in the plane therefore decides only where the point is farther from all edges than
 // rounding can move it. intersect_closely() decides the rest.
 
-/// Location of a point of the plane relative to a polygon. Close means close to an edge.
-enum class Where : std::uint8_t { outside, inside, close };
-
-/// Distances of a point from the lines of a polygon's edges, times the lengths of the edges: the
-/// least and the largest. They are positive on the left of an edge.
-struct Sides {
-  double least = NO_HIT, most = -NO_HIT;
-  [[gnu::always_inline]] void add(double au, double av, double bu, double bv) {
-    const double side = au * bv - bu * av;
-    least = std::min(least, side);
-    most = std::max(most, side);
-  }
-};
-
-[[gnu::always_inline]] inline Sides find_sides(std::span<const Corner3> corners, double u,
-                                               double v) {
-  Sides sides;
-  double last_u = corners.back().u - u, last_v = corners.back().v - v;
-  if (corners.size() == 3) [[likely]] {  // without a loop it is 4 % faster
-    const double au = corners[0].u - u, av = corners[0].v - v;
-    const double bu = corners[1].u - u, bv = corners[1].v - v;
-    sides.add(au, av, bu, bv);
-    sides.add(bu, bv, last_u, last_v);
-    sides.add(last_u, last_v, au, av);
-    return sides;
-  }
-  for (const Corner& corner : corners) {
-    const double next_u = corner.u - u, next_v = corner.v - v;
-    sides.add(last_u, last_v, next_u, next_v);
-    last_u = next_u;
-    last_v = next_v;
-  }
-  return sides;
+/// How far a point is inside a convex polygon: its least distance from the lines of the edges.
+/// Outside, the result is negative.
+[[gnu::always_inline]] inline double find_depth_in_convex(std::span<const PolygonCorner> corners,
+                                                          double u, double v) {
+  const auto side = [&](std::size_t i) __attribute__((always_inline)) {
+    const Line& edge = corners[i].edge;
+    return edge.normal_u * u + edge.normal_v * v - edge.offset;
+  };
+  double least = std::min(std::min(side(0), side(1)), side(2));
+  for (std::size_t i = 3; i < corners.size(); ++i) least = std::min(least, side(i));
+  return least;
 }
 
-/// Locates a point in a convex polygon. `cosine` is the ray's to the normal. A point is close to an
-/// edge up to a distance of limit / (span * cosine).
-[[gnu::always_inline]] inline Where locate_in_convex(std::span<const Corner3> corners, double u,
-                                                     double v, double cosine, double limit) {
-  const Sides sides = find_sides(corners, u, v);
-  const double least = cosine * sides.least, most = cosine * sides.most;
-  if ((least < -limit) & (most > limit)) return Where::outside;
-  return (least > limit) | (most < -limit) ? Where::inside : Where::close;
-}
-
-/// Locates a point in any polygon by the even-odd rule.
-[[gnu::always_inline]] inline Where locate(std::span<const Corner3> corners, double u, double v,
-                                           double cosine, double limit, double span) {
+/// The same for any polygon, by the even-odd rule. The result is nearer to 0 than the distance of
+/// the nearest edge if the point is level with a corner or with a longer edge's line.
+[[gnu::always_inline]] inline double find_depth(std::span<const PolygonCorner> corners, double u,
+                                                double v) {
   bool inside = false;
-  double row = NO_HIT, nearest = NO_HIT;
-  const Corner* last = &corners.back();
-  for (const Corner& corner : corners) {
-    row = std::min(row, std::abs(corner.v - v));
-    if ((corner.v > v) != (last->v > v)) {
-      const Corner &a = corner.v > v ? *last : corner, &b = corner.v > v ? corner : *last;
-      const double side = (b.u - a.u) * (v - a.v) - (u - a.u) * (b.v - a.v);
-      inside ^= side > 0;
+  double nearest = NO_HIT;
+  const PolygonCorner* last = &corners.back();
+  for (const PolygonCorner& corner : corners) {
+    nearest = std::min(nearest, std::abs(corner.v - v));
+    const bool rises = corner.v > v;
+    if (rises != (last->v > v)) {
+      const Line& edge = last->edge;
+      const double side = edge.normal_u * u + edge.normal_v * v - edge.offset;
+      inside ^= (side > 0) == rises;
       nearest = std::min(nearest, std::abs(side));
     }
     last = &corner;
   }
-  if (std::min(row * span, nearest) * cosine <= limit) return Where::close;
-  return inside ? Where::inside : Where::outside;
+  return inside ? nearest : -nearest;
 }
 
 /// Least distance of a hit point from an edge, relative to the epsilon of rays that start there.
@@ -227,46 +207,45 @@ inline constexpr double EDGE_ON = 1e-6;
 /// Largest distance from an edge, in scene units, at which a perpendicular ray is close to it. It
 /// is well above the rounding error of the ray's point in the plane.
 [[gnu::always_inline]] inline double eval_closeness(const Polygon& p, double epsilon) {
-  return static_cast<double>(p.slack) + EDGE_MARGIN * epsilon;
+  return p.slack + EDGE_MARGIN * epsilon;
 }
 
 /// Distance at which a ray meets a polygon, edges included, or infinity. Polygons with a common
 /// edge compute the same side of it to the last bit. No ray therefore passes between them, whatever
-/// their shapes and the order of their corners. `distance` is the distance to the mean plane.
-double intersect_closely(const Polygon& polygon, const Corner3* pool, const Vec& origin,
-                         const Vec& direction, double distance, double epsilon);
+/// their shapes and the order of their corners.
+[[gnu::noinline, gnu::cold]] double intersect_closely(const Polygon& polygon,
+                                                      const PolygonCorner* pool, const Vec& origin,
+                                                      const Vec& direction, double epsilon);
 
 /// Moves a point of a polygon inside if it is close to an edge. Rays from there then meet the
 /// neighbours at more than `epsilon`, unless the faces enclose less than some 4 degrees.
-Vec pull_inside(const Polygon& polygon, const Corner3* pool, const Vec& point, double epsilon);
+Vec pull_inside(const Polygon& polygon, const PolygonCorner* pool, const Vec& point,
+                double epsilon);
 
 // Rejects polygons by a single predictable branch. Half of the feelers go towards a wall of the
 // room, but nearly all end before it.
 [[gnu::always_inline]] inline double intersect(const Polygon& p, Probe& ray) {
   if (ray.starts_on(p.tag)) return NO_HIT;
   const Vec &origin = ray.origin, &direction = ray.direction;
-  const double height = p.offset - dot(p.normal, origin), along = dot(p.normal, direction);
-  const double distance = height / along;  // the distance may be NaN
-  const double cosine = std::abs(along);
+  const double along = dot(p.normal, direction);
+  const double distance = (p.offset - dot(p.normal, origin)) / along;  // the distance may be NaN
   const bool ahead = (distance > ray.epsilon) & (distance < NO_HIT);
-  const bool reached = ahead & (distance <= ray.reach),
-             edge_on = (cosine <= EDGE_ON) | (p.shape == Shape::bent);
   ray.edges += ahead;
-  if (!(reached | edge_on)) return NO_HIT;
-  const double error = eval_closeness(p, ray.epsilon);
-  if (!edge_on) [[likely]] {
+  const double cosine = std::abs(along);
+  if (!(ahead & (distance <= ray.reach))) {
+    if ((cosine > EDGE_ON) & (p.shape != Shape::bent)) [[likely]]
+      return NO_HIT;
+  } else if (p.shape != Shape::bent) [[likely]] {
     const double u = origin[p.u] + distance * direction[p.u];
     const double v = origin[p.v] + distance * direction[p.v];
     const std::span corners(ray.corners + p.first, p.count);
-    const double limit = error * p.span;
-    const Where where = p.shape == Shape::convex ? locate_in_convex(corners, u, v, cosine, limit)
-                                                 : locate(corners, u, v, cosine, limit, p.span);
-    if (where == Where::outside) return NO_HIT;
-    if (where == Where::inside) return distance;
-  } else if (!reached && !(std::abs(height) <= error)) {
-    return NO_HIT;
+    const double depth = cosine * (p.shape == Shape::convex ? find_depth_in_convex(corners, u, v)
+                                                            : find_depth(corners, u, v));
+    const double limit = eval_closeness(p, ray.epsilon);
+    if (depth > limit) return distance;
+    if (depth < -limit) return NO_HIT;
   }
-  const double found = intersect_closely(p, ray.corners, origin, direction, distance, ray.epsilon);
+  const double found = intersect_closely(p, ray.corners, origin, direction, ray.epsilon);
   ray.is_close |= found < NO_HIT;
   return found;
 }

@@ -8,7 +8,7 @@ namespace renderer {
 
 namespace {
 
-constexpr double SELF_RELATIVE = 1e-10, BOX_RELATIVE = 1e-12, LEAST_ANGLE = 1e-9;
+constexpr double BOX_RELATIVE = 1e-12, LEAST_ANGLE = 1e-9;
 constexpr std::size_t MAX_OBJECTS = std::size_t{1} << 30;
 
 bool has_mesh_texture(const Scene& scene) {
@@ -49,7 +49,7 @@ void add_coordinates(Scene& scene, std::span<const Corner> coordinates) {
 
 // Sets the gradients of a polygon's texture coordinates, by a least-squares plane, which is exact
 // in a triangle.
-void set_gradients(TexturePoint& found, const Polygon& polygon, std::span<const Corner3> corners,
+void set_gradients(TexturePoint& found, const Polygon& polygon, std::span<const PolygonCorner> corners,
                    std::span<const Vec> coordinates) {
   const double share = 1.0 / static_cast<double>(corners.size());
   Corner middle;
@@ -235,6 +235,9 @@ void finish(Scene& scene) {
   for (const auto* all : {&bounds, &at_close})
     for (const Bounds& b : *all) scale = std::max({scale, max_abs(b.lo), max_abs(b.hi)});
   scene.epsilon = SELF_RELATIVE * scale;
+  double smallest = scale;
+  for (const Bounds& b : bounds) smallest = std::min(smallest, max_abs(b.hi - b.lo));
+  scene.least_epsilon = SELF_RELATIVE * smallest;
   for (auto* all : {&bounds, &at_close})
     for (Bounds& b : *all) b = grow(b, BOX_RELATIVE * scale);
   scene.hierarchy = scene.moves.empty() ? make_hierarchy(bounds) : make_hierarchy(bounds, at_close);

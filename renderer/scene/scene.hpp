@@ -93,8 +93,8 @@ struct Scene {
   std::vector<Polygon> polygons;
   std::vector<Patch> patches;
   std::vector<Cone> cones;
-  std::vector<Corner3> corners;  ///< corners of polygons and patches
-  std::vector<Vec> normals;      ///< normals at the corners of patches
+  std::vector<PolygonCorner> corners;  ///< corners of polygons and patches
+  std::vector<Vec> normals;            ///< normals at the corners of patches
   std::vector<Texture> textures;
   std::vector<Pyramid> pyramids;  ///< pictures of the textures
   /// Texture coordinates (u, v, 1) of corners, by their index in `corners`, for polygons and
@@ -105,9 +105,20 @@ struct Scene {
   std::vector<Vec> moves;
   /// Displacement by translate() of each object and its texture; empty: none.
   std::vector<Vec> displacements;
-  Hierarchy hierarchy;  ///< the `item` of a leaf has the bits of a Place
-  double epsilon = 0;   ///< least distance of a hit: 1e-10 of the largest coordinate
+  Hierarchy hierarchy;       ///< the `item` of a leaf has the bits of a Place
+  double epsilon = 0;        ///< 1e-10 of the largest coordinate, see eval_epsilon()
+  double least_epsilon = 0;  ///< 1e-10 of the size of the smallest object
 };
+
+/// Generous bound of the rounding of a ray's origin, relative to the coordinates it depends on.
+inline constexpr double SELF_RELATIVE = 1e-10;
+
+/// Least distance of a hit for a ray that starts at `origin`, after a path of length `travelled`
+/// from the eye. It grows with the coordinates on this path. Huge objects elsewhere do not matter.
+inline double eval_epsilon(const Scene& scene, const Vec& origin, double travelled) {
+  const double local = SELF_RELATIVE * std::max(max_abs(origin), travelled);
+  return std::min(std::max(local, scene.least_epsilon), scene.epsilon);
+}
 
 /// Calls `f` with the Sphere, Polygon, Patch or Cone at a place. Inlined like the kernels.
 template <class F>
@@ -143,9 +154,10 @@ void point(View& view);
 /// Returns the view with its derived fields. Throws BadInput for an impossible view.
 View make_image_plane(View view);
 
-/// Derives the image plane of the view, the hierarchy and epsilon. Boxes grow by 1e-12 of the
-/// largest coordinate, so that rounding never makes a ray miss the box of an object that it hits.
-/// Throws BadInput for a view that is impossible at any time while the shutter is open.
+/// Derives the image plane of the view, the hierarchy, epsilon and least_epsilon. Boxes grow by
+/// 1e-12 of the largest coordinate, so that rounding never makes a ray miss the box of an object
+/// that it hits. Throws BadInput for a view that is impossible at any time while the shutter is
+/// open.
 void finish(Scene& scene);
 
 /// The texture coordinates at a point of an object, which is given as it was when the shutter

@@ -16,8 +16,9 @@ struct Walk {
   // (A constructor, because GCC fills fields missing in an initialiser list with a slow
   // instruction.)
   Walk(const Scene& scene, const Ray& ray)
-      : scene(scene), ray(ray), probe{ray.origin,    ray.direction, ray.from,
-                                      scene.epsilon, ray.reach,     scene.corners.data()} {}
+      : scene(scene), ray(ray), probe{ray.origin, ray.direction,
+                                      ray.from,   eval_epsilon(scene, ray.origin, ray.travelled),
+                                      ray.reach,  scene.corners.data()} {}
 
   const Scene& scene;
   const Ray& ray;
@@ -153,10 +154,11 @@ void walk_boxes(Walk& walk, const Listener& listener) {
 }
 
 // Calls pull_inside() for polygons. Other primitives have no edges.
-Vec pull_from_edges(const Scene& scene, Place place, const Vec& point) {
+Vec pull_from_edges(const Scene& scene, Place place, const Vec& point, double travelled) {
+  const double epsilon = eval_epsilon(scene, point, travelled);
   return visit(scene, place, [&](const auto& primitive) {
     if constexpr (requires { primitive.count; })
-      return pull_inside(primitive, scene.corners.data(), point, scene.epsilon);
+      return pull_inside(primitive, scene.corners.data(), point, epsilon);
     else
       return point;
   });
@@ -194,7 +196,7 @@ template <bool MOVES>
   hit.inside = dot(geometric, ray.direction) > 0;
   if (hit.inside) hit.normal = -hit.normal;
   if (walk.probe.is_close) [[unlikely]]
-    hit.point += pull_from_edges(scene, place, still) - still;
+    hit.point += pull_from_edges(scene, place, still, ray.travelled + hit.distance) - still;
 }
 
 // The result of the traversal.

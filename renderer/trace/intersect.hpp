@@ -76,7 +76,7 @@ struct Access {
 /// lowest number counts. A shadow feeler under Traversal::nearest returns any blocking hit. The ray
 /// must have a unit direction, and start in the scene's bounds or at its view point (for the sake
 /// of rounding, see finish()). Hits at the ray's start are ignored: those on object `ray.from`, and
-/// those within the scene's epsilon (see primitives.hpp). Adds to `work`. Calls `access`, unless
+/// those within eval_epsilon() (see primitives.hpp). Adds to `work`. Calls `access`, unless
 /// null, for each read, without effect on hit and work. Thread-safe.
 std::optional<Hit> intersect(const Scene& scene, const Ray& ray, Traversal traversal, Work& work,
                              Access* access = nullptr);

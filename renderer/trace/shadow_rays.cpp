@@ -14,58 +14,45 @@ struct Counts {
   Mask boxes{}, tests{}, edges{};
 };
 
-// Results of locate() for each lane.
-struct Places {
-  Mask inside, close;
-};
-
-[[gnu::always_inline]] inline Places locate_in_convex(std::span<const Corner3> corners,
-                                                      const Lanes& u, const Lanes& v,
-                                                      const Lanes& cosine, const Lanes& limit) {
-  Lanes least = NO_HIT - Lanes{}, most = -NO_HIT - Lanes{};
-  Lanes last_u = corners.back().u - u, last_v = corners.back().v - v;
-  for (const Corner& corner : corners) {
-    const Lanes next_u = corner.u - u, next_v = corner.v - v;
-    const Lanes side = last_u * next_v - next_u * last_v;
-    least = min(least, side);
-    most = max(most, side);
-    last_u = next_u;
-    last_v = next_v;
-  }
-  least *= cosine;
-  most *= cosine;
-  const Mask outside = (least < -limit) & (most > limit);
-  const Mask inside = (least > limit) | (most < -limit);
-  return {inside, ~(inside | outside)};
+// eval_epsilon() for each lane.
+[[gnu::always_inline]] inline Lanes eval_epsilons(const Scene& scene, const Vecs& origin) {
+  const Lanes largest = max(max(abs(origin.x), abs(origin.y)), abs(origin.z));
+  return renderer::clamp(SELF_RELATIVE * largest, scene.least_epsilon, scene.epsilon);
 }
 
-[[gnu::always_inline]] inline Places locate(std::span<const Corner3> corners, const Lanes& u,
-                                            const Lanes& v, const Lanes& cosine, const Lanes& limit,
-                                            double span) {
+[[gnu::always_inline]] inline Lanes eval_side(const Line& edge, const Lanes& u, const Lanes& v) {
+  return edge.normal_u * u + edge.normal_v * v - edge.offset;
+}
+
+[[gnu::always_inline]] inline Lanes find_depths_in_convex(std::span<const PolygonCorner> corners,
+                                                          const Lanes& u, const Lanes& v) {
+  Lanes least = NO_HIT - Lanes{};
+  for (const PolygonCorner& corner : corners) least = min(least, eval_side(corner.edge, u, v));
+  return least;
+}
+
+[[gnu::always_inline]] inline Lanes find_depths(std::span<const PolygonCorner> corners,
+                                                const Lanes& u, const Lanes& v) {
   Mask inside{};
-  Lanes row = NO_HIT - Lanes{}, nearest = row;
-  const Corner* last = &corners.back();
-  for (const Corner& corner : corners) {
-    row = min(row, abs(corner.v - v));
-    const bool rises = corner.v > last->v;
-    const Corner &a = rises ? *last : corner, &b = rises ? corner : *last;
-    const Mask beside = (corner.v > v) ^ (last->v > v);
-    const Lanes side = (b.u - a.u) * (v - a.v) - (u - a.u) * (b.v - a.v);
-    inside ^= beside & (side > 0.0);
+  Lanes nearest = NO_HIT - Lanes{};
+  const PolygonCorner* last = &corners.back();
+  for (const PolygonCorner& corner : corners) {
+    nearest = min(nearest, abs(corner.v - v));
+    const Mask rises = corner.v > v, beside = rises ^ (last->v > v);
+    const Lanes side = eval_side(last->edge, u, v);
+    inside ^= beside & ~((side > 0.0) ^ rises);
     nearest = beside ? min(nearest, abs(side)) : nearest;
     last = &corner;
   }
-  const Mask close = min(row * span, nearest) * cosine <= limit;
-  return {inside & ~close, close};
+  return inside ? nearest : -nearest;
 }
 
 // intersect_closely() for one lane.
 bool is_met_closely(const Scene& scene, const Polygon& p, const ShadowRays& rays, std::size_t i,
-                    double distance, double epsilon) {
+                    double epsilon) {
   const Vec origin{rays.origin.x[i], rays.origin.y[i], rays.origin.z[i]};
   const Vec direction{rays.direction.x[i], rays.direction.y[i], rays.direction.z[i]};
-  return intersect_closely(p, scene.corners.data(), origin, direction, distance, epsilon) <
-         rays.reach[i];
+  return intersect_closely(p, scene.corners.data(), origin, direction, epsilon) < rays.reach[i];
 }
 
 // The rays among `here` that the polygon blocks: intersect() for each lane.
@@ -76,7 +63,7 @@ bool is_met_closely(const Scene& scene, const Polygon& p, const ShadowRays& rays
   const Lanes height = p.offset - dot(rays.origin, p.normal);
   const Lanes along = dot(rays.direction, p.normal), distance = height / along;
   const Lanes cosine = abs(along);
-  const Lanes error = static_cast<double>(p.slack) + EDGE_MARGIN * epsilon;  // eval_closeness()
+  const Lanes error = p.slack + EDGE_MARGIN * epsilon;  // eval_closeness()
   const Mask other = here & (rays.from != static_cast<std::int64_t>(p.tag.object));
   const Mask ahead = other & (distance > epsilon) & (distance < NO_HIT);
   counts.edges += ahead;
@@ -87,15 +74,13 @@ bool is_met_closely(const Scene& scene, const Polygon& p, const ShadowRays& rays
   const Lanes u = rays.origin[p.u] + distance * rays.direction[p.u];
   const Lanes v = rays.origin[p.v] + distance * rays.direction[p.v];
   const std::span corners(scene.corners.data() + p.first, p.count);
-  const Lanes limit = error * static_cast<double>(p.span);
-  const auto [inside, by_edge] = p.shape == Shape::convex
-                                     ? locate_in_convex(corners, u, v, cosine, limit)
-                                     : locate(corners, u, v, cosine, limit, p.span);
-  const Mask close = edge_on | (near & by_edge);
-  Mask hit = near & inside & ~close;
+  const Lanes depth = cosine * (p.shape == Shape::convex ? find_depths_in_convex(corners, u, v)
+                                                         : find_depths(corners, u, v));
+  const Mask close = edge_on | (near & (depth <= error) & (depth >= -error));
+  Mask hit = near & (depth > error) & ~close;
   if (holds_any(close)) [[unlikely]]
     for (std::size_t i = 0; i < LANES; ++i)
-      if (close[i]) hit[i] = -is_met_closely(scene, p, rays, i, distance[i], epsilon[i]);
+      if (close[i]) hit[i] = -is_met_closely(scene, p, rays, i, epsilon[i]);
   return hit;
 }
 
@@ -131,7 +116,7 @@ struct Slabs {
   const Box* boxes = scene.hierarchy.boxes.data();
   const auto end = static_cast<std::int64_t>(scene.hierarchy.boxes.size());
   const Slabs slabs(rays);
-  const Lanes epsilon = scene.epsilon - Lanes{};
+  const Lanes epsilon = eval_epsilons(scene, rays.origin);
   Counts counts;
   const Mask never = NEVER - Mask{};
   Mask next = rays.cast ? Mask{} : never;

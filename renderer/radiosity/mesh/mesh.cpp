@@ -278,7 +278,7 @@ class Normals {
  private:
   Vec flat_;
   std::optional<renderer::Patch> curved_;
-  std::vector<renderer::Corner3> corners_;
+  std::vector<renderer::PolygonCorner> corners_;
   std::vector<Vec> normals_;
 };
 
