@@ -20,6 +20,11 @@ constexpr double LEAST_GAP = 0.01, GAP = 1, TOUCHING_GAP = 0.5;
 // WIDEST_STRIP of a patch's width. At GROWTH times FIRST_STRIP, the illumination is still 15 %
 // below its full value.
 constexpr double FIRST_STRIP = 0.5, GROWTH = 2, WIDEST_STRIP = 0.6;
+// A face narrower than a patch hangs over it up to this height, relative to the face's width.
+constexpr double NARROW_GAP = 0.06;
+// How far a face that covers others is lifted, relative to the larger face's size and to its
+// largest coordinate. It stays within OFF_PLANE and is more than a ray's epsilon.
+constexpr double LIFT = 1e-7, LIFT_OF_PLACE = 1e-9;
 // Least cosine of the angle between the normals of a face and of another that hangs over it.
 constexpr double PARALLEL = 0.8;
 // Limit on the number of pairs of faces that touch: a constant, plus a number for each face.
@@ -90,9 +95,13 @@ bool touch(const Flat& a, const Flat& b, double distance) {
   return true;
 }
 
-// True if `other` is large enough to hang over `on` (see hangs_over()).
+// The largest height of a face that hangs over another (see hangs_over()).
+double find_most_height(const Flat& other, const Flat& on) {
+  return other.width >= on.patch_width ? on.gap() : std::min(on.gap(), NARROW_GAP * other.width);
+}
+
 bool may_hang(const Flat& other, const Flat& on) {
-  return other.width >= on.patch_width && touch(other, on, on.gap());
+  return touch(other, on, find_most_height(other, on));
 }
 
 // For each face, the other faces that may touch it. Throws BadInput if these are too many.
@@ -188,8 +197,8 @@ Heights find_heights(const Pair& pair) {
 // resolve the fading light below its edges.
 bool hangs_over(const Pair& pair) {
   const auto [low, high] = find_heights(pair);
-  return low > pair.tolerance && low <= pair.on.gap() && high <= 2 * pair.on.gap() &&
-         pair.other.width >= pair.on.patch_width &&
+  const double most = find_most_height(pair.other, pair.on);
+  return low > pair.tolerance && low <= most && high <= 2 * most &&
          std::abs(dot(pair.on.plane.normal, pair.other.plane.normal)) >= PARALLEL && overlap(pair);
 }
 
@@ -329,6 +338,52 @@ bool stands_on(const Pair& pair, const Crease& border) {
          clip_to(pair.other, border, pair.tolerance, pair.tolerance);
 }
 
+// True if the other face covers the first one, both in one plane.
+bool covers(const Room& room, const Pair& pair) {
+  const Face &on = *pair.on.face, &other = *pair.other.face;
+  const bool same_side =
+      on.two_sided || other.two_sided || dot(pair.on.plane.normal, pair.other.plane.normal) > 0;
+  if (!same_side || !are_coplanar(pair) || !overlap(pair)) return false;
+  const auto emits = [&](const Face& face) {
+    return max_component(room.materials[face.material].emission) > 0;
+  };
+  const auto area = [](const Face& face) { return length(eval_area_normal(face.corners)); };
+  if (emits(on) != emits(other)) return emits(other);
+  if (area(on) != area(other)) return area(on) > area(other);
+  return &other > &on;
+}
+
+// Sets Contacts::lift: a face is above the highest of those that it covers.
+void lift_covering(const Room& room, std::span<const Flat> flats,
+                   std::span<const std::vector<std::uint32_t>> neighbours,
+                   std::vector<Contacts>& contacts) {
+  std::vector<std::vector<std::uint32_t>> covered(flats.size());
+  std::vector<std::size_t> waiting(flats.size());
+  for (std::uint32_t f = 0; f < flats.size(); ++f)
+    for (const auto i : neighbours[f])
+      if (covers(room, make_pair(flats[f], flats[i]))) {
+        covered[f].push_back(i);
+        ++waiting[i];
+      }
+  std::vector<std::uint32_t> ready;
+  for (std::uint32_t f = 0; f < flats.size(); ++f)
+    if (waiting[f] == 0) ready.push_back(f);
+  std::vector<double> height(flats.size());
+  for (std::size_t next = 0; next < ready.size(); ++next) {
+    const std::uint32_t f = ready[next];
+    for (const auto i : covered[f]) {
+      const auto& [on, other, tolerance] = make_pair(flats[f], flats[i]);
+      const double step =
+          LIFT / OFF_PLANE * tolerance +
+          LIFT_OF_PLACE * std::max(max_abs(other.bounds.lo), max_abs(other.bounds.hi));
+      height[i] = std::max(height[i], height[f] + step);
+      const bool turns = other.face->two_sided && dot(on.plane.normal, other.plane.normal) < 0;
+      contacts[i].lift = (turns ? -height[i] : height[i]) * other.plane.normal;
+      if (--waiting[i] == 0) ready.push_back(i);
+    }
+  }
+}
+
 // Makes the ledge in front of the first face, which stands on the other. `neighbours` are those of
 // the other face.
 Ledge make_ledge(const Pair& pair, const Crease& foot, std::span<const Flat> flats,
@@ -389,6 +444,7 @@ std::vector<Contacts> find_contacts(const Room& room, int refine, std::size_t mo
     }
     add_hanging(open, most_strips, contacts[f]);
   }
+  lift_covering(room, flats, neighbours, contacts);
   return contacts;
 }
 

@@ -35,6 +35,7 @@ struct Contacts {
   std::vector<Crease> strips;  ///< lines beside folds, where light fades smoothly
   std::vector<HangingEdge> hanging;
   std::vector<Ledge> ledges;  ///< ledges on the surfaces below the face
+  Vec lift;                   ///< moves the face in front of those that it covers in its plane
 };
 
 inline constexpr std::size_t MOST_STRIPS = 96;
@@ -44,13 +45,17 @@ inline constexpr std::size_t MOST_STRIPS = 96;
 /// touch only with their borders, like walls, have no contact, unless a third face continues the
 /// surface there.
 ///
+/// If two faces overlap in a plane and show the same side, one of them covers the other: the one
+/// that emits, else the smaller one, else the one listed later. It is lifted by at least 1e-7 of
+/// the size of the larger face.
+///
 /// A face hangs over another if it is at most a patch's width above it, about parallel to it, and
-/// at least as wide as a patch. Its edges are open if no face descends from them, and no face
-/// beyond them hangs as near. An open edge nearer than a hundredth of a patch's width touches the
-/// face. A higher one makes a fold below it, and strips on both sides of the fold. Strips end at
-/// half the edge's height, at once, twice, four times it, and so on up to 0.6 of a patch's width.
-/// All open edges over a face share `most_strips` on each side. If there are no strips, an edge
-/// within half a patch's width touches the face.
+/// at least as wide as a patch or as 17 times its height. Its edges are open if no face descends
+/// from them, and no face beyond them hangs as near. An open edge nearer than a hundredth of a
+/// patch's width touches the face. A higher one makes a fold below it, and strips on both sides of
+/// the fold. Strips end at half the edge's height, at once, twice, four times it, and so on up to
+/// 0.6 of a patch's width. All open edges over a face share `most_strips` on each side. If there
+/// are no strips, an edge within half a patch's width touches the face.
 ///
 /// A ledge is the remainder of a face in front of a one-sided face that stands on it, about
 /// upright, by its border. The width of patches follows from `along` and `across` of a face, times

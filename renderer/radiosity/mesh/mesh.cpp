@@ -296,7 +296,11 @@ class Builder {
 
   Mesh build() {
     limit_cuts();
-    for (std::uint32_t i = 0; i < room_.faces.size(); ++i) add(room_.faces[i], i);
+    for (std::uint32_t i = 0; i < room_.faces.size(); ++i) {
+      Face face = room_.faces[i];
+      for (Vec& corner : face.corners) corner += contacts_[i].lift;
+      add(face, i);
+    }
     finish(mesh_.blockers);
     // Contacts are borders: points on either side are lit a little inside their side.
     std::vector<std::array<std::uint32_t, 4>> before;

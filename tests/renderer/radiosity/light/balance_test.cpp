@@ -87,5 +87,45 @@ TEST(Balance, FreeStandingFacesDoNotOpenARoom) {
   }
 }
 
+// A lamp of 1.2 x 0.9 in the ceiling, or below it; turned and moved as a whole.
+Room make_lamp_room(std::uint64_t seed, double below, int patches) {
+  renderer::test::Random random{seed};
+  Room room;
+  room.materials = {{"wall", grey(0.9), {}}, {"lamp", {}, grey(10)}};
+  add_box(room, 0, {0, 0, 0}, {4, 3, 2.5}, patches);
+  const Vec corner{random.range(0, 2.8), random.range(0, 2.1), 2.5 - below};
+  add_quad(room, 1, corner, {0, 0.9, 0}, {1.2, 0, 0}, 2, 2);
+  if (seed % 2 == 0) return room;
+  const Vec n = random.direction(), by = random.point(20);
+  const auto [u, v] = renderer::test::make_plane(n);
+  for (Face& face : room.faces)
+    for (Vec& p : face.corners) p = by + p.x * u + p.y * v + p.z * n;
+  return room;
+}
+
+// The ceiling behind the lamp neither receives light nor sends any.
+TEST(Balance, ALampInThePlaneOfTheCeilingCoversIt) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Room room = make_lamp_room(seed, 0, 6);
+    EXPECT_TRUE(is_closed(make_mesh(room, {})));
+    EXPECT_NEAR(light(room).escaped, 0, 0.01);
+    std::swap(room.faces[1], room.faces.back());
+    EXPECT_NEAR(light(room).escaped, 0, 0.01) << "the lamp is listed first";
+  }
+}
+
+// Beyond 1 cm of gap nearly no light falls on the lamp's back. Large patches of the ceiling must
+// end at the lamp's shadow.
+TEST(Balance, ALampCloseToACoarseCeilingShadesIt) {
+  for (std::uint64_t seed = 1; seed <= 8; ++seed)
+    for (const int patches : {2, 4}) {
+      SCOPED_TRACE(testing::Message() << "seed " << seed << ", " << patches << " patches");
+      const Balance balance = light(make_lamp_room(seed, 0.01, patches));
+      EXPECT_LT(balance.backs, 0.01);
+      EXPECT_NEAR(balance.escaped, balance.backs, 0.03);
+    }
+}
+
 }  // namespace
 }  // namespace radiosity::test
