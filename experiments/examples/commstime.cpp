@@ -75,10 +75,10 @@ void consume(Ints& d, Seconds& loop) {
 }  // namespace
 
 int main() {
-  const Model model = machine::override_model("t800-20",
-                                              {{"memory.data_word", "\"memory.on_chip_word\""},
-                                               {"memory.code_word", "\"memory.on_chip_word\""}},
-                                              "commstime");
+  const Model model = machine::override_model(
+      "t800-20",
+      {{"memory.data_word", "memory.on_chip_word"}, {"memory.code_word", "memory.on_chip_word"}},
+      "commstime");
   machine::Machine machine(model);
   auto& t800 = machine.add_processor("t800", 4096);
   Ints a("a"), b("b"), c("c"), d("d");

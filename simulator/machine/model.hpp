@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "simulator/machine/units.hpp"
@@ -127,12 +128,15 @@ double eval(const Model& model, const std::string& formula, const std::string& w
 /// line base = "NAME" contains only the differences from that model. Throws BadInput.
 Model load_model(std::string_view name);
 Model parse_model(std::string_view text, std::string_view origin);
-/// Changes some entries of a model. Each pair holds a key ("link.bit_rate") and a value as TOML
-/// text, a number or a quoted formula. Changed entries keep their unit, become "assumed" and get
-/// `origin` as source.
-Model override_model(std::string_view name,
-                     const std::vector<std::pair<std::string, std::string>>& entries,
-                     std::string_view origin);
+/// The value of an entry: a number, or a formula over other entries.
+using EntryValue = std::variant<double, std::string>;
+/// Formats the value as a model file does, a formula in quotes.
+std::string to_text(const EntryValue& value);
+/// Values that replace those of a model, by key ("link.bit_rate").
+using Overrides = std::vector<std::pair<std::string, EntryValue>>;
+/// Changes some entries of a model. Changed entries keep their unit, become "assumed" and get
+/// `origin` as source. Throws BadInput.
+Model override_model(std::string_view name, const Overrides& entries, std::string_view origin);
 std::vector<std::string> builtin_models();
 /// The first sentence of the model's file. Throws BadInput for an unknown name.
 std::string describe_builtin(std::string_view name);

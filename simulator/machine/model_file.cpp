@@ -188,15 +188,20 @@ Provenance parse_provenance(const std::string& text, const std::string& where) {
                text);
 }
 
-// Reads a number, or a formula in quotes.
-void read_value(Entry& entry, const toml::node* node) {
-  if (const auto number = node ? node->value<double>() : std::nullopt)
+// Sets a number, or a formula after a check of its syntax.
+void set_value(Entry& entry, const EntryValue& value) {
+  if (const auto* number = std::get_if<double>(&value))
     entry.value = *number;
-  else if (const auto text = node ? node->value_exact<std::string>() : std::nullopt)
-    base::Formula(entry.formula = *text, entry.where);
   else
-    base::refuse(entry.where,
-                 "\"value\" must be a number, or a formula in quotes over other entries");
+    base::Formula(entry.formula = std::get<std::string>(value), entry.where);
+}
+
+// Reads a number, or a formula in quotes.
+EntryValue read_value(const Entry& entry, const toml::node* node) {
+  if (const auto number = node ? node->value<double>() : std::nullopt) return *number;
+  if (const auto text = node ? node->value_exact<std::string>() : std::nullopt) return *text;
+  base::refuse(entry.where,
+               "\"value\" must be a number, or a formula in quotes over other entries");
 }
 
 // Reads a fraction of the entry's value, such as "80 %".
@@ -249,7 +254,7 @@ Entry read_entry(const std::string& key, const toml::node& node, const std::stri
                   "unknown part \"{}\"", part.str());
   Entry entry{
       key, 0, {}, text("unit"), parse_provenance(text("provenance"), where), text("source"), where};
-  read_value(entry, table->get("value"));
+  set_value(entry, read_value(entry, table->get("value")));
   entry.range = read_range(entry, *table);
   if (table->contains("holds")) {
     base::require(entry.provenance == Provenance::calibrated, where,
@@ -434,20 +439,23 @@ Model parse_model(std::string_view text, std::string_view origin) {
 
 Model load_model(std::string_view name) { return complete(load(name, "", 0, ""), name); }
 
-Model override_model(std::string_view name,
-                     const std::vector<std::pair<std::string, std::string>>& entries,
-                     std::string_view origin) {
+std::string to_text(const EntryValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number ? fmt::format("{}", *number) : fmt::format("\"{}\"", std::get<std::string>(value));
+}
+
+Model override_model(std::string_view name, const Overrides& entries, std::string_view origin) {
   Model model = load(name, "", 0, "");
-  for (const auto& [key, toml] : entries) {
-    model.name += fmt::format("{}{} = {}", &key == &entries[0].first ? " with " : ", ", key, toml);
+  for (const auto& [key, value] : entries) {
+    model.name +=
+        fmt::format("{}{} = {}", &key == &entries[0].first ? " with " : ", ", key, to_text(value));
     Entry entry;
     entry.key = key;
     entry.unit = unit_of(key);
     entry.source = fmt::format("set by {}", origin);
     entry.where = fmt::format("{}: model.{}", origin, key);
     check_key(model, entry, true);
-    const auto value = base::parse_toml("value = " + toml, entry.where);
-    read_value(entry, value.get("value"));
+    set_value(entry, value);
     add(model, std::move(entry));
   }
   return complete(std::move(model), origin);

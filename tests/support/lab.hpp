@@ -33,7 +33,7 @@ struct Words {
 // t805-25 without operand loads, code fetches and cycles stolen by DMA. Clock, ticks and link rates
 // are powers of two, so every time is a whole number of cycles, without rounding.
 inline Model derive_exact_model() {
-  Model model = machine::override_model("t805-25", {{"instruction.fetch", "0"}}, "tests");
+  Model model = machine::override_model("t805-25", {{"instruction.fetch", 0.0}}, "tests");
   model.memory.steal_word = 0;
   for (machine::Cycles* beside : {&model.channel.operands, &model.channel.out_word})
     *beside = {0};  // excludes costs that separate tests cover
@@ -121,7 +121,7 @@ enum class Side { writer, reader };
 // t805-25 with all data on chip and without code fetches, as the instruction tables count.
 inline Model make_on_chip_model() {
   return machine::override_model(
-      "t805-25", {{"memory.data_word", "\"memory.on_chip_word\""}, {"instruction.fetch", "0"}},
+      "t805-25", {{"memory.data_word", "memory.on_chip_word"}, {"instruction.fetch", 0.0}},
       "tests");
 }
 

@@ -154,7 +154,7 @@ class Runs {
     ExperimentFile changed = file_;
     for (auto& point : changed.points) {
       for (std::size_t i = 0; i < entries.size(); ++i)
-        point.experiment.model.entries.emplace_back(entries[i], fmt::format("{}", values[i]));
+        point.experiment.model.entries.emplace_back(entries[i], values[i]);
       results.push_back(run_point(point, {}, images_.path()));
     }
     const auto table = make_table(changed, results);

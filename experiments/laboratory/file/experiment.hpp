@@ -22,8 +22,7 @@ struct FaultSpec {
 /// A machine model, by name or from a file, with the entries that the experiment overrides.
 struct ModelSpec {
   base::Source source;
-  /// Overridden entries: name, such as "link.one_way_rate", and value as spelled in TOML.
-  std::vector<std::pair<std::string, std::string>> entries = {};
+  machine::Overrides entries = {};
 };
 
 /// A [[processor]]: a processor of the topology whose model differs from the machine's.

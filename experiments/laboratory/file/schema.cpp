@@ -176,13 +176,12 @@ void bind_list(Experiment& experiment, const programs::RecordList& list, const P
 void bind_model_entry(Experiment& experiment, const Place& at) {
   if (!at.node.is_number() && !at.node.is_string()) at.refuse("a number, or a formula in quotes");
   const auto entry = at.key.substr(at.key.find('.') + 1);
-  auto& overrides = experiment.model.entries;
-  const auto known =
-      std::ranges::find(overrides, entry, &std::pair<std::string, std::string>::first);
-  if (known != overrides.end())
-    known->second = to_toml(at.node);
+  auto& entries = experiment.model.entries;
+  std::erase_if(entries, [&](const auto& known) { return known.first == entry; });
+  if (const auto number = at.node.value<double>(); number && at.node.is_number())
+    entries.emplace_back(entry, *number);
   else
-    overrides.emplace_back(entry, to_toml(at.node));
+    entries.emplace_back(entry, *at.node.value_exact<std::string>());
 }
 
 // Throws BadInput for a common key that has no effect on any of the programs.

@@ -95,7 +95,8 @@ Facts make_facts(const Simulation& s) {
                fmt::format("{}: {}", values_of(file, "program", e.program->name), e.program->help)},
               {"Machine", values_of(file, "model", e.model.source.text)}};
   for (const auto& [entry, value] : e.model.entries)
-    facts.push_back({"model." + entry, values_of(file, ("model." + entry).c_str(), value)});
+    facts.push_back(
+        {"model." + entry, values_of(file, ("model." + entry).c_str(), machine::to_text(value))});
   for (const auto& other : e.others)
     facts.push_back({fmt::format("Processor number {}", other.number), other.model.source.text});
   if (e.program->uses.network) {

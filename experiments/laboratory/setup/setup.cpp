@@ -67,7 +67,8 @@ machine::Model make_model(const ModelSpec& spec) {
 
 std::string model_key(const ModelSpec& spec) {
   std::string key = spec.source.path;
-  for (const auto& [entry, value] : spec.entries) key += fmt::format("\n{} = {}", entry, value);
+  for (const auto& [entry, value] : spec.entries)
+    key += fmt::format("\n{} = {}", entry, machine::to_text(value));
   return key;
 }
 

@@ -16,10 +16,12 @@ namespace laboratory {
 
 namespace {
 
+using machine::Overrides;
+
 constexpr std::size_t MOST_POINTS = 1'000'000;
 
-bool is_set(const Entries& set, const std::string& key) {
-  return std::ranges::find(set, key, &Entries::value_type::first) != set.end();
+bool is_set(const Overrides& set, const std::string& key) {
+  return std::ranges::find(set, key, &Overrides::value_type::first) != set.end();
 }
 
 // The random seed of an entry: a hash of its name, the same on every host.
@@ -37,24 +39,24 @@ std::vector<std::size_t> shuffle_slices(std::uint64_t stream, std::size_t machin
   return slices;
 }
 
-// Formats a number as TOML, or as a formula if it is a share of the entry's value.
-std::string spell_value(const machine::Entry& entry, double number, bool is_share) {
-  if (!is_share) return fmt::format("{}", number);
-  if (entry.formula.empty()) return fmt::format("{}", entry.value * number);
-  return fmt::format("\"({}) * {}\"", entry.formula, number);
+// The value of an entry at a number of its range, which may be a share of the entry's value.
+machine::EntryValue make_value(const machine::Entry& entry, double number, bool is_share) {
+  if (!is_share) return number;
+  if (entry.formula.empty()) return entry.value * number;
+  return fmt::format("({}) * {}", entry.formula, number);
 }
 
 // The factor for a calibrated entry in the machine `set` that restores its `holds` formula to its
 // value in `before`. The formula is linear in the entry, so two evaluations determine the factor.
-double fit_to_held(const machine::Entry& entry, const machine::Model& before, Entries set,
-                   const std::function<machine::Model(const Entries&)>& make) {
+double fit_to_held(const machine::Entry& entry, const machine::Model& before, Overrides set,
+                   const std::function<machine::Model(const Overrides&)>& make) {
   const auto where = entry.where + ": holds";
   const double held = eval(before, entry.holds, where);
   const double at_one = eval(make(set), entry.holds, where);
-  set.emplace_back(entry.key, spell_value(entry, 2, /*is_share=*/true));
+  set.emplace_back(entry.key, make_value(entry, 2, /*is_share=*/true));
   const double slope = eval(make(set), entry.holds, where) - at_one;
   const double share = 1 + (held - at_one) / slope;
-  set.back().second = spell_value(entry, share, /*is_share=*/true);
+  set.back().second = make_value(entry, share, /*is_share=*/true);
   const bool is_line =
       slope > 0 && share > 0 && std::abs(eval(make(set), entry.holds, where) / held - 1) < 1e-9;
   base::require(
@@ -86,29 +88,29 @@ double find_in(const machine::Range& range, double quantile) {
   return range.low + (range.high - range.low) * quantile;
 }
 
-Entries draw_machine(const std::string& model, const Entries& set,
-                     const std::function<double(const std::string& entry)>& quantile) {
-  const auto make = [&](const Entries& entries) {
+Overrides draw_machine(const std::string& model, const Overrides& set,
+                       const std::function<double(const std::string& entry)>& quantile) {
+  const auto make = [&](const Overrides& entries) {
     return entries.empty() ? machine::load_model(model)
                            : machine::override_model(model, entries, "[uncertain]");
   };
   const auto before = make(set);
-  Entries drawn = set;
+  Overrides drawn = set;
   // calibrated entries, each with the number drawn for it
   std::vector<std::pair<const machine::Entry*, double>> fitted;
   for (const auto& entry : before.entries) {
     if (!entry.range || is_set(set, entry.key)) continue;
     const double number = find_in(*entry.range, quantile(entry.key));
     if (entry.holds.empty())
-      drawn.emplace_back(entry.key, spell_value(entry, number, entry.range->is_share));
+      drawn.emplace_back(entry.key, make_value(entry, number, entry.range->is_share));
     else
       fitted.emplace_back(&entry, number);
   }
-  const Entries unfitted = drawn;
+  const Overrides unfitted = drawn;
   for (const auto& [entry, number] : fitted) {
     const double drawn_share = entry->range->is_share ? number : number / entry->value;
     const double share = fit_to_held(*entry, before, unfitted, make) * drawn_share;
-    drawn.emplace_back(entry->key, spell_value(*entry, share, /*is_share=*/true));
+    drawn.emplace_back(entry->key, make_value(*entry, share, /*is_share=*/true));
   }
   return drawn;
 }
@@ -142,7 +144,7 @@ ExperimentFile spread(const ExperimentFile& file) {
   for (const auto& entry : drawn_entries(file))
     quantiles[entry] = draw_quantiles(seed, entry, machines);
   for (std::size_t machine = 0; machine < machines; ++machine) {
-    std::map<std::string, Entries> known;  // drawn entries of each model of the file
+    std::map<std::string, Overrides> known;  // drawn entries of each model of the file
     for (Point point : file.points) {
       const auto draw = [&](ModelSpec& spec) {
         auto [found, is_new] = known.try_emplace(model_key(spec));

@@ -23,9 +23,8 @@ double find_in(const machine::Range& range, double quantile);
 /// Overrides of model entries that realise one drawn machine: `set`, and a draw for each other
 /// entry with a range. Calls `quantile` for each drawn entry. A calibrated entry is fitted again
 /// before its draw, so that its `holds` formula keeps its value.
-using Entries = std::vector<std::pair<std::string, std::string>>;
-Entries draw_machine(const std::string& model, const Entries& set,
-                     const std::function<double(const std::string& entry)>& quantile);
+machine::Overrides draw_machine(const std::string& model, const machine::Overrides& set,
+                                const std::function<double(const std::string& entry)>& quantile);
 
 /// The entries that are drawn for at least one point of the file, in the order of the models.
 std::vector<std::string> drawn_entries(const ExperimentFile& file);

@@ -108,10 +108,10 @@ TEST(Examples, HaveAtMost100Lines) {
 // The time is the sum of: out and in of a word on four soft channels, a PAR of two, four loop ends,
 // adc.
 TEST(Examples, CommstimeIsTheSumOfItsInstructions) {
-  const auto model = machine::override_model("t800-20",
-                                             {{"memory.data_word", "\"memory.on_chip_word\""},
-                                              {"memory.code_word", "\"memory.on_chip_word\""}},
-                                             "the test");
+  const auto model = machine::override_model(
+      "t800-20",
+      {{"memory.data_word", "memory.on_chip_word"}, {"memory.code_word", "memory.on_chip_word"}},
+      "the test");
   auto cycles = [&](const char* instruction) { return get_instruction(model, instruction); };
   const auto& channel = model.channel;
   const auto& par = model.scheduler;

@@ -50,14 +50,14 @@ TEST(Draw, SharesAreEvenInTheirLogarithm) {
 
 // Every entry with a range is drawn once, except entries that were set.
 TEST(Draw, SetsEveryEntryThatHasARangeButThoseThatAreSet) {
-  const Entries set = {{"scheduler.return_to_low", "20"}};
+  const machine::Overrides set = {{"scheduler.return_to_low", 20.0}};
   const auto drawn = draw_machine("t805-25", set, [](const std::string&) { return 0.9; });
   const auto before = machine::load_model("t805-25");
   const auto after = machine::override_model("t805-25", drawn, "test");
   EXPECT_EQ(entry_of(after, "scheduler.return_to_low").value, 20);
   EXPECT_NEAR(entry_of(after, "disk.rate").value, 3e5 + 0.9 * 5e5, 1e-6);
   for (const auto& entry : before.entries)
-    EXPECT_EQ(std::ranges::count(drawn, entry.key, &Entries::value_type::first),
+    EXPECT_EQ(std::ranges::count(drawn, entry.key, &machine::Overrides::value_type::first),
               entry.range ? 1 : 0)
         << entry.key;
   // A drawn entry whose value is a formula remains a formula of other entries.
@@ -80,8 +80,7 @@ TEST(Draw, WhatIsCalibratedHoldsItsCell) {
       const auto after = machine::override_model("t805-25", drawn, "test");
       const double fitted = entry_of(after, key).value / drawn_share;
       auto refitted = drawn;
-      std::ranges::find(refitted, key, &Entries::value_type::first)->second =
-          fmt::format("{}", fitted);
+      std::ranges::find(refitted, key, &machine::Overrides::value_type::first)->second = fitted;
       const auto cell = machine::override_model("t805-25", refitted, "test");
       EXPECT_NEAR(eval(cell, entry.holds, "") / eval(before, entry.holds, ""), 1, 1e-9)
           << key << ", machine " << machine;

@@ -13,7 +13,7 @@ constexpr double STOLEN = 10;                 // cycles per word; up to two thir
 
 // A model whose rates are incommensurable, so that simultaneous events have a common cause.
 Model make_slowed_model() {
-  Model model = machine::override_model("t805-25", {{"instruction.fetch", "0"}}, "tests");
+  Model model = machine::override_model("t805-25", {{"instruction.fetch", 0.0}}, "tests");
   for (Cycles* beside : {&model.channel.operands, &model.channel.out_word}) *beside = {0};
   model.memory.steal_word = STOLEN;
   model.link.one_way_rate = 1.7340178e6;

@@ -55,10 +55,10 @@ std::vector<Row> make_rows(const Model& model) {
 TEST(InstructionTable, IsThePublishedOneInEveryModel) {
   for (const auto& name : machine::builtin_models()) {
     const Model model = machine::override_model(name,
-                                                {{"memory.data_word", "\"memory.on_chip_word\""},
+                                                {{"memory.data_word", "memory.on_chip_word"},
                                                  // no published table has the time of the
                                                  // instruction fetch
-                                                 {"instruction.fetch", "0"}},
+                                                 {"instruction.fetch", 0.0}},
                                                 "tests");
     for (const Row& row : make_rows(model))
       EXPECT_EQ(row.found.value, row.published) << name << ": " << row.instruction;
@@ -72,7 +72,7 @@ TEST(InstructionTable, IsThePublishedOneInEveryModel) {
 TEST(InstructionTable, BreaksOfTheStreamFetchTheNextInstructions) {
   const Model without_fetch = make_on_chip_model(),
               on_chip = machine::override_model(
-                  "t805-25", {{"memory.data_word", "1"}, {"memory.code_word", "1"}}, "tests");
+                  "t805-25", {{"memory.data_word", 1.0}, {"memory.code_word", 1.0}}, "tests");
   const Model off_chip = machine::load_model("t805-25");
   EXPECT_EQ(machine::get_instruction(on_chip, "fetch").value, 2);
   EXPECT_EQ(machine::get_instruction(off_chip, "fetch").value, 4);
@@ -109,14 +109,14 @@ TEST(InstructionTable, ClocksAndSlices) {
 // Bit times of a byte at the three link speeds, alone and with both directions together.
 TEST(InstructionTable, LinkRates) {
   struct Speed {
-    const char *name, *bit_rate;
-    double one_way, both_ways;
+    const char* name;
+    double bit_rate, one_way, both_ways;
   };
   const Speed published[] = {
-      {"t805-25", "20e6", 20e6 / 11.25, 2.35e6}, {"t805-25", "10e6", 0.91e6, 1.25e6},
-      {"t805-25", "5e6", 0.45e6, 0.67e6},        {"t800-20", "20e6", 20e6 / 11.25, 2.35e6},
-      {"t805-30", "10e6", 0.91e6, 1.25e6},       {"t414-20", "20e6", 20e6 / 25, 1.6e6},
-      {"t414-20", "10e6", 10e6 / 25, 0.8e6},     {"t414-20", "5e6", 5e6 / 25, 0.4e6},
+      {"t805-25", 20e6, 20e6 / 11.25, 2.35e6}, {"t805-25", 10e6, 0.91e6, 1.25e6},
+      {"t805-25", 5e6, 0.45e6, 0.67e6},        {"t800-20", 20e6, 20e6 / 11.25, 2.35e6},
+      {"t805-30", 10e6, 0.91e6, 1.25e6},       {"t414-20", 20e6, 20e6 / 25, 1.6e6},
+      {"t414-20", 10e6, 10e6 / 25, 0.8e6},     {"t414-20", 5e6, 5e6 / 25, 0.4e6},
   };
   for (const Speed& p : published) {
     const Model model = machine::override_model(p.name, {{"link.bit_rate", p.bit_rate}}, "tests");

@@ -24,25 +24,26 @@ double time_through(const Model& model, int switches, std::uint64_t bytes) {
 
 TEST(LinkSwitch, AddsItsDelayAndLengthensTheByte) {
   struct Case {
-    const char *model, *bit_rate;
+    const char* model;
+    double bit_rate;
     int switches;
     double byte_bits;  // bit times of a byte
   };
   const Case published[] = {
-      {"t805-25", "20e6", 0, 11.25},
-      {"t805-25", "20e6", 1, 15.05},
-      {"t805-25", "20e6", 2, 18.85},
-      {"t805-25", "20e6", 3, 22.65},
-      {"t805-25", "10e6", 1, 10e6 / 0.91e6 + 3.8},
-      {"t805-25", "5e6", 3, 5e6 / 0.45e6 + 11.4},
-      {"t800-20", "20e6", 1, 15.05},
-      {"t414-20", "20e6", 0, 25},
-      {"t414-20", "20e6", 1, 28.8},
-      {"t414-20", "10e6", 2, 32.6},
+      {"t805-25", 20e6, 0, 11.25},
+      {"t805-25", 20e6, 1, 15.05},
+      {"t805-25", 20e6, 2, 18.85},
+      {"t805-25", 20e6, 3, 22.65},
+      {"t805-25", 10e6, 1, 10e6 / 0.91e6 + 3.8},
+      {"t805-25", 5e6, 3, 5e6 / 0.45e6 + 11.4},
+      {"t800-20", 20e6, 1, 15.05},
+      {"t414-20", 20e6, 0, 25},
+      {"t414-20", 20e6, 1, 28.8},
+      {"t414-20", 10e6, 2, 32.6},
   };
   for (const Case& c : published) {
     const Model model = machine::override_model(c.model, {{"link.bit_rate", c.bit_rate}}, "tests");
-    const double bit = 1 / std::strtod(c.bit_rate, nullptr);
+    const double bit = 1 / c.bit_rate;
     for (std::uint64_t bytes : {8, 1000, 100'000}) {
       const double start =
           static_cast<double>(cost_first(model, Side::writer, bytes)) / model.cpu.clock.value;
@@ -56,7 +57,7 @@ TEST(LinkSwitch, AddsItsDelayAndLengthensTheByte) {
 
 TEST(LinkSwitch, MoreOfThemAreNeverFaster) {
   for (const auto& name : machine::builtin_models())
-    for (const char* rate : {"20e6", "10e6", "5e6"}) {
+    for (const double rate : {20e6, 10e6, 5e6}) {
       const Model model = machine::override_model(name, {{"link.bit_rate", rate}}, "tests");
       double last = 0;
       for (int switches = 0; switches < 6; ++switches) {

@@ -172,7 +172,7 @@ TEST(Link, StoreAndForwardOverALine) {
 TEST(Link, RatesOfTheModelsAtEverySpeed) {
   constexpr std::uint64_t bytes = 100'000;
   for (const auto& name : machine::builtin_models())
-    for (const char* speed : {"20e6", "10e6", "5e6"}) {
+    for (const double speed : {20e6, 10e6, 5e6}) {
       const Model model = machine::override_model(name, {{"link.bit_rate", speed}}, "tests");
       const auto found = isolated_numbers([&] {
         Lab lab(model);

@@ -7,16 +7,14 @@
 namespace occam {
 namespace {
 
-using Settings = std::vector<std::pair<std::string, std::string>>;
-
-Model make_model(const Settings& settings, const char* base = "t805-25") {
+Model make_model(const machine::Overrides& settings, const char* base = "t805-25") {
   return machine::override_model(base, settings, "tests");
 }
 
 Model make_waiting_model(int wait_states, bool off_chip) {
-  Settings settings{{"memory.wait_states", std::to_string(wait_states)},
-                    {"instruction.fetch", "0"}};
-  if (off_chip) settings.emplace_back("memory.workspace_word", "\"memory.external_word\"");
+  machine::Overrides settings{{"memory.wait_states", double(wait_states)},
+                              {"instruction.fetch", 0.0}};
+  if (off_chip) settings.emplace_back("memory.workspace_word", "memory.external_word");
   return make_model(settings);
 }
 
@@ -82,8 +80,8 @@ TEST(Memory, NoRowIsLessWithMoreWaitStatesOrOffChip) {
     for (bool off_chip : {false, true}) {
       Model last;
       for (int s = 0; s < 5; ++s) {
-        Settings settings{{"memory.wait_states", std::to_string(s)}};
-        if (off_chip) settings.emplace_back("memory.workspace_word", "\"memory.external_word\"");
+        machine::Overrides settings{{"memory.wait_states", double(s)}};
+        if (off_chip) settings.emplace_back("memory.workspace_word", "memory.external_word");
         const Model model = make_model(settings, name.c_str());
         const Model& before = s > 0 ? last : machine::load_model(name);
         for (std::size_t i = 0; i < model.entries.size(); ++i) {

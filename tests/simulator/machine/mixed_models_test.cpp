@@ -101,7 +101,7 @@ TEST(MixedModels, DmaTakesCyclesOfEachEndsOwnClock) {
 }
 
 TEST(MixedModels, LinksOfOneSpeedOnly) {
-  Model half = machine::override_model("t805-25", {{"link.bit_rate", "10e6"}}, "tests");
+  Model half = machine::override_model("t805-25", {{"link.bit_rate", 10e6}}, "tests");
   half.name = "half";
   expect_failure("Misuse of a at 0",
                  {"the links of a (t805-25) run at 2", "those of b (half) at 1"}, [&](Lab& lab) {

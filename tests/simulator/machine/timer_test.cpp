@@ -227,7 +227,7 @@ TEST(Timer, WakesAtTheTickAndReadsIt) {
   for (auto priority : BOTH_PRIORITIES) {
     const double us = priority == Priority::high ? 1 : 64;
     const auto found = isolated_numbers([&] {
-      Lab lab(machine::override_model("t805-25", {{"instruction.fetch", "0"}}, "tests"));
+      Lab lab(machine::override_model("t805-25", {{"instruction.fetch", 0.0}}, "tests"));
       Numbers seen;
       lab.cpu().start("waiter", priority, [&] {
         for (std::int64_t tick : {10, 20, 21, 1000}) {

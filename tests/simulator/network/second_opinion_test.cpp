@@ -24,9 +24,9 @@ constexpr std::uint64_t BYTES = 97;  // length of a packet; its service time is 
 
 machine::Model make_ideal_model() {
   return machine::override_model("t805-25",
-                                 {{"cpu.clock", "1e12"},
-                                  {"memory.steal_word", "0"},
-                                  {"link.both_ways_rate", "\"2 * link.one_way_rate\""}},
+                                 {{"cpu.clock", 1e12},
+                                  {"memory.steal_word", 0.0},
+                                  {"link.both_ways_rate", "2 * link.one_way_rate"}},
                                  "the test");
 }
 

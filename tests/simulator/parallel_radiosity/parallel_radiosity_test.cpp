@@ -272,8 +272,8 @@ TEST(Amp, ColoursOfMessagesAreCopied) {
   };
   const auto count_cycles = [](const Mesh& mesh, int setup) {
     const auto cycles = isolated([&] {
-      const auto model = machine::override_model(
-          "t805-25", {{"instruction.move_setup", fmt::format("{}", setup)}}, "tests");
+      const auto model =
+          machine::override_model("t805-25", {{"instruction.move_setup", double(setup)}}, "tests");
       const auto r =
           run_radiosity(model, topologies::make_topology("line:2"), mesh, make_params(SHOTS));
       double busy_s = 0;

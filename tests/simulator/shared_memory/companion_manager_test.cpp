@@ -12,11 +12,11 @@ namespace {
 constexpr int NODES = 4, ITEMS = 40;
 constexpr std::uint64_t ITEM = 40;  // size of an item, bytes
 
-machine::Model make_model(const char* access, const char* look_up) {
+machine::Model make_model(double access, double look_up) {
   return machine::override_model("t805-25",
                                  {{"operation.data_access", access},
                                   {"operation.data_looked_up", look_up},
-                                  {"software.idle_period", "0"}},
+                                  {"software.idle_period", 0.0}},
                                  "tests");
 }
 
@@ -85,7 +85,7 @@ void make_accesses(int id, DataManager& manager) {
 // the list takes much longer than the lookup.
 TEST(CompanionManager, FindsLocallyWhatOneProcessorFinds) {
   for (const auto scheme : {Scheme::items, Scheme::pages})
-    for (const auto& [access, look_up] : {std::pair("8500", "4250"), {"20000", "100"}}) {
+    for (const auto& [access, look_up] : {std::pair(8500.0, 4250.0), {20e3, 100.0}}) {
       SCOPED_TRACE(fmt::format("scheme {} access {}", static_cast<int>(scheme), access));
       const auto model = make_model(access, look_up);
       const auto measure = [&](bool is_double) {
@@ -105,7 +105,7 @@ TEST(CompanionManager, FindsLocallyWhatOneProcessorFinds) {
         });
       };
       auto single = measure(false), twice = measure(true);
-      if (std::string_view(access) == "8500") {
+      if (access == 8500) {
         EXPECT_LT(twice.back(), single.back());
       }
       single.pop_back();
@@ -118,7 +118,7 @@ TEST(CompanionManager, FindsLocallyWhatOneProcessorFinds) {
 TEST(CompanionManager, TheQueueOfAccessesHasABound) {
   constexpr int ACCESSES = 300, MOST = 65;
   const auto found = occam::isolated_numbers([] {
-    Line run(make_model("20000", "100"), true, Scheme::items, [](int /*id*/, DataManager& manager) {
+    Line run(make_model(20e3, 100), true, Scheme::items, [](int /*id*/, DataManager& manager) {
       for (int i = 0; i <= ACCESSES; ++i) manager.access({0, 5});
     });
     return occam::Numbers{run.done[1].end_s, static_cast<double>(run.done[1].use.accesses())};
@@ -133,17 +133,16 @@ TEST(CompanionManager, ServesWhileTheApplicationComputes) {
   const auto measure = [&](bool is_double) {
     return occam::isolated_numbers([&] {
       const auto compute = [](double s) { machine::this_process().charge(machine::Seconds{s}); };
-      Line run(make_model("8500", "4250"), is_double, Scheme::items,
-               [&](int id, DataManager& manager) {
-                 if (id == 1) {
-                   manager.access({0, 5});
-                   compute(1);
-                 }
-                 if (id == 2) {
-                   compute(0.1);
-                   manager.access({0, 5});
-                 }
-               });
+      Line run(make_model(8500, 4250), is_double, Scheme::items, [&](int id, DataManager& manager) {
+        if (id == 1) {
+          manager.access({0, 5});
+          compute(1);
+        }
+        if (id == 2) {
+          compute(0.1);
+          manager.access({0, 5});
+        }
+      });
       const auto use = run.memory->use();
       return occam::Numbers{run.done[2].end_s, static_cast<double>(use.found_at(Level::path))};
     });

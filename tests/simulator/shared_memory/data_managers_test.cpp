@@ -20,7 +20,7 @@ constexpr std::uint64_t ITEM = 40;
 // A model with fast managers that check immediately, so that requests meet more often.
 const machine::Model& model() {
   static const auto quick = machine::override_model(
-      "t805-25", {{"operation.data_access", "1000"}, {"software.idle_period", "0"}}, "tests");
+      "t805-25", {{"operation.data_access", 1000.0}, {"software.idle_period", 0.0}}, "tests");
   return quick;
 }
 
