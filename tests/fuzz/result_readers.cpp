@@ -21,7 +21,7 @@ using nlohmann::ordered_json;
 const std::string THESIS = "experiments/thesis";
 
 void expect_same_points(const ExperimentFile& found, const ExperimentFile& expected) {
-  expect_same("the experiment", found.resolved, expected.resolved);
+  expect_same("the experiment", resolve(found), resolve(expected));
   expect_same("axes", found.axis_keys, expected.axis_keys);
   expect_same("settings", found.settings, expected.settings);
   expect_same("the number of points", found.points.size(), expected.points.size());
@@ -35,7 +35,7 @@ void read_experiment(const std::string& text, const std::vector<std::string>& ov
   expect(!file.points.empty(), "an experiment has points");
   expect_same_points(
       read_again("the experiment",
-                 [&] { return laboratory::read_experiment(file.resolved, path, folder, {}); }),
+                 [&] { return laboratory::read_experiment(resolve(file), path, folder, {}); }),
       file);
 }
 

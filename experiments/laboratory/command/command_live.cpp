@@ -52,8 +52,7 @@ ExperimentFile load(const LiveOptions& o) {
   auto overrides = o.overrides;
   overrides.emplace_back("run.engine=direct");
   if (!fs::is_directory(o.source)) return load_experiment(o.source, overrides);
-  const auto origin = load_origin(o.source, "run.json");
-  return read_experiment(origin.file.resolved, origin.file.path, origin.file.folder, overrides);
+  return load_origin(o.source, "run.json", overrides).file;
 }
 
 void check_live(const LiveOptions& o, const ExperimentFile& file) {

@@ -108,7 +108,7 @@ std::string value_of(const ExperimentFile& file, const std::string& key) {
   const auto number = static_cast<std::size_t>(axis - file.axis_keys.begin());
   Texts values;
   for (const auto& point : file.points)
-    if (const auto value = unquote(point.at[number].toml);
+    if (const auto value = unquote(base::to_toml(*point.at[number].value));
         std::ranges::find(values, value) == values.end())
       values.push_back(value);
   return fmt::format("[{}]", join_texts(values, ", "));

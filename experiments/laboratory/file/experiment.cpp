@@ -79,7 +79,7 @@ void take_reduced(toml::table& file, bool is_reduced, const std::string& path) {
 
 // Collects the numeric keys of the file. Values of axes override those of the file.
 std::map<std::string, double, std::less<>> find_numbers(
-    const toml::table& file, const std::vector<Replacement>& replacements) {
+    const toml::table& file, const std::vector<Coordinate>& at) {
   std::map<std::string, double, std::less<>> numbers;
   auto add = [&](const std::string& key, const toml::node& node) {
     if (key.starts_with("model.")) return;  // entries of the model are found in the model itself
@@ -89,7 +89,7 @@ std::map<std::string, double, std::less<>> find_numbers(
       numbers.erase(key);
   };
   for_each_key(file, add);
-  for (const auto& [key, value] : replacements) add(key, *value);
+  for (const auto& [axis, key, value] : at) add(key, *value);
   return numbers;
 }
 
@@ -101,25 +101,6 @@ void check_not_shadowed(const std::string& override, const std::vector<Coupled>&
       base::require(axis.key != key, "--set " + override,
                     "{} is an axis of [sweep], expected --set 'sweep.{}=[...]'", key,
                     fmt::join(coupled | std::views::transform(&Axis::name), ", "));
-}
-
-// Makes the point with the given number. The last axis varies fastest.
-Point make_point(const toml::table& file, const std::vector<Coupled>& axes, std::size_t number,
-                 const Programs& in_play, const std::string& path, const std::string& folder) {
-  Point point;
-  std::vector<Replacement> replacements;
-  for (const auto& coupled : std::views::reverse(axes)) {
-    const auto count = coupled[0].values.size();
-    for (const auto& axis : std::views::reverse(coupled)) {
-      const toml::node& value = *axis.values[number % count];
-      replacements.push_back({axis.key, &value});
-      point.at.insert(point.at.begin(), {axis.name, to_toml(value)});
-    }
-    number /= count;
-  }
-  point.experiment = bind_settings(file, replacements, in_play, path, folder);
-  point.numbers = find_numbers(file, replacements);
-  return point;
 }
 
 // Collects the keys of the file that change a point's computation.
@@ -144,7 +125,8 @@ ExperimentFile read_experiment(const std::string& text, const std::string& path,
                                bool is_reduced) {
   for (const auto& name : {path, folder})
     base::require(base::is_utf8(name), name, "found a name that is no UTF-8, which run.json needs");
-  toml::table file = base::parse_toml(text, path);
+  const auto content = std::make_shared<toml::table>(base::parse_toml(text, path));
+  toml::table& file = *content;
   std::vector<std::string> order;
   add_names(order, file, path);
   take_reduced(file, is_reduced, path);
@@ -155,14 +137,14 @@ ExperimentFile read_experiment(const std::string& text, const std::string& path,
   }
 
   const auto in_play = programs_in_play(file, path);
-  const auto axes = read_axes(file, order, in_play, path);
-  for (const auto& override : overrides) check_not_shadowed(override, axes);
   ExperimentFile experiment;
   experiment.path = path;
   experiment.folder = folder;
-  experiment.resolved = resolve(file, axes, in_play);
+  experiment.content = content;
+  experiment.sweep = read_axes(content, order, in_play, path);
+  for (const auto& override : overrides) check_not_shadowed(override, experiment.sweep);
   read_judgement(file, experiment);
-  for (const auto& coupled : axes) {
+  for (const auto& coupled : experiment.sweep) {
     std::vector<std::string> names;
     for (const auto& axis : coupled) {
       names.push_back(axis.name);
@@ -172,9 +154,13 @@ ExperimentFile read_experiment(const std::string& text, const std::string& path,
     if (names.size() > 1) experiment.coupled.push_back(std::move(names));
   }
   experiment.settings = find_settings(file);
-  const auto points = count_points(axes, path);
-  for (std::size_t i = 0; i < points; ++i)
-    experiment.points.push_back(make_point(file, axes, i, in_play, path, folder));
+  const auto points = count_points(experiment.sweep, path);
+  for (std::size_t i = 0; i < points; ++i) {
+    auto at = find_coordinates(experiment.sweep, i);
+    auto settings = bind_settings(file, at, in_play, path, folder);
+    auto numbers = find_numbers(file, at);
+    experiment.points.push_back({std::move(at), std::move(settings), std::move(numbers)});
+  }
   return experiment;
 }
 
@@ -190,7 +176,7 @@ std::vector<std::string> files_of(const Experiment& experiment) {
 std::string name_of(const Point& point) {
   std::string name;
   for (const auto& at : point.at)
-    name += fmt::format("{}{} = {}", name.empty() ? "" : ", ", at.axis, at.toml);
+    name += fmt::format("{}{} = {}", name.empty() ? "" : ", ", at.axis, to_toml(*at.value));
   return name;
 }
 

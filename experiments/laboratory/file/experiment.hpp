@@ -3,15 +3,20 @@
 #include <any>
 #include <array>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "base/toml.hpp"
 #include "experiments/laboratory/file/checks.hpp"
 #include "simulator/programs/programs.hpp"
 
 namespace laboratory {
+
+/// A TOML value that outlives the table that contains it.
+using Node = std::shared_ptr<const toml::node>;
 
 /// A [[fault]] with its position in the file, "e.toml:12: [[fault]] 2".
 struct FaultSpec {
@@ -78,10 +83,19 @@ struct Setting {
 };
 std::vector<Setting> settings();
 
+/// An axis of [sweep].
+struct Axis {
+  std::string name;  ///< name of the axis and of its result column, "objects"
+  std::string key;   ///< dotted key that the axis sets, "scene.objects"
+  std::vector<Node> values;
+};
+/// Coupled axes, as in "workers, height" = [[1, 16], ...]. A single axis is a list of one.
+using Coupled = std::vector<Axis>;
+
 /// The value of one axis at a point.
 struct Coordinate {
-  std::string axis;  ///< name of the axis, "objects"
-  std::string toml;  ///< value as spelled in TOML, "200"
+  std::string axis, key;  ///< as of the Axis
+  Node value;
 };
 
 /// One point of a sweep.
@@ -100,7 +114,8 @@ struct ExperimentFile {
   /// path of the file as the user spelled it, relative to the current folder at that time
   std::string path;
   std::string folder;    ///< folder that paths in the file are relative to; "": the current folder
-  std::string resolved;  ///< TOML text of the file after applying --set
+  std::shared_ptr<const toml::table> content;  ///< the file after applying --set
+  std::vector<Coupled> sweep;                  ///< the axes of `content`
   std::vector<std::string> axes;       ///< names of the axes of [sweep]
   std::vector<std::string> axis_keys;  ///< dotted key of each axis, "scene.objects"
   /// Groups of axes that take their values together, as in "workers, height" = [[1, 16], ...].
@@ -117,6 +132,9 @@ struct ExperimentFile {
   ReportSpec report;                    ///< contents of the report, from [report]
   Uncertain uncertain;                  ///< number of machines to draw, from [uncertain]
 };
+
+/// Formats the content of a file as TOML, with the axes in the order of the sweep.
+std::string resolve(const ExperimentFile& file);
 
 /// Reads and checks a file. `overrides` are "key.path=value", with the value as in TOML or a bare
 /// word; they follow the values of [reduced], which apply if `is_reduced`. Paths in the file are

@@ -327,18 +327,18 @@ Axis name_axis(const std::string& name, const Programs& in_play, const std::stri
                              base::suggest(name, known_here, "the nearest valid one is")));
 }
 
-Experiment bind_settings(const toml::table& file, const std::vector<Replacement>& replacements,
+Experiment bind_settings(const toml::table& file, const std::vector<Coordinate>& at,
                          const Programs& in_play, const std::string& origin,
                          const std::string& folder) {
   Experiment experiment;
   experiment.program = in_play[0];
-  for (const auto& [key, value] : replacements)
+  for (const auto& [axis, key, value] : at)
     if (key == "program.name") experiment.program = read_program({origin, key, folder, *value});
   experiment.params = experiment.program->defaults;
   for_each_key(file, [&](const std::string& key, const toml::node& node) {
     bind_setting(experiment, in_play, {origin, key, folder, node});
   });
-  for (const auto& [key, value] : replacements)
+  for (const auto& [axis, key, value] : std::views::reverse(at))
     bind_setting(experiment, in_play, {origin, key, folder, *value});
   base::require(experiment.links == machine::Links::simgrid ||
                     experiment.processes == machine::Processes::fibers,

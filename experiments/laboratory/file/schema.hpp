@@ -14,28 +14,15 @@ Programs programs_in_play(const toml::table& file, const std::string& origin);
 /// Lists the programs that use a feature, for an error message: "farm, iirra".
 std::string list_users(bool programs::Uses::*of);
 
-/// A value that replaces the file's value of a key.
-struct Replacement {
-  std::string key;
-  const toml::node* value;
-};
-
-/// Sets every field named in `file`, then applies the replacements. Paths are relative to `folder`.
+/// Sets every field named in `file`, then those of the axes. Paths are relative to `folder`.
 /// Ignores keys of other programs in `in_play`. Throws for an unknown key, with the nearest valid
 /// one, and for a value of the wrong kind.
-Experiment bind_settings(const toml::table& file, const std::vector<Replacement>& replacements,
+Experiment bind_settings(const toml::table& file, const std::vector<Coordinate>& at,
                          const Programs& in_play, const std::string& origin,
                          const std::string& folder);
 
 /// Throws for a file parameter that names a missing file, or is empty although required.
 void check_files(const Experiment& experiment);
-
-/// An axis of [sweep].
-struct Axis {
-  std::string name;  ///< name of the axis and of its result column
-  std::string key;   ///< dotted key that the axis sets
-  std::vector<const toml::node*> values;
-};
 
 /// Finds the key of an axis: the key `name`, or one that ends with it. Examples are "workers",
 /// "network.workers", a parameter of a program in `in_play`, "program" and

@@ -48,8 +48,8 @@ std::string spell(const toml::node& value) {
 }
 
 // Reads the values of each axis from a list. For coupled axes it is a list of lists with one value
-// for each axis.
-void read_values(Coupled& axes, const Place& at) {
+// for each axis. The values share the ownership of the file.
+void read_values(Coupled& axes, const Place& at, const std::shared_ptr<const toml::table>& file) {
   const auto* list = at.node.as_array();
   if (!list || list->empty()) at.refuse("an array of values, at least one");
   std::set<std::string> known;
@@ -62,7 +62,7 @@ void read_values(Coupled& axes, const Place& at) {
     if (!known.insert(spell(entry)).second)
       at.refuse(fmt::format("each value once, {} is there twice", to_toml(entry)));
     for (std::size_t i = 0; i < axes.size(); ++i)
-      axes[i].values.push_back(axes.size() > 1 ? values->get(i) : &entry);
+      axes[i].values.emplace_back(file, axes.size() > 1 ? values->get(i) : &entry);
   }
 }
 
@@ -85,11 +85,12 @@ void add_names(std::vector<std::string>& order, toml::table& file, const std::st
     if (std::ranges::find(order, name) == order.end()) order.push_back(name);
 }
 
-std::vector<Coupled> read_axes(const toml::table& file, const std::vector<std::string>& order,
-                               const Programs& in_play, const std::string& origin) {
+std::vector<Coupled> read_axes(const std::shared_ptr<const toml::table>& file,
+                               const std::vector<std::string>& order, const Programs& in_play,
+                               const std::string& origin) {
   std::vector<Coupled> all;
   std::set<std::string> keys;
-  const auto* sweep = file["sweep"].as_table();
+  const auto* sweep = (*file)["sweep"].as_table();
   if (!sweep) return all;
   for (const auto& names : order) {
     // --set may have replaced [sweep], so that an axis is missing
@@ -101,24 +102,36 @@ std::vector<Coupled> read_axes(const toml::table& file, const std::vector<std::s
       if (!keys.insert(axes.back().key).second)
         at.refuse("each axis once, " + axes.back().key + " is there already");
     }
-    read_values(axes, at);
+    read_values(axes, at, file);
     all.push_back(std::move(axes));
   }
   return all;
 }
 
-std::string resolve(const toml::table& file, const std::vector<Coupled>& axes,
-                    const Programs& in_play) {
-  if (axes.empty()) return to_toml(file);
-  toml::table rest = file;
+std::vector<Coordinate> find_coordinates(const std::vector<Coupled>& axes, std::size_t point) {
+  std::vector<Coordinate> at;
+  for (const auto& coupled : std::views::reverse(axes)) {
+    const auto count = coupled[0].values.size();
+    for (const auto& axis : std::views::reverse(coupled))
+      at.push_back({axis.name, axis.key, axis.values[point % count]});
+    point /= count;
+  }
+  std::ranges::reverse(at);
+  return at;
+}
+
+std::string resolve(const ExperimentFile& file) {
+  if (file.sweep.empty()) return to_toml(*file.content);
+  toml::table rest = *file.content;
   rest.erase("sweep");
+  const auto in_play = programs_in_play(*file.content, file.path);
   std::string text = to_toml(rest) + "\n\n[sweep]";
   const auto name_of = [&](const Axis& axis) {
     const bool is_short =
         !axis.key.starts_with("model.") && name_axis(axis.name, in_play, "").key == axis.key;
     return is_short ? axis.name : axis.key;
   };
-  for (const auto& coupled : axes) {
+  for (const auto& coupled : file.sweep) {
     std::vector<std::string> names, entries;
     for (const auto& axis : coupled) names.push_back(name_of(axis));
     for (std::size_t i = 0; i < coupled[0].values.size(); ++i) {

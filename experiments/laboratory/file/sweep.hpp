@@ -4,9 +4,6 @@
 
 namespace laboratory {
 
-/// Coupled axes, as in "workers, height" = [[1, 16], ...]. A single axis is a list of one.
-using Coupled = std::vector<Axis>;
-
 /// Normalises the spelling of coupled names such as "workers, height".
 std::string join_names(std::string_view name);
 
@@ -16,12 +13,12 @@ void add_names(std::vector<std::string>& order, toml::table& file, const std::st
 
 /// Reads the axes of a file; `order` lists their names. Throws BadInput for unknown or repeated
 /// axes, and for values that are not a list with one value for each axis.
-std::vector<Coupled> read_axes(const toml::table& file, const std::vector<std::string>& order,
-                               const Programs& in_play, const std::string& origin);
+std::vector<Coupled> read_axes(const std::shared_ptr<const toml::table>& file,
+                               const std::vector<std::string>& order, const Programs& in_play,
+                               const std::string& origin);
 
-/// Formats the whole file as TOML, with the axes in the order of the sweep.
-std::string resolve(const toml::table& file, const std::vector<Coupled>& axes,
-                    const Programs& in_play);
+/// The values of the axes at a point, given by number. The last axis varies fastest.
+std::vector<Coordinate> find_coordinates(const std::vector<Coupled>& axes, std::size_t point);
 
 /// The number of points in the sweep. Throws BadInput if it exceeds the limit for a run.
 std::size_t count_points(const std::vector<Coupled>& axes, const std::string& path);

@@ -48,7 +48,7 @@ Record to_record(const UserAction& action) {
 
 std::string record_session(const ExperimentFile& file, const std::vector<UserAction>& actions,
                            const std::string& folder) {
-  toml::table table = base::parse_toml(file.resolved, file.path);
+  toml::table table = *file.content;
   move_files(table, file.folder, folder);
   std::string lists;
   for (const char* key : {"order", "fault"}) {

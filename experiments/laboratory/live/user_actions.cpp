@@ -56,8 +56,7 @@ ordered_json to_json(const base::Scalar& value) {
 
 // The last [[stage]] of the file as JSON; an empty object if there is none.
 ordered_json last_stage(const ExperimentFile& file) {
-  const auto parsed = base::parse_toml(file.resolved, file.path);
-  const auto* stages = parsed["stage"].as_array();
+  const auto* stages = (*file.content)["stage"].as_array();
   if (!stages || stages->empty() || !stages->back().is_table()) return ordered_json::object();
   std::ostringstream text;
   text << toml::json_formatter{*stages->back().as_table()};

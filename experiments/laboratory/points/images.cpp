@@ -53,7 +53,7 @@ std::vector<Coordinate> find_distinction(const ExperimentFile& file,
   const auto& first = file.points[points[0]].at;
   for (std::size_t axis = 0; axis < first.size(); ++axis) {
     const auto has_it = [&](std::size_t i) {
-      return file.points[i].at[axis].toml == first[axis].toml;
+      return base::to_toml(*file.points[i].at[axis].value) == base::to_toml(*first[axis].value);
     };
     if (std::ranges::all_of(points, has_it) && !std::ranges::all_of(others, has_it))
       found.push_back(first[axis]);

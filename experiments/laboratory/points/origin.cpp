@@ -42,7 +42,8 @@ fs::path find_folder(const fs::path& results, const std::string& file, const std
   return resolve(spelled) == found ? spelled : found;
 }
 
-Origin read_origin(const fs::path& results, const ordered_json& json) {
+Origin read_origin(const fs::path& results, const ordered_json& json,
+                   const std::vector<std::string>& more) {
   Origin origin;
   RunOptions& options = origin.options;
   options.file = json.at("file").get<std::string>();
@@ -52,7 +53,7 @@ Origin read_origin(const fs::path& results, const ordered_json& json) {
   if (json.at("until_s").is_number()) options.until_s = json["until_s"].get<double>();
   const auto folder = find_folder(results, options.file, json.at("folder").get<std::string>());
   origin.file =
-      read_experiment(json.at("experiment").get<std::string>(), options.file, folder.string(), {});
+      read_experiment(json.at("experiment").get<std::string>(), options.file, folder.string(), more);
   return origin;
 }
 
@@ -97,7 +98,7 @@ ordered_json make_origin(const RunOptions& options, const ExperimentFile& file,
       {"set", options.overrides},
       {"reduced", options.is_reduced},
       {"until_s", std::isfinite(options.until_s) ? ordered_json(options.until_s) : ordered_json()},
-      {"experiment", file.resolved}};
+      {"experiment", resolve(file)}};
 }
 
 void check_same_experiment(const fs::path& results, const ExperimentFile& file) {
@@ -139,13 +140,14 @@ BadInput make_damaged(const fs::path& file, const nlohmann::json::exception& err
                               named == what.npos ? what : what.substr(named + 2)));
 }
 
-Origin load_origin(const fs::path& results, const fs::path& file) {
+Origin load_origin(const fs::path& results, const fs::path& file,
+                   const std::vector<std::string>& overrides) {
   const auto path = results / file;
   if (!fs::is_regular_file(path))
     throw BadInput(fmt::format("{}: no results of tlab run: {} is not there", results.string(),
                                file.string()));
   try {
-    return read_origin(results, ordered_json::parse(base::read_text(path)));
+    return read_origin(results, ordered_json::parse(base::read_text(path)), overrides);
   } catch (const ordered_json::exception& error) {
     throw make_damaged(path, error);
   } catch (const BadInput& error) {

@@ -94,7 +94,7 @@ std::vector<std::string> make_keys(const ExperimentFile& file, double until_s) {
   std::vector<std::string> keys;
   for (const auto& [at, experiment, numbers] : file.points) {
     auto settings = file.settings;
-    for (std::size_t i = 0; i < at.size(); ++i) settings[file.axis_keys[i]] = at[i].toml;
+    for (const auto& [axis, key, value] : at) settings[key] = base::to_toml(*value);
     std::string text = fmt::format("{}\nuntil {}\n", program_id(), until_s);
     for (const auto& [key, value] : settings) text += fmt::format("{} = {}\n", key, value);
     for_each_model(experiment, [&](const ModelSpec& spec) {

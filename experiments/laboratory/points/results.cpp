@@ -127,14 +127,13 @@ bool is_farm(const ExperimentFile& file) {
   return all.size() == 1 && all[0]->name == "farm";
 }
 
-// Converts a coordinate to a cell: a number, or a string without TOML's quotes.
 Value to_value(const Coordinate& at) {
-  const auto json = nlohmann::json::parse(at.toml, nullptr, false);
-  if (json.is_number_integer()) return json.get<std::int64_t>();
-  if (json.is_number()) return json.get<double>();
-  const auto& text = at.toml;
-  const bool quoted = text.size() >= 2 && (text.front() == '"' || text.front() == '\'');
-  return quoted ? text.substr(1, text.size() - 2) : text;
+  const toml::node& value = *at.value;
+  if (const auto whole = value.value_exact<std::int64_t>()) return *whole;
+  const auto number = value.value_exact<double>();
+  if (number && std::isfinite(*number)) return *number;
+  const auto text = value.value_exact<std::string>();
+  return text ? *text : base::to_toml(value);
 }
 
 std::vector<std::string> find_coupled(const ExperimentFile& file, const std::string& column) {

@@ -52,10 +52,9 @@ ExperimentFile without_network(const ExperimentFile& file) {
   return single;
 }
 
-Point make_single(const Point& point, const ExperimentFile& file) {
+Point make_single(const Point& point) {
   Point single = point;
-  std::size_t axis = 0;
-  std::erase_if(single.at, [&](const auto&) { return is_of_network(file.axis_keys[axis++]); });
+  std::erase_if(single.at, [](const Coordinate& at) { return is_of_network(at.key); });
   Experiment& e = single.experiment;
   e.topology = {"line", "line"};
   e.workers = 1;
@@ -86,7 +85,7 @@ void measure_single_workers(const PointsPlan& plan, Results& results, SingleWork
   std::map<std::string, std::vector<std::size_t>> needed;
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Point& point = plan.file.points[i];
-    const Point single = make_single(point, plan.file);
+    const Point single = make_single(point);
     if (const auto time = time_of(results[i]); time && results[i].processors == 1)
       times.emplace(name_of(single), *time);
     if (!needs_single(point, results[i])) continue;

@@ -125,7 +125,7 @@ std::vector<bool> find_largest(const Simulation& s) {
   for (std::size_t i = 0; i < s.file.points.size(); ++i) {
     std::string key;
     for (const auto& at : s.file.points[i].at)
-      if (at.axis != "workers") key += at.axis + at.toml + "\n";
+      if (at.axis != "workers") key += at.axis + base::to_toml(*at.value) + "\n";
     const auto [known, added] = largest.emplace(key, i);
     if (!added && workers(i) > workers(known->second)) known->second = i;
   }

@@ -148,9 +148,9 @@ std::string make_settings(const ExperimentFile& file) {
     for (const auto& p : e.program->parameters)
       if (!is_void(e, p)) add(programs::key_of(p), spell(p, e.params));
   }
-  return lines.empty()
-             ? file.resolved
-             : fmt::format("{}\n\n# By default:\n{}", file.resolved, join_texts(lines, "\n"));
+  const auto text = resolve(file);
+  return lines.empty() ? text
+                       : fmt::format("{}\n\n# By default:\n{}", text, join_texts(lines, "\n"));
 }
 
 // Chooses the axes, and those of the given names that are columns.

@@ -144,6 +144,7 @@ ExperimentFile spread(const ExperimentFile& file) {
   for (const auto& entry : drawn_entries(file))
     quantiles[entry] = draw_quantiles(seed, entry, machines);
   for (std::size_t machine = 0; machine < machines; ++machine) {
+    const auto number = std::make_shared<toml::value<std::int64_t>>(machine + 1);
     std::map<std::string, Overrides> known;  // drawn entries of each model of the file
     for (Point point : file.points) {
       const auto draw = [&](ModelSpec& spec) {
@@ -159,7 +160,7 @@ ExperimentFile spread(const ExperimentFile& file) {
       point.experiment.links = machine::Links::direct;
       point.experiment.processes = machine::Processes::fibers;
       for (auto& other : point.experiment.others) draw(other.model);
-      point.at.push_back({"machine", std::to_string(machine + 1)});
+      point.at.push_back({"machine", "uncertain.machine", number});
       all.points.push_back(std::move(point));
     }
   }

@@ -43,8 +43,8 @@ TEST(Reduced, ComesBeforeSet) {
 TEST(Reduced, IsResolved) {
   for (const bool is_reduced : {false, true}) {
     const auto file = read_reduced(WITH_REDUCED, {}, is_reduced);
-    EXPECT_EQ(file.resolved.find("reduced"), std::string::npos);
-    EXPECT_EQ(read_reduced(file.resolved, {}, false).points.size(), file.points.size());
+    EXPECT_EQ(resolve(file).find("reduced"), std::string::npos);
+    EXPECT_EQ(read_reduced(resolve(file), {}, false).points.size(), file.points.size());
   }
 }
 
