@@ -29,7 +29,7 @@ void expect_same_points(const ExperimentFile& found, const ExperimentFile& expec
     expect_same("a point", name_of(found.points[i]), name_of(expected.points[i]));
 }
 
-void read_experiment(const std::string& text, const std::vector<std::string>& overrides) {
+void read_experiment(const std::string& text, const laboratory::Overrides& overrides) {
   const auto path = place_of(THESIS + "/fuzz.toml"), folder = place_of(THESIS);
   const auto file = laboratory::read_experiment(text, path, folder, overrides);
   expect(!file.points.empty(), "an experiment has points");
@@ -41,10 +41,10 @@ void read_experiment(const std::string& text, const std::vector<std::string>& ov
 
 // Takes each line as one --set.
 void read_overrides(const std::string& text) {
-  std::vector<std::string> overrides;
-  for (std::istringstream lines(text); std::getline(lines, overrides.emplace_back());) {
-  }
-  overrides.pop_back();
+  laboratory::Overrides overrides;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    overrides.push_back(laboratory::parse_override(line));
   read_experiment("[image]\nwidth = 8\n[sweep]\nworkers = [1, 2]\n", overrides);
 }
 

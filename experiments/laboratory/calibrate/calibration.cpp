@@ -28,15 +28,16 @@ using base::require;
 using Texts = std::vector<std::string>;
 
 // Reads the experiment with its sweep replaced. Paths of model files are relative to its folder.
-ExperimentFile read_task(const CalibrationTask& task, const std::string& sweep) {
+ExperimentFile read_task(const CalibrationTask& task, const toml::table& sweep) {
   const auto model =
       task.model.ends_with(".toml") ? std::filesystem::absolute(task.model).string() : task.model;
-  const Texts overrides = {"check=[]",
-                           "plot=[]",
-                           "best=[]",
-                           "run.engine=direct",
-                           "machine.model=" + spell_text(model),
-                           "sweep=" + sweep};
+  const auto none = std::make_shared<toml::array>();
+  const Overrides overrides = {{"check", none},
+                               {"plot", none},
+                               {"best", none},
+                               {"run.engine", make_node<std::string>("direct")},
+                               {"machine.model", make_node(model)},
+                               {"sweep", std::make_shared<toml::table>(sweep)}};
   if (!task.experiment.empty()) return load_experiment(task.experiment, overrides);
   return read_experiment("[program]\nname = \"message\"\n", task.measurements, "", overrides);
 }
@@ -76,7 +77,7 @@ Measurements read_measurements(const CalibrationTask& task) {
   const auto& file = task.measurements;
   const auto table = parse_csv(base::read_text(file), file);
   check_experiment(task, table.columns);
-  const auto& program = *read_task(task, "{}").points[0].experiment.program;
+  const auto& program = *read_task(task, {}).points[0].experiment.program;
   Measurements read;
   std::vector<std::size_t> keys;
   std::optional<std::size_t> measured;
@@ -117,26 +118,35 @@ Measurements read_measurements(const CalibrationTask& task) {
   return read;
 }
 
-std::string spell(const Value& value) {
-  return std::holds_alternative<std::string>(value) ? spell_text(to_string(value))
-                                                    : to_string(value);
+void push_back(toml::array& list, const Value& value) {
+  const auto any = as_number(value);
+  const auto cell = any ? to_cell(*any) : value;
+  if (const auto* whole = std::get_if<std::int64_t>(&cell))
+    list.push_back(*whole);
+  else if (const auto* number = std::get_if<double>(&cell))
+    list.push_back(*number);
+  else
+    list.push_back(to_string(cell));
 }
 
 // Makes a sweep whose coupled axes take every distinct setting once. `which` receives the index of
 // each measurement's point.
-std::string make_sweep(const Table& settings, std::vector<std::size_t>& which) {
-  Texts points;
+toml::table make_sweep(const Table& settings, std::vector<std::size_t>& which) {
+  std::vector<std::vector<Value>> points;
+  toml::array values;
   for (const auto& row : settings.rows) {
-    Texts cells;
-    for (const auto& cell : row) cells.push_back(spell(cell));
-    const auto point =
-        settings.columns.size() == 1 ? cells[0] : fmt::format("[{}]", fmt::join(cells, ", "));
-    const auto known = std::ranges::find(points, point);
+    const auto known = std::ranges::find_if(
+        points, [&](const auto& point) { return std::ranges::equal(point, row, is_same); });
     which.push_back(static_cast<std::size_t>(known - points.begin()));
-    if (known == points.end()) points.push_back(point);
+    if (known != points.end()) continue;
+    points.push_back(row);
+    toml::array point;
+    for (const auto& cell : row) push_back(row.size() > 1 ? point : values, cell);
+    if (row.size() > 1) values.push_back(std::move(point));
   }
-  return fmt::format("{{\"{}\" = [{}]}}", fmt::join(settings.columns, ", "),
-                     fmt::join(points, ", "));
+  toml::table sweep;
+  sweep.insert(join_texts(settings.columns, ", "), std::move(values));
+  return sweep;
 }
 
 // Simulates the experiment at each setting with changed model entries.

@@ -32,7 +32,7 @@ namespace fs = std::filesystem;
 struct LiveOptions {
   std::string source;  ///< an experiment file, or a folder of results
   std::string output, record, speed = "1";
-  std::vector<std::string> overrides;
+  Overrides overrides;
   std::optional<std::uint16_t> port;
   bool no_browser = false;
 };
@@ -50,7 +50,7 @@ double read_speed(const std::string& text) {
 // Loads the experiment for the engine "direct", the only one whose clock can be slowed down.
 ExperimentFile load(const LiveOptions& o) {
   auto overrides = o.overrides;
-  overrides.emplace_back("run.engine=direct");
+  overrides.push_back({"run.engine", make_node<std::string>("direct")});
   if (!fs::is_directory(o.source)) return load_experiment(o.source, overrides);
   return load_origin(o.source, "run.json", overrides).file;
 }
@@ -204,8 +204,7 @@ void add_live_command(CLI::App& app) {
                    "the experiment file (TOML) with one point, or a folder of results, whose "
                    "point is run again")
       ->required();
-  command->add_option("--set", o->overrides, "key.path=value: replaces a key of the experiment")
-      ->allow_extra_args(false);
+  add_set_option(*command, o->overrides, "key.path=value: replaces a key of the experiment");
   command->add_option("--speed", o->speed, "simulated seconds a second; max: as fast as it goes")
       ->capture_default_str();
   command->add_option("--port", o->port, "of this computer, for the page [8080, or a free one]")

@@ -1,12 +1,10 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
 
 #include "base/text.hpp"
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/command/run.hpp"
-#include "experiments/laboratory/file/values.hpp"
 #include "experiments/laboratory/options/options.hpp"
 
 namespace laboratory {
@@ -68,21 +66,25 @@ void add_run_command(CLI::App& app) {
       ->excludes(list);
   auto* machines = command->add_option_function<std::string>(
       "--uncertain",
-      [o](const std::string& n) { o->overrides.push_back("uncertain.machines=" + n); },
+      [o](const std::string& n) {
+        o->overrides.push_back(parse_override("uncertain.machines=" + n));
+      },
       "N: the same on N machines drawn from what the model's numbers may be; how sure results are");
   command
       ->add_option_function<std::string>(
           "--seed",
-          [o](const std::string& seed) { o->overrides.push_back("uncertain.seed=" + seed); },
+          [o](const std::string& seed) {
+            o->overrides.push_back(parse_override("uncertain.seed=" + seed));
+          },
           "of the draws [1]")
       ->needs(machines);
   command
       ->add_option_function<std::vector<std::string>>(
           "--columns",
           [o](const std::vector<std::string>& names) {
-            std::vector<std::string> texts;
-            for (const auto& name : names) texts.push_back(spell_text(trim_name(name)));
-            o->overrides.push_back(fmt::format("report.columns=[{}]", fmt::join(texts, ", ")));
+            const auto columns = std::make_shared<toml::array>();
+            for (const auto& name : names) columns->push_back(trim_name(name));
+            o->overrides.push_back({"report.columns", columns});
           },
           COLUMNS_HELP)
       ->delimiter(',')

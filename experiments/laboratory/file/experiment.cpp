@@ -27,32 +27,12 @@ void assign(toml::table& file, std::string_view key, const toml::node& value) {
   section->insert_or_assign(key, value);
 }
 
-// Applies an override such as "scene.objects=800". A value that is not valid TOML counts as a
 // Sets a key of the file, which may be an axis: "sweep.topology, workers".
 void set_key(toml::table& file, const std::string& key, const toml::node& value) {
   if (!key.starts_with("sweep.")) return assign(file, key, value);
   auto* sweep = file.insert("sweep", toml::table{}).first->second.as_table();
   base::require(sweep, "sweep", "not a section");
   sweep->insert_or_assign(join_names(key.substr(6)), value);
-}
-
-// string. The name of an axis may contain dots.
-void override_key(toml::table& file, const std::string& text) {
-  const auto equals = text.find('=');
-  base::require(equals != std::string::npos && equals > 0, "--set " + text,
-                "expected key.path=value");
-  base::require(base::is_utf8(text), "--set " + text, "found bytes that are no UTF-8");
-  const std::string key = text.substr(0, equals), value = text.substr(equals + 1);
-  base::require(std::ranges::count(key, '.') < base::MAX_KEY_PARTS, "--set " + text,
-                "found a key of more than {0} parts, expected at most {0}", base::MAX_KEY_PARTS);
-  toml::table parsed;
-  try {
-    parsed = base::parse_toml("value = " + value, "--set " + text);
-  } catch (const BadInput&) {
-    parsed.insert("value", value);
-  }
-  base::require(parsed.size() == 1, "--set " + text, "expected one value after '='");
-  set_key(file, key, *parsed.get("value"));
 }
 
 // Replaces keys of the file by those of a table in it, and of its subtables. `prefix` precedes the
@@ -78,8 +58,8 @@ void take_reduced(toml::table& file, bool is_reduced, const std::string& path) {
 }
 
 // Collects the numeric keys of the file. Values of axes override those of the file.
-std::map<std::string, double, std::less<>> find_numbers(
-    const toml::table& file, const std::vector<Coordinate>& at) {
+std::map<std::string, double, std::less<>> find_numbers(const toml::table& file,
+                                                        const std::vector<Coordinate>& at) {
   std::map<std::string, double, std::less<>> numbers;
   auto add = [&](const std::string& key, const toml::node& node) {
     if (key.starts_with("model.")) return;  // entries of the model are found in the model itself
@@ -94,12 +74,11 @@ std::map<std::string, double, std::less<>> find_numbers(
 }
 
 // Throws for an override of a key that an axis sets, since it would have no effect.
-void check_not_shadowed(const std::string& override, const std::vector<Coupled>& axes) {
-  const auto key = override.substr(0, override.find('='));
+void check_not_shadowed(const Override& override, const std::vector<Coupled>& axes) {
   for (const auto& coupled : axes)
     for (const auto& axis : coupled)
-      base::require(axis.key != key, "--set " + override,
-                    "{} is an axis of [sweep], expected --set 'sweep.{}=[...]'", key,
+      base::require(axis.key != override.key, "--set " + override.text(),
+                    "{} is an axis of [sweep], expected --set 'sweep.{}=[...]'", axis.key,
                     fmt::join(coupled | std::views::transform(&Axis::name), ", "));
 }
 
@@ -114,14 +93,37 @@ std::map<std::string, std::string> find_settings(const toml::table& file) {
 
 }  // namespace
 
-ExperimentFile load_experiment(const std::string& path, const std::vector<std::string>& overrides,
+std::string Override::text() const {
+  return spelled.empty() ? fmt::format("{}={}", key, to_toml(*value)) : spelled;
+}
+
+// The name of an axis may contain dots.
+Override parse_override(const std::string& text) {
+  const auto equals = text.find('=');
+  base::require(equals != std::string::npos && equals > 0, "--set " + text,
+                "expected key.path=value");
+  base::require(base::is_utf8(text), "--set " + text, "found bytes that are no UTF-8");
+  const std::string key = text.substr(0, equals), value = text.substr(equals + 1);
+  base::require(std::ranges::count(key, '.') < base::MAX_KEY_PARTS, "--set " + text,
+                "found a key of more than {0} parts, expected at most {0}", base::MAX_KEY_PARTS);
+  const auto parsed = std::make_shared<toml::table>();
+  try {
+    *parsed = base::parse_toml("value = " + value, "--set " + text);
+  } catch (const BadInput&) {
+    parsed->insert("value", value);
+  }
+  base::require(parsed->size() == 1, "--set " + text, "expected one value after '='");
+  return {key, Node(parsed, parsed->get("value")), text};
+}
+
+ExperimentFile load_experiment(const std::string& path, const Overrides& overrides,
                                bool is_reduced) {
   return read_experiment(base::read_text(path), path,
                          std::filesystem::path(path).parent_path().string(), overrides, is_reduced);
 }
 
 ExperimentFile read_experiment(const std::string& text, const std::string& path,
-                               const std::string& folder, const std::vector<std::string>& overrides,
+                               const std::string& folder, const Overrides& overrides,
                                bool is_reduced) {
   for (const auto& name : {path, folder})
     base::require(base::is_utf8(name), name, "found a name that is no UTF-8, which run.json needs");
@@ -132,7 +134,7 @@ ExperimentFile read_experiment(const std::string& text, const std::string& path,
   take_reduced(file, is_reduced, path);
   add_names(order, file, path);
   for (const auto& override : overrides) {
-    override_key(file, override);
+    set_key(file, override.key, *override.value);
     add_names(order, file, path);
   }
 

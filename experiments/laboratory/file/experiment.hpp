@@ -18,6 +18,11 @@ namespace laboratory {
 /// A TOML value that outlives the table that contains it.
 using Node = std::shared_ptr<const toml::node>;
 
+template <class T>
+Node make_node(T value) {
+  return std::make_shared<toml::value<T>>(std::move(value));
+}
+
 /// A [[fault]] with its position in the file, "e.toml:12: [[fault]] 2".
 struct FaultSpec {
   programs::PlannedFault fault;
@@ -113,11 +118,11 @@ std::string name_of(const Point& point);
 struct ExperimentFile {
   /// path of the file as the user spelled it, relative to the current folder at that time
   std::string path;
-  std::string folder;    ///< folder that paths in the file are relative to; "": the current folder
+  std::string folder;  ///< folder that paths in the file are relative to; "": the current folder
   std::shared_ptr<const toml::table> content;  ///< the file after applying --set
   std::vector<Coupled> sweep;                  ///< the axes of `content`
-  std::vector<std::string> axes;       ///< names of the axes of [sweep]
-  std::vector<std::string> axis_keys;  ///< dotted key of each axis, "scene.objects"
+  std::vector<std::string> axes;               ///< names of the axes of [sweep]
+  std::vector<std::string> axis_keys;          ///< dotted key of each axis, "scene.objects"
   /// Groups of axes that take their values together, as in "workers, height" = [[1, 16], ...].
   std::vector<std::vector<std::string>> coupled;
   /// all points, the last axis varying fastest; a file without a sweep has one point
@@ -133,19 +138,32 @@ struct ExperimentFile {
   Uncertain uncertain;                  ///< number of machines to draw, from [uncertain]
 };
 
+/// A value that replaces that of a key.
+struct Override {
+  std::string key;  ///< dotted key, "scene.objects"; of an axis "sweep.workers"
+  Node value;
+  std::string spelled = {};  ///< as the user gave it to --set; "": by the program
+
+  /// The override as an argument of --set.
+  std::string text() const;
+};
+using Overrides = std::vector<Override>;
+
+/// Reads "key.path=value". A value that is not valid TOML counts as a string. Throws BadInput.
+Override parse_override(const std::string& text);
+
 /// Formats the content of a file as TOML, with the axes in the order of the sweep.
 std::string resolve(const ExperimentFile& file);
 
-/// Reads and checks a file. `overrides` are "key.path=value", with the value as in TOML or a bare
-/// word; they follow the values of [reduced], which apply if `is_reduced`. Paths in the file are
-/// relative to its folder. Throws BadInput with the file, the line or key, the value found, and the
-/// nearest valid key.
-ExperimentFile load_experiment(const std::string& path, const std::vector<std::string>& overrides,
+/// Reads and checks a file. `overrides` follow the values of [reduced], which apply if
+/// `is_reduced`. Paths in the file are relative to its folder. Throws BadInput with the file, the
+/// line or key, the value found, and the nearest valid key.
+ExperimentFile load_experiment(const std::string& path, const Overrides& overrides,
                                bool is_reduced = false);
 
 /// Reads a text as if it were the content of the file `path`, with paths relative to `folder`.
 ExperimentFile read_experiment(const std::string& text, const std::string& path,
-                               const std::string& folder, const std::vector<std::string>& overrides,
+                               const std::string& folder, const Overrides& overrides,
                                bool is_reduced = false);
 
 }  // namespace laboratory

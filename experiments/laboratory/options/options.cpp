@@ -52,13 +52,21 @@ std::string trim_name(const std::string& name) {
   return trimmed;
 }
 
+void add_set_option(CLI::App& command, Overrides& overrides, const std::string& help) {
+  const auto set = [&overrides](const std::vector<std::string>& texts) {
+    for (const auto& text : texts) overrides.push_back(parse_override(text));
+  };
+  command.add_option_function<std::vector<std::string>>("--set", set, help)
+      ->allow_extra_args(false);
+}
+
 void add_run_options(CLI::App& command, RunOptions& options, const std::string& output,
                      const std::string& set) {
   options.jobs = std::max(1u, std::thread::hardware_concurrency());
   command.add_option("-o,--output", options.output, output)->check(check_folder_name);
   command.add_flag("--reduced", options.is_reduced,
                    "a quick trial: replace keys by those of the file's section [reduced]");
-  command.add_option("--set", options.overrides, set)->allow_extra_args(false);
+  add_set_option(command, options.overrides, set);
   command.add_option("--jobs", options.jobs, "points run side by side")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();

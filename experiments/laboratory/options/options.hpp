@@ -20,6 +20,9 @@ namespace laboratory {
 void add_run_options(CLI::App& command, RunOptions& options, const std::string& output,
                      const std::string& set);
 
+/// Adds --set, whose values become overrides.
+void add_set_option(CLI::App& command, Overrides& overrides, const std::string& help);
+
 /// Options whose names differ from those of their fields: field to option, without "--".
 using Aliases = std::map<std::string, std::string>;
 

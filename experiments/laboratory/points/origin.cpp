@@ -42,18 +42,18 @@ fs::path find_folder(const fs::path& results, const std::string& file, const std
   return resolve(spelled) == found ? spelled : found;
 }
 
-Origin read_origin(const fs::path& results, const ordered_json& json,
-                   const std::vector<std::string>& more) {
+Origin read_origin(const fs::path& results, const ordered_json& json, const Overrides& more) {
   Origin origin;
   RunOptions& options = origin.options;
   options.file = json.at("file").get<std::string>();
   options.output = results.string();
-  for (const auto& set : json.at("set")) options.overrides.push_back(set.get<std::string>());
+  for (const auto& set : json.at("set"))
+    options.overrides.push_back(parse_override(set.get<std::string>()));
   options.is_reduced = json.value("reduced", false);
   if (json.at("until_s").is_number()) options.until_s = json["until_s"].get<double>();
   const auto folder = find_folder(results, options.file, json.at("folder").get<std::string>());
-  origin.file =
-      read_experiment(json.at("experiment").get<std::string>(), options.file, folder.string(), more);
+  origin.file = read_experiment(json.at("experiment").get<std::string>(), options.file,
+                                folder.string(), more);
   return origin;
 }
 
@@ -79,7 +79,7 @@ fs::path results_folder(const RunOptions& options) {
 std::string command_line(const RunOptions& options) {
   std::string line = "tlab run " + spell_word(options.file);
   if (options.is_reduced) line += " --reduced";
-  for (const auto& set : options.overrides) line += " --set " + spell_word(set);
+  for (const auto& set : options.overrides) line += " --set " + spell_word(set.text());
   if (std::isfinite(options.until_s)) line += fmt::format(" --until {}", options.until_s);
   return line;
 }
@@ -89,13 +89,15 @@ ordered_json make_origin(const RunOptions& options, const ExperimentFile& file,
   const auto folder = resolve(file.folder).lexically_relative(resolve(results)).string();
   base::require(base::is_utf8(folder), folder,
                 "found a name that is no UTF-8, which run.json needs");
+  auto set = ordered_json::array();
+  for (const auto& override : options.overrides) set.push_back(override.text());
   return {
       {"tlab", VERSION},
       {"name", name_of(file.path)},
       {"title", file.points[0].experiment.title},
       {"file", file.path},
       {"folder", folder},
-      {"set", options.overrides},
+      {"set", set},
       {"reduced", options.is_reduced},
       {"until_s", std::isfinite(options.until_s) ? ordered_json(options.until_s) : ordered_json()},
       {"experiment", resolve(file)}};
@@ -140,8 +142,7 @@ BadInput make_damaged(const fs::path& file, const nlohmann::json::exception& err
                               named == what.npos ? what : what.substr(named + 2)));
 }
 
-Origin load_origin(const fs::path& results, const fs::path& file,
-                   const std::vector<std::string>& overrides) {
+Origin load_origin(const fs::path& results, const fs::path& file, const Overrides& overrides) {
   const auto path = results / file;
   if (!fs::is_regular_file(path))
     throw BadInput(fmt::format("{}: no results of tlab run: {} is not there", results.string(),

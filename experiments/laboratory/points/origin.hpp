@@ -39,10 +39,10 @@ struct Origin {
   RunOptions options;  ///< only file, output, overrides and until_s are set
   ExperimentFile file;
 };
-/// Loads the origin from POINTS_ORIGIN or run.json, with further overrides. Throws BadInput if it is
-/// missing or damaged.
+/// Loads the origin from POINTS_ORIGIN or run.json, with further overrides. Throws BadInput if it
+/// is missing or damaged.
 Origin load_origin(const std::filesystem::path& results, const std::filesystem::path& file,
-                   const std::vector<std::string>& overrides = {});
+                   const Overrides& overrides = {});
 
 /// The error for a file of tlab's own that is not valid JSON, or is incomplete.
 base::BadInput make_damaged(const std::filesystem::path& file,

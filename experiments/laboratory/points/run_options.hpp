@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/laboratory/file/experiment.hpp"
+
 namespace laboratory {
 
 /// Options of --animate.
@@ -19,12 +21,12 @@ inline constexpr int MIN_FRAMES = 2, MAX_FRAMES = 1000;
 
 /// The options of tlab run.
 struct RunOptions {
-  std::string file;                    ///< experiment file
-  std::string output;                  ///< results folder; "": results/NAME
-  std::vector<std::string> overrides;  ///< values of --set
-  bool is_reduced = false;             ///< use the values of [reduced]
-  unsigned jobs = 1;     ///< number of parallel jobs: points to run, and networks to draw
-  unsigned threads = 1;  ///< threads for each point; results do not depend on their number
+  std::string file;         ///< experiment file
+  std::string output;       ///< results folder; "": results/NAME
+  Overrides overrides;      ///< values of --set
+  bool is_reduced = false;  ///< use the values of [reduced]
+  unsigned jobs = 1;        ///< number of parallel jobs: points to run, and networks to draw
+  unsigned threads = 1;     ///< threads for each point; results do not depend on their number
   bool profile = false;
   double until_s = std::numeric_limits<double>::infinity();  ///< end of simulated time
   double from_s = 0;     ///< simulated time at which trace, timeline and films start

@@ -16,12 +16,10 @@ namespace laboratory {
 
 namespace {
 
-using machine::Overrides;
-
 constexpr std::size_t MOST_POINTS = 1'000'000;
 
-bool is_set(const Overrides& set, const std::string& key) {
-  return std::ranges::find(set, key, &Overrides::value_type::first) != set.end();
+bool is_set(const machine::Overrides& set, const std::string& key) {
+  return std::ranges::find(set, key, &machine::Overrides::value_type::first) != set.end();
 }
 
 // The random seed of an entry: a hash of its name, the same on every host.
@@ -48,8 +46,9 @@ machine::EntryValue make_value(const machine::Entry& entry, double number, bool 
 
 // The factor for a calibrated entry in the machine `set` that restores its `holds` formula to its
 // value in `before`. The formula is linear in the entry, so two evaluations determine the factor.
-double fit_to_held(const machine::Entry& entry, const machine::Model& before, Overrides set,
-                   const std::function<machine::Model(const Overrides&)>& make) {
+double fit_to_held(const machine::Entry& entry, const machine::Model& before,
+                   machine::Overrides set,
+                   const std::function<machine::Model(const machine::Overrides&)>& make) {
   const auto where = entry.where + ": holds";
   const double held = eval(before, entry.holds, where);
   const double at_one = eval(make(set), entry.holds, where);
@@ -88,14 +87,14 @@ double find_in(const machine::Range& range, double quantile) {
   return range.low + (range.high - range.low) * quantile;
 }
 
-Overrides draw_machine(const std::string& model, const Overrides& set,
-                       const std::function<double(const std::string& entry)>& quantile) {
-  const auto make = [&](const Overrides& entries) {
+machine::Overrides draw_machine(const std::string& model, const machine::Overrides& set,
+                                const std::function<double(const std::string& entry)>& quantile) {
+  const auto make = [&](const machine::Overrides& entries) {
     return entries.empty() ? machine::load_model(model)
                            : machine::override_model(model, entries, "[uncertain]");
   };
   const auto before = make(set);
-  Overrides drawn = set;
+  machine::Overrides drawn = set;
   // calibrated entries, each with the number drawn for it
   std::vector<std::pair<const machine::Entry*, double>> fitted;
   for (const auto& entry : before.entries) {
@@ -106,7 +105,7 @@ Overrides draw_machine(const std::string& model, const Overrides& set,
     else
       fitted.emplace_back(&entry, number);
   }
-  const Overrides unfitted = drawn;
+  const machine::Overrides unfitted = drawn;
   for (const auto& [entry, number] : fitted) {
     const double drawn_share = entry->range->is_share ? number : number / entry->value;
     const double share = fit_to_held(*entry, before, unfitted, make) * drawn_share;
@@ -145,7 +144,7 @@ ExperimentFile spread(const ExperimentFile& file) {
     quantiles[entry] = draw_quantiles(seed, entry, machines);
   for (std::size_t machine = 0; machine < machines; ++machine) {
     const auto number = std::make_shared<toml::value<std::int64_t>>(machine + 1);
-    std::map<std::string, Overrides> known;  // drawn entries of each model of the file
+    std::map<std::string, machine::Overrides> known;  // drawn entries of each model of the file
     for (Point point : file.points) {
       const auto draw = [&](ModelSpec& spec) {
         auto [found, is_new] = known.try_emplace(model_key(spec));

@@ -3,7 +3,7 @@
 
 #include "base/errors.hpp"
 #include "experiments/laboratory/judge/check_results.hpp"
-#include "tests/laboratory/support/support.hpp"
+#include "tests/laboratory/support/load.hpp"
 
 namespace laboratory {
 namespace {
@@ -25,7 +25,7 @@ struct ChecksCase {
     std::ofstream(folder.path / "e.toml")
         << "[program]\nname = \"message\"\n[sweep]\nbytes = [1, 2, 4]\n"
         << checks;
-    file = load_experiment((folder.path / "e.toml").string(), overrides);
+    file = load_experiment((folder.path / "e.toml").string(), parse_overrides(overrides));
   }
   std::vector<CheckResult> eval() const { return eval_checks(plan_checks(file), file, table); }
   std::string message() const {

@@ -51,7 +51,8 @@ inline std::string text_of(PointResult result) {
 }
 
 inline ExperimentFile read(const std::string& text, const std::string& folder) {
-  return read_experiment(text, "e.toml", folder, {"run.engine=direct"});
+  return read_experiment(text, "e.toml", folder,
+                         {{"run.engine", make_node<std::string>("direct")}});
 }
 
 // The same point, run by tlab run.

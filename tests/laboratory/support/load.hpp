@@ -9,12 +9,18 @@
 
 namespace laboratory {
 
+inline Overrides parse_overrides(const std::vector<std::string>& texts) {
+  Overrides overrides;
+  for (const auto& text : texts) overrides.push_back(parse_override(text));
+  return overrides;
+}
+
 inline ExperimentFile load(const std::string& text,
                            const std::vector<std::string>& overrides = {}) {
   const TemporaryFolder folder;
   const auto path = folder.path / "e.toml";
   std::ofstream(path) << text;
-  return load_experiment(path.string(), overrides);
+  return load_experiment(path.string(), parse_overrides(overrides));
 }
 
 // The value of a parameter, and its text for display.
