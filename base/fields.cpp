@@ -16,6 +16,10 @@ std::string to_text(const Scalar& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
   if (const auto* list = std::get_if<std::vector<double>>(&value))
     return fmt::format("{}", fmt::join(*list, ", "));
+  if (const auto* texts = std::get_if<std::vector<std::string>>(&value))
+    return fmt::format("{}", fmt::join(*texts, ", "));
+  if (const auto* rows = std::get_if<std::vector<std::vector<double>>>(&value))
+    return fmt::format("{}", *rows);
   if (const auto* source = std::get_if<Source>(&value))
     return source->text.empty() ? "none" : source->text;
   return value.index() == 0 ? "none" : fmt::format("{}", detail::number_of(value));
@@ -34,6 +38,8 @@ std::string Domain::describe() const {
       return fmt::format("one of {}", fmt::join(choices, ", "));
     case Kind::list:
       return "a list of numbers";
+    case Kind::texts:
+      return "a list of texts";
     default:
       return "a text in quotes";
   }
@@ -60,7 +66,13 @@ bool Domain::allows(const Scalar& value) const {
     case Kind::list:
       return std::holds_alternative<std::vector<double>>(value);
     case Kind::text:
+    case Kind::expression:
       return std::holds_alternative<std::string>(value);
+    case Kind::texts:
+    case Kind::expressions:
+      return std::holds_alternative<std::vector<std::string>>(value);
+    case Kind::any:
+      return value.index() != 0;
     default:
       return std::holds_alternative<Source>(value);
   }

@@ -5,6 +5,7 @@
 // measurements in the same way.
 #include <algorithm>
 #include <any>
+#include <cmath>
 
 #include <concepts>
 #include <cstdint>
@@ -31,8 +32,9 @@ struct Source {
 };
 
 /// A value from a file or a command line. Empty if no value was given.
-using Scalar = std::variant<std::monostate, bool, std::int64_t, double, std::string,
-                            std::vector<double>, Source>;
+using Scalar =
+    std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>,
+                 Source, std::vector<std::string>, std::vector<std::vector<double>>>;
 
 /// The value as text for readers; "none" for an empty value.
 std::string to_text(const Scalar& value);
@@ -48,14 +50,18 @@ struct Domain {
     number,  ///< a number from `low` to `high`
     choice,  ///< one of `choices`
     text,
-    list,   ///< a list of numbers
-    file,   ///< a file name
-    source  ///< a file name with an extension, or a generator
+    list,         ///< a list of numbers
+    texts,        ///< a list of texts, or a single one
+    expression,   ///< a text, or a number as text
+    expressions,  ///< a list of these
+    any,          ///< a value of several kinds, which `expected` describes and `set` checks
+    file,         ///< a file name
+    source        ///< a file name with an extension, or a generator
   };
   Kind kind = Kind::number;
   double low = 0, high = 0;
   std::vector<std::string> choices = {};
-  bool is_required = false;   ///< a file name must be given
+  bool is_required = false;   ///< a value must be given
   std::string expected = {};  ///< overrides the text that `describe` makes
 
   /// Describes the expected values, as in "a whole number from 0 to 16" or "one of red, green".
@@ -112,9 +118,10 @@ void store(T& member, const Scalar& value) {
   else if constexpr (std::same_as<T, bool>)
     member = number_of(value) != 0;
   else if constexpr (std::is_arithmetic_v<T>)
-    member = std::holds_alternative<std::int64_t>(value)
-                 ? static_cast<T>(std::get<std::int64_t>(value))
-                 : static_cast<T>(number_of(value));
+    member =
+        std::holds_alternative<std::int64_t>(value)
+            ? static_cast<T>(std::get<std::int64_t>(value))
+            : static_cast<T>(std::integral<T> ? std::round(number_of(value)) : number_of(value));
   else
     member = std::get<T>(value);
 }
@@ -154,33 +161,35 @@ Field<P> make_field(const std::string& name, Access access, Domain domain, const
 /// number may be a quantity or optional. An optional stays empty unless a value is given.
 template <class P>
 struct Declare {
+  template <Domain::Kind kind>
+  struct Ranged {
+    template <class Access>
+    Field<P> operator()(const std::string& name, Access access, double low, double high,
+                        const std::string& unit, const std::string& help) const {
+      return detail::make_field<P>(name, access, {kind, low, high}, unit, help);
+    }
+  };
+  template <Domain::Kind kind>
+  struct Plain {
+    template <class Access>
+    Field<P> operator()(const std::string& name, Access access, const std::string& help,
+                        bool is_required = false) const {
+      return detail::make_field<P>(name, access, {kind, 0, 1, {}, is_required}, "", help);
+    }
+  };
+  static constexpr Ranged<Domain::Kind::whole> whole{};
+  static constexpr Ranged<Domain::Kind::number> number{};
+  static constexpr Plain<Domain::Kind::flag> flag{};
+  static constexpr Plain<Domain::Kind::text> text{};
+  static constexpr Plain<Domain::Kind::file> file{};
+  static constexpr Plain<Domain::Kind::source> source{};
+  static constexpr Plain<Domain::Kind::texts> texts{};
+  static constexpr Plain<Domain::Kind::expression> expression{};
+  /// A text that is one of `choices`.
   template <class Access>
-  static Field<P> whole(const std::string& name, Access access, double low, double high,
-                        const std::string& unit, const std::string& help) {
-    return detail::make_field<P>(name, access, {Domain::Kind::whole, low, high}, unit, help);
-  }
-  template <class Access>
-  static Field<P> number(const std::string& name, Access access, double low, double high,
-                         const std::string& unit, const std::string& help) {
-    return detail::make_field<P>(name, access, {Domain::Kind::number, low, high}, unit, help);
-  }
-  template <class Access>
-  static Field<P> flag(const std::string& name, Access access, const std::string& help) {
-    return detail::make_field<P>(name, access, {Domain::Kind::flag, 0, 1}, "", help);
-  }
-  template <class Access>
-  static Field<P> text(const std::string& name, Access access, const std::string& help) {
-    return detail::make_field<P>(name, access, {Domain::Kind::text}, "", help);
-  }
-  template <class Access>
-  static Field<P> file(const std::string& name, Access access, const std::string& help,
-                       bool is_required = false) {
-    return detail::make_field<P>(name, access, {Domain::Kind::file, 0, 0, {}, is_required}, "",
-                                 help);
-  }
-  template <class Access>
-  static Field<P> source(const std::string& name, Access access, const std::string& help) {
-    return detail::make_field<P>(name, access, {Domain::Kind::source}, "", help);
+  static Field<P> one_of(const std::string& name, Access access,
+                         const std::vector<std::string>& choices, const std::string& help) {
+    return detail::make_field<P>(name, access, {Domain::Kind::choice, 0, 0, choices}, "", help);
   }
   /// A field for an enum, set by name.
   template <class Access, class E>

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "base/errors.hpp"
+#include "base/fields.hpp"
 #include "base/formula.hpp"
 #include "base/message.hpp"
 #include "base/order.hpp"
@@ -21,29 +22,23 @@ namespace {
 constexpr double LARGEST = 1e12;  // upper bound of all entries, in any unit
 constexpr std::size_t MOST_ENTRIES = 10'000;
 
-// An entry's unit, valid range and destination.
-struct Field {
-  const char* key;
-  const char* unit;
-  double low, high;
-  std::function<void(Model&, double)> set;
-};
+using Field = base::Field<Model>;
 
 template <class Section, class Value>
 Field field(const char* key, const char* unit, Section Model::*section, Value Section::*member,
             double low = 0, double high = LARGEST) {
-  return {key, unit, low, high, [=](Model& model, double v) {
-            Value& target = model.*section.*member;
-            if constexpr (std::is_same_v<Value, Cycles>)
-              target = {std::llround(v)};
-            else
-              target = Value{v};
-          }};
+  const auto access = [=](auto& model) -> auto& { return model.*section.*member; };
+  return base::Declare<Model>::number(key, access, low, high, unit, "");
 }
 
 // An entry that only formulas of other entries use.
 Field shared(const char* key, const char* unit, double low = 0, double high = LARGEST) {
-  return {key, unit, low, high, [](Model&, double) {}};
+  return {key,
+          unit,
+          "",
+          {base::Domain::Kind::number, low, high},
+          [](Model&, const base::Scalar&) { return true; },
+          {}};
 }
 
 const std::vector<Field>& fields() {
@@ -141,11 +136,6 @@ const OpenSection* find_open(std::string_view key) {
   return nullptr;
 }
 
-void check_value(const Entry& entry, double low, double high) {
-  base::require(entry.value >= low && entry.value <= high, entry.where,
-                "found {}, expected a number from {} to {}", entry.value, low, high);
-}
-
 // The chip supports three rates, selected by a pin.
 void check_bit_rate(const Model& model, std::string_view origin) {
   const double rate = model.link.bit_rate;
@@ -159,23 +149,24 @@ void check_bit_rate(const Model& model, std::string_view origin) {
 // and bytes accept any key, because programs add their own names.
 std::string unit_of(std::string_view key) {
   if (const auto* open = find_open(key)) return open->unit;
-  const auto known = std::ranges::find(fields(), key, &Field::key);
+  const auto known = std::ranges::find(fields(), key, &Field::name);
   return known == fields().end() ? "" : known->unit;
 }
 
 // Copies the entries into the model's members and maps.
 void bind_entries(Model& model, std::string_view origin) {
   for (const auto& known : fields()) {
-    const auto entry = std::ranges::find(model.entries, known.key, &Entry::key);
-    base::require(entry != model.entries.end(), origin, "{} is missing (unit {})", known.key,
+    const auto entry = std::ranges::find(model.entries, known.name, &Entry::key);
+    base::require(entry != model.entries.end(), origin, "{} is missing (unit {})", known.name,
                   known.unit);
-    check_value(*entry, known.low, known.high);
-    known.set(model, entry->value);
+    const auto expected = known.assign(model, entry->value);
+    base::require(expected.empty(), entry->where, "found {}, expected {}", entry->value, expected);
   }
   check_bit_rate(model, origin);
   for (const Entry& entry : model.entries)
     if (const auto* open = find_open(entry.key)) {
-      check_value(entry, 0, LARGEST);
+      base::require(entry.value >= 0 && entry.value <= LARGEST, entry.where,
+                    "found {}, expected a number from 0 to {}", entry.value, LARGEST);
       (model.*open->numbers)[entry.key.substr(open->prefix.size())] = entry.value;
     }
 }
@@ -273,7 +264,7 @@ void check_key(const Model& model, const Entry& entry, bool has_base) {
   const std::string unit = unit_of(entry.key);
   if (unit.empty() || (find_open(entry.key) && has_base && !known)) {
     std::vector<std::string> keys;
-    for (const auto& field : fields()) keys.push_back(field.key);
+    for (const auto& field : fields()) keys.push_back(field.name);
     for (const auto& e : model.entries) keys.push_back(e.key);
     base::refuse(entry.where, "unknown key{}",
                  base::suggest(entry.key, keys, "the nearest valid one is"));

@@ -35,7 +35,7 @@ ExperimentFile read_task(const CalibrationTask& task, const toml::table& sweep) 
   const Overrides overrides = {{"check", none},
                                {"plot", none},
                                {"best", none},
-                               {"run.engine", make_node<std::string>("direct")},
+                               {"run.engine", make_node("direct")},
                                {"machine.model", make_node(model)},
                                {"sweep", std::make_shared<toml::table>(sweep)}};
   if (!task.experiment.empty()) return load_experiment(task.experiment, overrides);
@@ -47,9 +47,9 @@ ExperimentFile read_task(const CalibrationTask& task, const toml::table& sweep) 
 void check_experiment(const CalibrationTask& task, const Texts& columns) {
   if (task.experiment.empty()) return;
   const auto file = load_experiment(task.experiment, {});
-  for (const auto& axis : file.axes)
-    require(std::ranges::find(columns, axis) != columns.end(), task.measurements,
-            "found no column {}, which is an axis of {}", axis, task.experiment);
+  for (const auto& axis : file.axes())
+    require(std::ranges::find(columns, axis.name) != columns.end(), task.measurements,
+            "found no column {}, which is an axis of {}", axis.name, task.experiment);
   for (const auto& point : file.points)
     require(point.experiment.model.entries.empty() && point.experiment.others.empty(),
             task.experiment, "found [model] or [[processor]], expected the machine as {} has it",

@@ -50,7 +50,7 @@ double read_speed(const std::string& text) {
 // Loads the experiment for the engine "direct", the only one whose clock can be slowed down.
 ExperimentFile load(const LiveOptions& o) {
   auto overrides = o.overrides;
-  overrides.push_back({"run.engine", make_node<std::string>("direct")});
+  overrides.push_back({"run.engine", make_node("direct")});
   if (!fs::is_directory(o.source)) return load_experiment(o.source, overrides);
   return load_origin(o.source, "run.json", overrides).file;
 }

@@ -10,13 +10,16 @@
 namespace laboratory {
 namespace {
 
-std::string check_seconds(const std::string& text) {
-  const auto seconds = base::parse_number<double>(text);
-  const bool is_time = seconds && std::isfinite(*seconds) && *seconds > 0;
-  return is_time ? "" : fmt::format("found {}, expected a number of seconds above 0", text);
+// A time after the start of the program.
+base::Field<RunOptions> seconds_field(const std::string& name, double RunOptions::*member,
+                                      const std::string& help) {
+  constexpr auto LEAST = std::numeric_limits<double>::denorm_min();
+  auto field =
+      base::Declare<RunOptions>::number(name, member, LEAST, std::numeric_limits<double>::max(), "",
+                                        "simulated seconds from the start of the program " + help);
+  field.domain.expected = "a number of seconds above 0";
+  return field;
 }
-
-const CLI::Validator SECONDS([](std::string& text) { return check_seconds(text); }, "SECONDS");
 
 // The default file name of a film, in the folder that contains the results folder.
 std::string choose_film(const std::string& kind, const RunOptions& options) {
@@ -64,51 +67,34 @@ void add_run_command(CLI::App& app) {
                    "tlab merge")
       ->allow_extra_args(false)
       ->excludes(list);
-  auto* machines = command->add_option_function<std::string>(
-      "--uncertain",
-      [o](const std::string& n) {
-        o->overrides.push_back(parse_override("uncertain.machines=" + n));
-      },
-      "N: the same on N machines drawn from what the model's numbers may be; how sure results are");
-  command
-      ->add_option_function<std::string>(
-          "--seed",
-          [o](const std::string& seed) {
-            o->overrides.push_back(parse_override("uncertain.seed=" + seed));
-          },
-          "of the draws [1]")
+  auto* machines =
+      add_key_option(*command, "uncertain", "uncertain.machines", o->overrides,
+                     "the same on so many machines drawn from what the model's numbers may be; how "
+                     "sure results are");
+  add_key_option(*command, "seed", "uncertain.seed", o->overrides, "of the draws of --uncertain")
       ->needs(machines);
   command
       ->add_option_function<std::vector<std::string>>(
           "--columns",
-          [o](const std::vector<std::string>& names) {
-            const auto columns = std::make_shared<toml::array>();
-            for (const auto& name : names) columns->push_back(trim_name(name));
-            o->overrides.push_back({"report.columns", columns});
+          [o](std::vector<std::string> names) {
+            for (auto& name : names) name = trim_name(name);
+            o->overrides.push_back({"report.columns", make_node(names)});
           },
           COLUMNS_HELP)
       ->delimiter(',')
       ->allow_extra_args(false);
   auto* jobs = command->get_option("--jobs");
-  command
-      ->add_option("--threads", o->threads,
-                   "threads that run the machine of one point together, for large machines of "
-                   "run.engine = \"direct\"; the results are those of one")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  using D = base::Declare<RunOptions>;
+  bind_options<RunOptions>(
+      *command,
+      {D::whole("threads", &RunOptions::threads, 1, 1024, "",
+                "threads that run the machine of one point together, for large machines of "
+                "run.engine = \"direct\"; the results are those of one"),
+       seconds_field("until", &RunOptions::until_s, "after which a point is cut short"),
+       seconds_field("from", &RunOptions::from_s, "at which trace, time line and films begin")},
+      *o);
   command->add_flag("--profile", o->profile,
                     "print the host time per simulated ray, beyond the kernel");
-  command
-      ->add_option(
-          "--until", o->until_s,
-          "simulated seconds from the start of the program after which a point is cut short")
-      ->check(SECONDS);
-  command
-      ->add_option(
-          "--from", o->from_s,
-          "simulated seconds from the start of the program at which trace, time line and films "
-          "begin")
-      ->check(SECONDS);
   command->add_option("--trace", o->trace,
                       "a file for what every processor and link did in the one point: .json for "
                       "Perfetto and chrome://tracing, .paje for ViTE");
@@ -123,10 +109,13 @@ void add_run_command(CLI::App& app) {
               "NAME-0001.png ... [RESULTS-KIND.webp beside the results folder]")
           ->allow_extra_args(false)
           ->option_text("KIND[=FILE]");
-  command->add_option("--frames", o->films.frames, "frames of these films")
-      ->check(CLI::Range(MIN_FRAMES, MAX_FRAMES))
-      ->capture_default_str()
-      ->needs(animate);
+  bind_options<RunOptions>(
+      *command,
+      {D::whole(
+          "frames", [](auto& options) -> auto& { return options.films.frames; }, MIN_FRAMES,
+          MAX_FRAMES, "", "frames of these films")},
+      *o);
+  command->get_option("--frames")->needs(animate);
   command->footer(
       "Examples:\n  tlab run experiments/farm.toml --jobs 2\n  tlab run e.toml --set "
       "network.topology=mesh --set 'sweep.workers=[4,9,16]' -o results/mesh\n  tlab run e.toml "

@@ -103,15 +103,13 @@ std::string default_of(const ExperimentFile& file, const std::string& key) {
 std::string value_of(const ExperimentFile& file, const std::string& key) {
   if (const auto given = file.settings.find(key); given != file.settings.end())
     return unquote(given->second);
-  const auto axis = std::ranges::find(file.axis_keys, key);
-  if (axis == file.axis_keys.end()) return default_of(file, key);
-  const auto number = static_cast<std::size_t>(axis - file.axis_keys.begin());
   Texts values;
   for (const auto& point : file.points)
-    if (const auto value = unquote(base::to_toml(*point.at[number].value));
-        std::ranges::find(values, value) == values.end())
-      values.push_back(value);
-  return fmt::format("[{}]", join_texts(values, ", "));
+    for (const auto& at : point.at)
+      if (const auto value = unquote(base::to_toml(*at.value));
+          at.key == key && std::ranges::find(values, value) == values.end())
+        values.push_back(value);
+  return values.empty() ? default_of(file, key) : fmt::format("[{}]", join_texts(values, ", "));
 }
 
 // Adds a row for a setting whose values differ between the runs; otherwise does nothing.
@@ -203,11 +201,10 @@ std::vector<NamedTable> make_tables(const std::vector<ComparedRun>& runs) {
                          [&](const auto& row) { return is_complete_row(all, row); });
     for (const auto& other : runs) {
       const auto& file = other.simulation.file;
-      for (std::size_t i = 0; i < file.axes.size(); ++i) {
-        const auto& axis = file.axes[i];
+      for (const auto& [axis, key, values] : file.axes()) {
         const auto column = table.find(axis);
         const bool is_there = column ? *column < table.axes : !other.simulation.table.find(axis);
-        const auto value = value_of(run.simulation.file, file.axis_keys[i]);
+        const auto value = value_of(run.simulation.file, key);
         if (!is_there && (column || value != BY_DEFAULT)) add_axis(table, axis, value);
       }
     }
@@ -227,7 +224,7 @@ Table find_differing_settings(const std::vector<ComparedRun>& runs) {
   std::set<std::string> keys{"program.name"}, paths;
   for (const auto& run : runs) {
     const auto& file = run.simulation.file;
-    keys.insert(file.axis_keys.begin(), file.axis_keys.end());
+    for (const auto& axis : file.axes()) keys.insert(axis.key);
     for (const auto& [key, value] : file.settings) keys.insert(key);
     for (const auto& [path, hash] : run.inputs) paths.insert(path);
   }

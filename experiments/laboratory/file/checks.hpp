@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "base/fields.hpp"
+
 namespace laboratory {
 
 /// A name for an expression: [let] t_start = "channel.blocked / cpu.clock". Expressions may refer
@@ -18,10 +20,10 @@ struct Definition {
 /// Empty strings stand for absent keys.
 struct Check {
   std::string name;
-  std::string place;      ///< position for errors, "e.toml:12: check \"NAME\""
-  std::string of;         ///< the checked value: a column of the results, or a name of [let]
-  std::string formula;    ///< the expected value at each point, as an expression
-  std::string reference;  ///< path of a CSV file with expected values
+  std::string place;       ///< position for errors, "e.toml:12: check \"NAME\""
+  std::string of;          ///< the checked value: a column of the results, or a name of [let]
+  std::string formula;     ///< the expected value at each point, as an expression
+  base::Source reference;  ///< a CSV file with expected values
   std::vector<std::string> keys;  ///< columns of the reference that identify a point
   std::string column;             ///< column of the reference that has the expected values
   std::string at_least, at_most;  ///< inclusive bounds, as expressions
@@ -66,7 +68,7 @@ struct PlotSpec {
   bool ideal = false;  ///< adds the line y = x
   std::optional<bool> log_x, log_y;
   std::string x_label, y_label;
-  std::string reference;          ///< path of a CSV file with reference values
+  base::Source reference;         ///< a CSV file with reference values
   std::vector<std::string> keys;  ///< columns of the reference that identify a point
   std::string column;             ///< column of the reference that is plotted
   std::string reference_name;     ///< name of the reference in the plot's legend

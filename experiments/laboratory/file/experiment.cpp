@@ -93,6 +93,20 @@ std::map<std::string, std::string> find_settings(const toml::table& file) {
 
 }  // namespace
 
+Node make_node(const base::Scalar& value) {
+  if (const auto* flag = std::get_if<bool>(&value))
+    return std::make_shared<toml::value<bool>>(*flag);
+  if (const auto* whole = std::get_if<std::int64_t>(&value))
+    return std::make_shared<toml::value<std::int64_t>>(*whole);
+  if (const auto* number = std::get_if<double>(&value))
+    return std::make_shared<toml::value<double>>(*number);
+  if (const auto* text = std::get_if<std::string>(&value))
+    return std::make_shared<toml::value<std::string>>(*text);
+  const auto list = std::make_shared<toml::array>();
+  for (const auto& text : std::get<std::vector<std::string>>(value)) list->push_back(text);
+  return list;
+}
+
 std::string Override::text() const {
   return spelled.empty() ? fmt::format("{}={}", key, to_toml(*value)) : spelled;
 }
@@ -138,23 +152,15 @@ ExperimentFile read_experiment(const std::string& text, const std::string& path,
     add_names(order, file, path);
   }
 
-  const auto in_play = programs_in_play(file, path);
   ExperimentFile experiment;
   experiment.path = path;
   experiment.folder = folder;
   experiment.content = content;
-  experiment.sweep = read_axes(content, order, in_play, path);
+  experiment.sweep = read_axes(content, order, path);
+  const auto in_play = programs_in_play(file, experiment.sweep, path);
+  name_axes(experiment.sweep, in_play, path);
   for (const auto& override : overrides) check_not_shadowed(override, experiment.sweep);
   read_judgement(file, experiment);
-  for (const auto& coupled : experiment.sweep) {
-    std::vector<std::string> names;
-    for (const auto& axis : coupled) {
-      names.push_back(axis.name);
-      experiment.axis_keys.push_back(axis.key);
-    }
-    std::ranges::copy(names, std::back_inserter(experiment.axes));
-    if (names.size() > 1) experiment.coupled.push_back(std::move(names));
-  }
   experiment.settings = find_settings(file);
   const auto points = count_points(experiment.sweep, path);
   for (std::size_t i = 0; i < points; ++i) {

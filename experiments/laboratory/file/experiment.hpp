@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <utility>
 #include <vector>
@@ -17,11 +18,8 @@ namespace laboratory {
 
 /// A TOML value that outlives the table that contains it.
 using Node = std::shared_ptr<const toml::node>;
-
-template <class T>
-Node make_node(T value) {
-  return std::make_shared<toml::value<T>>(std::move(value));
-}
+/// Makes a truth value, a number, a text or a list of texts.
+Node make_node(const base::Scalar& value);
 
 /// A [[fault]] with its position in the file, "e.toml:12: [[fault]] 2".
 struct FaultSpec {
@@ -84,9 +82,20 @@ struct Setting {
   /// Dotted name: "scene.objects". As an axis of [sweep], its last part is enough: "objects".
   /// Entries of the model have the prefix "model", as in "model.link.one_way_rate".
   std::string key;
-  std::string help;  ///< meaning, unit and range of the key
+  std::string help, unit = {};
+  base::Domain domain = {base::Domain::Kind::any};
+  base::Scalar standard = {};  ///< the default
 };
+/// The keys that do not depend on the program.
 std::vector<Setting> settings();
+
+/// Appends a setting for each field of P, whose default is that of `params`.
+template <class P>
+void add_settings(std::vector<Setting>& all, const base::Fields<P>& fields,
+                  const std::string& prefix, const P& params = {}) {
+  for (const auto& f : fields)
+    all.push_back({prefix + f.name, f.help, f.unit, f.domain, f.get(params)});
+}
 
 /// An axis of [sweep].
 struct Axis {
@@ -120,11 +129,7 @@ struct ExperimentFile {
   std::string path;
   std::string folder;  ///< folder that paths in the file are relative to; "": the current folder
   std::shared_ptr<const toml::table> content;  ///< the file after applying --set
-  std::vector<Coupled> sweep;                  ///< the axes of `content`
-  std::vector<std::string> axes;               ///< names of the axes of [sweep]
-  std::vector<std::string> axis_keys;          ///< dotted key of each axis, "scene.objects"
-  /// Groups of axes that take their values together, as in "workers, height" = [[1, 16], ...].
-  std::vector<std::vector<std::string>> coupled;
+  std::vector<Coupled> sweep;                  ///< the axes of [sweep]
   /// all points, the last axis varying fastest; a file without a sweep has one point
   std::vector<Point> points;
   /// Keys of the file that change a point's computation, with their values as spelled in TOML.
@@ -136,6 +141,9 @@ struct ExperimentFile {
   std::vector<BaselineSpec> baselines;  ///< baselines of speed-ups, from [[baseline]]
   ReportSpec report;                    ///< contents of the report, from [report]
   Uncertain uncertain;                  ///< number of machines to draw, from [uncertain]
+
+  /// All axes of the sweep, in their order.
+  auto axes() const { return sweep | std::views::join; }
 };
 
 /// A value that replaces that of a key.

@@ -13,100 +13,124 @@ namespace {
 
 using base::BadInput;
 
-constexpr int LAST = topologies::MAX_PROCESSORS - 1;
+constexpr int MOST_SWITCHES = 16;
 
-// Reads run.switches: one number for every link, or a list of [a, b, number] with processor numbers
-// of the topology.
-void read_switches(Experiment& e, const Place& at) {
-  constexpr int MOST = 16;
-  const std::string expected =
-      fmt::format("a whole number from 0 to {}, or a list of [worker, worker, number]", MOST);
-  if (at.node.is_integer()) {
-    e.switches = static_cast<int>(read_int(at, 0, MOST));
-    return;
+// Sets one number for every link, or a list of [a, b, number] with processor numbers of the
+// topology.
+bool set_switches(Experiment& e, const base::Scalar& value) {
+  if (const auto* all = std::get_if<std::int64_t>(&value)) {
+    if (*all < 0 || *all > MOST_SWITCHES) return false;
+    e.switches = static_cast<int>(*all);
+    return true;
   }
-  const auto* list = at.node.as_array();
-  if (!list) at.refuse(expected);
-  e.switches_between.clear();
-  for (const auto& node : *list) {
-    const auto between = find_ints<3>(node, LAST);
-    if (!between || between->back() > MOST) at.refuse(expected);
-    e.switches_between.push_back(*between);
-  }
+  const auto between = find_rows<3>(value, LAST_PROCESSOR);
+  if (!between ||
+      std::ranges::any_of(*between, [](const auto& row) { return row.back() > MOST_SWITCHES; }))
+    return false;
+  e.switches_between = *between;
+  return true;
 }
 
-// Reads the name of a routing method, or a file name.
-void read_routes(Experiment& e, const Place& at) {
-  const auto text = read_text(at);
-  e.routes = text == topologies::XY_ROUTES ? base::Source{text, text} : read_file_name(at);
+// Sets a routing method, or a file.
+bool set_routes(Experiment& e, const base::Scalar& value) {
+  e.routes = std::get<base::Source>(value);
+  if (e.routes.text == topologies::XY_ROUTES) e.routes.path = e.routes.text;
+  return true;
 }
 
-// Reads the links of a broadcast tree. Their ends are checked later, when the topology is known.
-void read_tree_links(Experiment& e, const Place& at) {
-  const std::string expected = "the links of a spanning tree, [[a, b], ...]";
-  const auto* list = at.node.as_array();
-  if (!list) at.refuse(expected);
+// Sets the links of a broadcast tree. Their ends are checked later, when the topology is known.
+bool set_tree_links(Experiment& e, const base::Scalar& value) {
+  const auto links = find_rows<2>(value, LAST_PROCESSOR);
+  if (!links) return false;
   e.tree_links.clear();
-  for (const auto& node : *list) {
-    const auto link = find_ints<2>(node, LAST);
-    if (!link) at.refuse(expected);
-    e.tree_links.emplace_back((*link)[0], (*link)[1]);
-  }
+  for (const auto& [a, b] : *links) e.tree_links.emplace_back(a, b);
+  return true;
 }
 
-// Refuses an axis for a key that does not belong to points. read_judgement reads these keys.
-Binding<Experiment> bind_to_file(const std::string& key, const std::string& help) {
-  return {key, help, [](Experiment&, const Place& at) { at.refuse("no axis of this name"); }};
+// The name of the program, which decides how other keys are read and is therefore read before.
+base::Field<Experiment> program_field() {
+  base::Domain names{base::Domain::Kind::choice};
+  for (const auto& program : programs::all_programs()) names.choices.push_back(program.name);
+  return {"program.name",
+          "",
+          "what the machine runs; an axis of its own, program",
+          names,
+          [](Experiment&, const base::Scalar&) { return true; },
+          [](const Experiment& e) -> base::Scalar { return e.program ? e.program->name : "farm"; }};
 }
 
-const Bindings<Experiment>& bindings() {
+// The keys that do not depend on the program.
+const base::Fields<Experiment>& common_fields() {
   using E = Experiment;
-  static const base::Names<std::string> TREES = {{"per_root", "per_root"}, {"single", "single"}};
+  using D = base::Declare<E>;
   static const base::Names<bool> COSTS = {{"counted", false}, {"timed", true}};
   static const base::Names<machine::Processes> PROCESSES = {{"fibers", machine::Processes::fibers},
                                                             {"actors", machine::Processes::actors}};
   static const base::Names<machine::Links> ENGINES = {{"simgrid", machine::Links::simgrid},
                                                       {"direct", machine::Links::direct}};
-  static const Bindings<E> all = {
-      bind_key("title", &E::title, "what the experiment is called"),
-      bind_key("question", &E::question, "what it answers"),
-      {"program.name", "one of the programs below, farm by default; an axis of its own, program",
-       [](E&, const Place&) {}},
-      {"machine.model", "a processor model, or a model file",
-       [](E& e, const Place& at) { read(at, e.model.source); }},
-      bind_key("network.topology", &E::topology,
-               "tree, line, ring, ... of `workers`; or a spec, tree:7; or a file"),
-      {"network.workers", "worker processors",
-       [](E& e, const Place& at) { e.workers = read_int(at, 1, topologies::MAX_PROCESSORS); }},
-      {"network.switches",
-       "C004 link switches on every link: a number; or on some, [[a, b, n], ...]", read_switches},
+  base::Domain switches{base::Domain::Kind::any}, tree_links = switches;
+  switches.expected = fmt::format(
+      "a whole number from 0 to {}, or a list of [worker, worker, number]", MOST_SWITCHES);
+  tree_links.expected = "the links of a spanning tree, [[a, b], ...]";
+  static const base::Fields<E> all = {
+      D::text("title", &E::title, "what the experiment is called"),
+      D::text("question", &E::question, "what it answers"),
+      program_field(),
+      D::source(
+          "machine.model", [](auto& e) -> auto& { return e.model.source; },
+          "a processor model, or a model file"),
+      D::source("network.topology", &E::topology,
+                "tree, line, ring, ... of `workers`; or a spec, tree:7; or a file"),
+      D::whole("network.workers", &E::workers, 1, topologies::MAX_PROCESSORS, "",
+               "worker processors"),
+      {"network.switches", "",
+       "C004 link switches on every link: a number; or on some, [[a, b, n], ...]", switches,
+       set_switches, [](const E& e) -> base::Scalar { return std::int64_t{e.switches}; }},
       {"network.routes",
+       "",
        "xy: dimension order, of meshes, tori and hypercubes; or a CSV file with routes, "
        "from,to,path; others are the shortest",
-       read_routes},
-      bind_name("network.tree", &E::tree, TREES,
-                "of messages to all: per_root, breadth first from each; or single"),
-      {"network.tree_links", "the links of the single tree, [[a, b], ...]", read_tree_links},
-      bind_name("run.cost", &E::is_timed, COSTS,
+       {base::Domain::Kind::file},
+       set_routes,
+       std::mem_fn(&E::routes)},
+      D::one_of("network.tree", &E::tree, {"per_root", "single"},
+                "of messages to all; per_root: breadth first from each"),
+      {"network.tree_links", "", "the links of the single tree, [[a, b], ...]", tree_links,
+       set_tree_links, [](const E&) { return base::Scalar(); }},
+      D::choice("run.cost", &E::is_timed, COSTS,
                 "counted: operations times their cycles; timed: host time, scaled; single rays are "
                 "charged 10 to 18 % more than blocks"),
-      bind_name("run.engine", &E::links, ENGINES,
-                "what moves messages over links: simgrid; or direct, the same results to rounding, "
-                "much less host time on large machines"),
-      bind_name("run.processes", &E::processes, PROCESSES,
-                "fibers; or actors of SimGrid: the same results, more host time"),
+      D::choice("run.engine", &E::links, ENGINES,
+                "what moves messages over links; direct: the same results to rounding, much less "
+                "host time on large machines"),
+      D::choice("run.processes", &E::processes, PROCESSES,
+                "what runs processes; actors, of SimGrid: the same results, more host time"),
+  };
+  return all;
+}
+
+// A section or list of tables, whose keys are settings of their own.
+struct Section {
+  std::string key, help;
+  /// Reads it into a point. Null for a section that does not belong to points, so that it is no
+  /// axis; read_judgement reads it.
+  void (*read)(Experiment&, const Place&) = nullptr;
+};
+
+const std::vector<Section>& sections() {
+  static const std::vector<Section> all = {
       {"fault", "[[fault]]: a link or a processor that breaks, at_s seconds into the run",
-       [](E& e, const Place& at) { e.faults = read_faults(at); }},
+       [](Experiment& e, const Place& at) { e.faults = read_faults(at); }},
       {"processor", "[[processor]]: one of the network that is of another model than the machine",
-       [](E& e, const Place& at) { e.others = read_others(at); }},
-      bind_to_file("let", "[let]: names for expressions, to be used in checks"),
-      bind_to_file("check", "[[check]]: what the results are compared with"),
-      bind_to_file("plot", "[[plot]]: a figure of the report, in place of the usual ones"),
-      bind_to_file("best", "[[best]]: which value of some axes is best for each of others"),
-      bind_to_file("baseline", "[[baseline]]: how many times as fast each row is as another"),
-      bind_to_file("report", "[report]: what else is in the report"),
-      bind_to_file("reduced", "[reduced]: values of other keys for a quick trial, with --reduced"),
-      bind_to_file("uncertain", "[uncertain]: machines drawn from what their numbers may be"),
+       [](Experiment& e, const Place& at) { e.others = read_others(at); }},
+      {"let", "[let]: names for expressions, to be used in checks"},
+      {"check", "[[check]]: what the results are compared with"},
+      {"plot", "[[plot]]: a figure of the report, in place of the usual ones"},
+      {"best", "[[best]]: which value of some axes is best for each of others"},
+      {"baseline", "[[baseline]]: how many times as fast each row is as another"},
+      {"report", "[report]: what else is in the report"},
+      {"reduced", "[reduced]: values of other keys for a quick trial, with --reduced"},
+      {"uncertain", "[uncertain]: machines drawn from what their numbers may be"},
   };
   return all;
 }
@@ -131,39 +155,17 @@ bool has_key(const programs::Program& program, const std::string& key) {
   return find_parameter(program, key) || find_list(program, key);
 }
 
-bool is_common(const std::string& key) {
-  return find_by(bindings(), &Binding<Experiment>::key, key);
-}
-
 const programs::Program* read_program(const Place& at) {
-  const std::string name = read_text(at);
-  if (const auto* program = programs::find_program(name)) return program;
-  std::vector<std::string> known;
-  for (const auto& program : programs::all_programs()) known.push_back(program.name);
-  at.refuse(fmt::format("one of {}{}", fmt::join(known, ", "), base::did_you_mean(name, known)));
-}
-
-// Sets a field. Throws with the expected values, and for a choice also the nearest one.
-template <class P>
-void assign(const base::Field<P>& field, P& params, const Place& at) {
-  auto expected = field.assign(params, read_scalar(at, field.domain));
-  if (expected.empty()) return;
-  const auto text = at.node.value_exact<std::string>();
-  if (text && !field.domain.choices.empty())
-    expected += base::did_you_mean(*text, field.domain.choices);
-  at.refuse(expected);
+  static const auto domain = program_field().domain;
+  return programs::find_program(std::get<std::string>(read_value(at, domain)));
 }
 
 // Reads the tables of a list such as [[stage]]. Each becomes a record.
 void bind_list(Experiment& experiment, const programs::RecordList& list, const Place& at) {
-  Bindings<std::any> bindings;
-  for (const auto& field : list.fields)
-    bindings.push_back({field.name, field.help,
-                        [&](std::any& record, const Place& its) { assign(field, record, its); }});
   list.clear(experiment.params);
   for (const auto* table : tables_of(at)) {
     auto record = list.make_record();
-    bind_all(record, bindings, *table, at);
+    assign_all(record, list.fields, *table, at);
     try {
       list.append(experiment.params, record);
     } catch (const BadInput& error) {
@@ -177,11 +179,12 @@ void bind_model_entry(Experiment& experiment, const Place& at) {
   if (!at.node.is_number() && !at.node.is_string()) at.refuse("a number, or a formula in quotes");
   const auto entry = at.key.substr(at.key.find('.') + 1);
   auto& entries = experiment.model.entries;
-  std::erase_if(entries, [&](const auto& known) { return known.first == entry; });
-  if (const auto number = at.node.value<double>(); number && at.node.is_number())
-    entries.emplace_back(entry, *number);
+  const auto known = std::ranges::find(entries, entry, &machine::Overrides::value_type::first);
+  auto& value = known != entries.end() ? known->second : entries.emplace_back(entry, 0.0).second;
+  if (at.node.is_number())
+    value = *at.node.value<double>();
   else
-    entries.emplace_back(entry, *at.node.value_exact<std::string>());
+    value = *at.node.value_exact<std::string>();
 }
 
 // Throws BadInput for a common key that has no effect on any of the programs.
@@ -204,6 +207,13 @@ void check_used(const Programs& in_play, const Place& at) {
     refuse("timed costs", &programs::Uses::timed);
 }
 
+std::vector<std::string> common_keys() {
+  std::vector<std::string> keys;
+  for (const auto& field : common_fields()) keys.push_back(field.name);
+  for (const auto& section : sections()) keys.push_back(section.key);
+  return keys;
+}
+
 // Throws for an unknown key, and for a key of another program.
 [[noreturn]] void refuse_unknown(const Programs& in_play, const Place& at) {
   std::vector<std::string> known;
@@ -220,18 +230,23 @@ void check_used(const Programs& in_play, const Place& at) {
   for (const auto& other : programs::all_programs())
     base::require(!has_key(other, at.key), at.where(),
                   "{} is a key of the {}, but program.name is \"{}\"", at.key, other.name, name);
-  for (const auto& common : bindings()) known.push_back(common.key);
+  for (const auto& key : common_keys()) known.push_back(key);
   refuse_key(at, known);
 }
 
 void bind_setting(Experiment& experiment, const Programs& in_play, const Place& at) {
   if (at.key.starts_with("model.")) return bind_model_entry(experiment, at);
-  if (is_common(at.key)) {
+  if (const auto* field = find_by(common_fields(), &base::Field<Experiment>::name, at.key)) {
     check_used(in_play, at);
-    return bind_one(experiment, bindings(), at);
+    return assign(experiment, *field, at);
+  }
+  if (const auto* section = find_by(sections(), &Section::key, at.key)) {
+    check_used(in_play, at);
+    if (!section->read) at.refuse("no axis of this name");
+    return section->read(experiment, at);
   }
   if (const auto* parameter = find_parameter(*experiment.program, at.key))
-    return assign(*parameter, experiment.params, at);
+    return assign(experiment.params, *parameter, at);
   if (const auto* list = find_list(*experiment.program, at.key))
     return bind_list(experiment, *list, at);
   const bool is_others =
@@ -241,26 +256,17 @@ void bind_setting(Experiment& experiment, const Programs& in_play, const Place& 
 
 }  // namespace
 
-Programs programs_in_play(const toml::table& file, const std::string& origin) {
+Programs programs_in_play(const toml::table& file, const std::vector<Coupled>& sweep,
+                          const std::string& origin) {
   Programs found;
   const auto add = [&](const toml::node& node) {
     const auto* program = read_program({origin, "program.name", "", node});
     if (std::ranges::find(found, program) == found.end()) found.push_back(program);
   };
-  if (const auto* sweep = file["sweep"].as_table())
-    for (auto&& [names, values] : *sweep) {
-      const auto all = split_names(names.str());
-      for (std::size_t i = 0; i < all.size(); ++i) {
-        if ((all[i] != "program" && all[i] != "program.name") || !values.is_array()) continue;
-        for (const auto& value : *values.as_array()) {
-          const auto* coupled = value.as_array();
-          if (!coupled)
-            add(value);
-          else if (i < coupled->size())
-            add(*coupled->get(i));
-        }
-      }
-    }
+  for (const auto& coupled : sweep)
+    for (const auto& axis : coupled)
+      if (axis.name == "program" || axis.name == "program.name")
+        for (const auto& value : axis.values) add(*value);
   if (!found.empty()) return found;
   if (const auto name = file["program"]["name"])
     add(*name.node());
@@ -271,7 +277,8 @@ Programs programs_in_play(const toml::table& file, const std::string& origin) {
 
 std::vector<Setting> settings() {
   std::vector<Setting> all;
-  for (const auto& b : bindings()) all.push_back({b.key, b.help});
+  add_settings(all, common_fields(), "");
+  for (const auto& section : sections()) all.push_back({section.key, section.help});
   std::ranges::copy(table_settings(), std::back_inserter(all));
   return all;
 }
@@ -314,8 +321,8 @@ Axis name_axis(const std::string& name, const Programs& in_play, const std::stri
   };
   for (const auto* program : in_play)
     for (const auto& p : program->parameters) try_key(programs::key_of(p));
-  for (const auto& common : bindings())
-    if (common.key != "program.name") try_key(common.key);
+  for (const auto& key : common_keys())
+    if (key != "program.name") try_key(key);
   for (const auto* program : in_play)
     for (const auto& list : program->lists) try_key(list.key);
   const auto known_here = known;

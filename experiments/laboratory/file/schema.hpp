@@ -9,7 +9,8 @@ namespace laboratory {
 
 /// The programs that the points of a file run: program.name, or the values of the axis "program".
 using Programs = std::vector<const programs::Program*>;
-Programs programs_in_play(const toml::table& file, const std::string& origin);
+Programs programs_in_play(const toml::table& file, const std::vector<Coupled>& sweep,
+                          const std::string& origin);
 
 /// Lists the programs that use a feature, for an error message: "farm, iirra".
 std::string list_users(bool programs::Uses::*of);

@@ -86,26 +86,31 @@ void add_names(std::vector<std::string>& order, toml::table& file, const std::st
 }
 
 std::vector<Coupled> read_axes(const std::shared_ptr<const toml::table>& file,
-                               const std::vector<std::string>& order, const Programs& in_play,
-                               const std::string& origin) {
+                               const std::vector<std::string>& order, const std::string& origin) {
   std::vector<Coupled> all;
-  std::set<std::string> keys;
   const auto* sweep = (*file)["sweep"].as_table();
   if (!sweep) return all;
   for (const auto& names : order) {
     // --set may have replaced [sweep], so that an axis is missing
     if (!sweep->contains(names)) continue;
-    const Place at{origin, "sweep." + names, "", *sweep->get(names)};
-    Coupled axes;
-    for (const auto& name : split_names(names)) {
-      axes.push_back(name_axis(name, in_play, origin));
-      if (!keys.insert(axes.back().key).second)
-        at.refuse("each axis once, " + axes.back().key + " is there already");
-    }
-    read_values(axes, at, file);
-    all.push_back(std::move(axes));
+    Coupled& axes = all.emplace_back();
+    for (const auto& name : split_names(names)) axes.push_back({name, {}, {}});
+    read_values(axes, {origin, "sweep." + names, "", *sweep->get(names)}, file);
   }
   return all;
+}
+
+void name_axes(std::vector<Coupled>& axes, const Programs& in_play, const std::string& origin) {
+  std::set<std::string> keys;
+  for (auto& coupled : axes)
+    for (auto& axis : coupled) {
+      const auto named = name_axis(axis.name, in_play, origin);
+      if (!keys.insert(named.key).second)
+        Place{origin, "sweep." + axis.name, "", *axis.values[0]}.refuse(
+            "each axis once, " + named.key + " is there already");
+      axis.name = named.name;
+      axis.key = named.key;
+    }
 }
 
 std::vector<Coordinate> find_coordinates(const std::vector<Coupled>& axes, std::size_t point) {
@@ -121,10 +126,10 @@ std::vector<Coordinate> find_coordinates(const std::vector<Coupled>& axes, std::
 }
 
 std::string resolve(const ExperimentFile& file) {
-  if (file.sweep.empty()) return to_toml(*file.content);
+  if (!file.content->contains("sweep")) return to_toml(*file.content);
   toml::table rest = *file.content;
   rest.erase("sweep");
-  const auto in_play = programs_in_play(*file.content, file.path);
+  const auto in_play = programs_in_play(*file.content, file.sweep, file.path);
   std::string text = to_toml(rest) + "\n\n[sweep]";
   const auto name_of = [&](const Axis& axis) {
     const bool is_short =
@@ -132,6 +137,7 @@ std::string resolve(const ExperimentFile& file) {
     return is_short ? axis.name : axis.key;
   };
   for (const auto& coupled : file.sweep) {
+    if (coupled[0].values.empty()) continue;  // the axis of machines drawn
     std::vector<std::string> names, entries;
     for (const auto& axis : coupled) names.push_back(name_of(axis));
     for (std::size_t i = 0; i < coupled[0].values.size(); ++i) {

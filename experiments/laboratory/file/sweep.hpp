@@ -11,11 +11,14 @@ std::string join_names(std::string_view name);
 /// dots may be quoted or not.
 void add_names(std::vector<std::string>& order, toml::table& file, const std::string& origin);
 
-/// Reads the axes of a file; `order` lists their names. Throws BadInput for unknown or repeated
-/// axes, and for values that are not a list with one value for each axis.
+/// Reads the names and values of the axes of a file; `order` lists the names. Throws BadInput for
+/// values that are not a list with one value for each axis.
 std::vector<Coupled> read_axes(const std::shared_ptr<const toml::table>& file,
-                               const std::vector<std::string>& order, const Programs& in_play,
-                               const std::string& origin);
+                               const std::vector<std::string>& order, const std::string& origin);
+
+/// Finds the keys of the axes, and shortens the names. Throws BadInput for unknown or repeated
+/// axes.
+void name_axes(std::vector<Coupled>& axes, const Programs& in_play, const std::string& origin);
 
 /// The values of the axes at a point, given by number. The last axis varies fastest.
 std::vector<Coordinate> find_coordinates(const std::vector<Coupled>& axes, std::size_t point);

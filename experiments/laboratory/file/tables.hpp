@@ -8,6 +8,9 @@
 
 namespace laboratory {
 
+/// The largest number of a processor.
+inline constexpr int LAST_PROCESSOR = topologies::MAX_PROCESSORS - 1;
+
 /// Reads every [[fault]], in order. An empty list is valid. Throws BadInput with number and line
 /// for unknown, missing or contradictory keys. The names of the faulty parts are checked later.
 std::vector<FaultSpec> read_faults(const Place& at);

@@ -17,73 +17,69 @@ void Place::refuse(const std::string& expected) const {
       fmt::format("{}: {}{}: found {}, expected {}", where(), owner, key, to_toml(node), expected));
 }
 
-std::int64_t read_int(const Place& at, std::int64_t low, std::int64_t high) {
-  const auto value = at.node.value_exact<std::int64_t>();
-  if (!value || *value < low || *value > high)
-    at.refuse(fmt::format("a whole number from {} to {}", low, high));
-  return *value;
+namespace {
+
+// A list of numbers, or of lists of numbers; no value for other lists.
+base::Scalar read_list(const toml::array& list) {
+  std::vector<double> numbers;
+  std::vector<std::vector<double>> rows;
+  for (const auto& entry : list) {
+    const auto inner = entry.is_array() ? read_list(*entry.as_array()) : base::Scalar();
+    if (entry.is_number()) numbers.push_back(*entry.value<double>());
+    if (const auto* row = std::get_if<std::vector<double>>(&inner)) rows.push_back(*row);
+  }
+  if (numbers.size() == list.size()) return numbers;
+  return rows.size() == list.size() ? base::Scalar(rows) : base::Scalar();
 }
 
-double read_double(const Place& at, double low, double high) {
-  const auto value = at.node.is_number() ? at.node.value<double>() : std::nullopt;
-  if (!value || !(*value >= low && *value <= high))
-    at.refuse(fmt::format("a number from {} to {}", low, high));
-  return *value;
+// A file in the folder, or for `is_source` a name without an extension, such as "tree:7".
+base::Source make_source(const std::string& text, const std::string& folder, bool is_source) {
+  const std::filesystem::path path(text);
+  const bool is_name = is_source && (!path.has_extension() || path.is_absolute());
+  if (is_name || text.empty()) return {text, text};
+  return {text, (std::filesystem::path(folder) / path).string()};
 }
 
-std::string read_text(const Place& at) {
-  const auto value = at.node.value_exact<std::string>();
-  if (!value) at.refuse("a text in quotes");
-  return *value;
-}
-
-void read(const Place& at, std::string& text) { text = read_text(at); }
-
-void read(const Place& at, bool& flag) {
-  const auto value = at.node.value_exact<bool>();
-  if (!value) at.refuse("true or false");
-  flag = *value;
-}
-
-void read(const Place& at, std::vector<std::string>& texts) {
-  const auto* list = at.node.as_array();
-  if (!list || list->empty() || !list->is_homogeneous<std::string>()) at.refuse("a list of texts");
-  texts.clear();
-  for (const auto& node : *list) texts.push_back(*node.value_exact<std::string>());
-}
-
-base::Source read_file_name(const Place& at) {
-  const auto text = read_text(at);
-  return {text, text.empty() ? "" : (std::filesystem::path(at.folder) / text).string()};
-}
-
-void read(const Place& at, base::Source& source) {
-  const std::filesystem::path path(read_text(at));
-  const bool is_name = !path.has_extension() || path.is_absolute();
-  source = is_name ? base::Source{path.string(), path.string()} : read_file_name(at);
+// A text; with `is_expression` also a number as text.
+std::optional<std::string> find_text(const toml::node& node, bool is_expression) {
+  const auto number = is_expression && node.is_number() ? node.value<double>() : std::nullopt;
+  return number && std::isfinite(*number) ? fmt::format("{}", *number)
+                                          : node.value_exact<std::string>();
 }
 
 base::Scalar read_scalar(const Place& at, const base::Domain& domain) {
   using Kind = base::Domain::Kind;
   const auto& node = at.node;
-  if (node.is_string() && domain.kind == Kind::source) {
-    base::Source source;
-    read(at, source);
-    return source;
+  const bool are_expressions = domain.kind == Kind::expressions;
+  if (const auto text = find_text(node, domain.kind == Kind::expression)) {
+    if (domain.kind == Kind::texts) return std::vector{*text};
+    if (domain.kind == Kind::source || domain.kind == Kind::file)
+      return make_source(*text, at.folder, domain.kind == Kind::source);
+    return *text;
   }
-  if (node.is_string() && domain.kind == Kind::file) return read_file_name(at);
-  if (const auto text = node.value_exact<std::string>()) return *text;
   if (const auto whole = node.value_exact<std::int64_t>()) return *whole;
   if (const auto number = node.value_exact<double>()) return *number;
   if (const auto flag = node.value_exact<bool>()) return *flag;
-  std::vector<double> numbers;
   if (!node.is_array()) return {};
-  for (const auto& entry : *node.as_array()) {
-    const auto number = entry.is_number() ? entry.value<double>() : std::nullopt;
-    if (!number) return {};
-    numbers.push_back(*number);
-  }
-  return numbers;
+  if (domain.kind != Kind::texts && !are_expressions) return read_list(*node.as_array());
+  std::vector<std::string> texts;
+  for (const auto& entry : *node.as_array())
+    if (const auto text = find_text(entry, are_expressions)) texts.push_back(*text);
+  return texts.size() == node.as_array()->size() ? base::Scalar(texts) : base::Scalar();
+}
+
+}  // namespace
+
+base::Scalar read_value(const Place& at, const base::Domain& domain) {
+  auto value = read_scalar(at, domain);
+  if (domain.allows(value)) return value;
+  const auto* text = std::get_if<std::string>(&value);
+  at.refuse(domain.describe() +
+            (text && !domain.choices.empty() ? base::did_you_mean(*text, domain.choices) : ""));
+}
+
+std::string read_expression(const Place& at) {
+  return std::get<std::string>(read_value(at, {base::Domain::Kind::expression}));
 }
 
 std::vector<const toml::table*> tables_of(const Place& at, bool may_be_empty) {

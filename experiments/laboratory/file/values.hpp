@@ -1,11 +1,12 @@
 #pragma once
-// Typed access to values of a TOML file, and binding of keys to members. Errors give the position,
-// the value found and the expected one.
+// Typed access to values of a TOML file, and assignment to declared fields. Errors give the
+// position, the value found and the expected one.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <ranges>
@@ -42,91 +43,54 @@ struct Place {
   [[noreturn]] void refuse(const std::string& expected) const;
 };
 
-// Readers of one value. They throw BadInput for a value of another type or out of range.
-std::int64_t read_int(const Place& at, std::int64_t low, std::int64_t high);
-double read_double(const Place& at, double low, double high);
-std::string read_text(const Place& at);
-/// Reads a list of N integers from 0 to `high`; none if the node is not such a list.
+/// Reads a value. Strings that name files become sources. Throws BadInput for a value outside the
+/// domain; for a choice, with the nearest one.
+base::Scalar read_value(const Place& at, const base::Domain& domain);
+/// Reads a text, or a number as text.
+std::string read_expression(const Place& at);
+
+/// The rows of N whole numbers from 0 to `high`; none if the value is no list of them.
 template <std::size_t N>
-std::optional<std::array<int, N>> find_ints(const toml::node& node, int high) {
-  const auto* list = node.as_array();
-  if (!list || list->size() != N) return std::nullopt;
-  std::array<int, N> numbers{};
-  for (std::size_t i = 0; i < N; ++i) {
-    const auto number = (*list)[i].value_exact<std::int64_t>();
-    if (!number || *number < 0 || *number > high) return std::nullopt;
-    numbers[i] = static_cast<int>(*number);
+std::optional<std::vector<std::array<int, N>>> find_rows(const base::Scalar& value, int high) {
+  std::vector<std::array<int, N>> all;
+  if (value == base::Scalar(std::vector<double>())) return all;
+  const auto* rows = std::get_if<std::vector<std::vector<double>>>(&value);
+  if (!rows) return std::nullopt;
+  for (const auto& row : *rows) {
+    const auto is_whole = [&](double n) { return n >= 0 && n <= high && n == std::floor(n); };
+    if (row.size() != N || !std::ranges::all_of(row, is_whole)) return std::nullopt;
+    std::ranges::transform(row, all.emplace_back().begin(), [](double n) { return int(n); });
   }
-  return numbers;
+  return all;
 }
-/// Reads the name of a file, relative to the folder; "" for none.
-base::Source read_file_name(const Place& at);
-/// Reads a value for a field of this domain without checking its range. Strings that name files
-/// become sources.
-base::Scalar read_scalar(const Place& at, const base::Domain& domain);
 /// The tables of [[key]]. Throws BadInput for an empty list unless `may_be_empty`.
 std::vector<const toml::table*> tables_of(const Place& at, bool may_be_empty = false);
-
-// Readers selected by the type of the member. A list of strings must not be empty.
-void read(const Place& at, std::string& text);
-void read(const Place& at, std::vector<std::string>& texts);
-void read(const Place& at, bool& flag);
-inline void read(const Place& at, std::optional<bool>& flag) { read(at, flag.emplace()); }
-/// Reads a name, or a path with an extension, relative to the folder.
-void read(const Place& at, base::Source& source);
-
-/// A key of a table, bound to the member it sets.
-template <class Target>
-struct Binding {
-  std::string key, help;
-  std::function<void(Target&, const Place&)> set;
-};
-template <class Target>
-using Bindings = std::vector<Binding<Target>>;
-
-template <class Target, class Member>
-Binding<Target> bind_key(const std::string& key, Member Target::*member, const std::string& help) {
-  return {key, help, [member](Target& target, const Place& at) { read(at, target.*member); }};
-}
-/// Binds a number from `low` to `high`.
-template <class Target, class Member>
-Binding<Target> bind_number(const std::string& key, Member Target::*member, double low, double high,
-                            const std::string& help) {
-  return {key, help,
-          [=](Target& target, const Place& at) { target.*member = read_double(at, low, high); }};
-}
-/// Binds a member to a key whose value is one of `names`.
-template <class Target, class Member>
-Binding<Target> bind_name(const std::string& key, Member Target::*member,
-                          const base::Names<Member>& names, const std::string& help) {
-  return {key, help, [=](Target& target, const Place& at) {
-            const auto text = at.node.value_exact<std::string>();
-            const auto found =
-                std::ranges::find(names, text, &base::Names<Member>::value_type::first);
-            if (found == names.end())
-              at.refuse(fmt::format("one of {}", fmt::join(names | std::views::keys, ", ")));
-            target.*member = found->second;
-          }};
-}
 
 /// Throws BadInput for an unknown key, with the nearest valid one. For `section.KEY`, it prefers a
 /// key that ends in KEY.
 [[noreturn]] void refuse_key(const Place& at, const std::vector<std::string>& known);
 
-template <class Target>
-void bind_one(Target& target, const Bindings<Target>& bindings, const Place& at) {
-  const auto found = std::ranges::find(bindings, at.key, &Binding<Target>::key);
-  if (found != bindings.end()) return found->set(target, at);
-  std::vector<std::string> known;
-  for (const auto& b : bindings) known.push_back(b.key);
-  refuse_key(at, known);
+/// Sets the field of a key. Throws BadInput for a value that the field refuses.
+template <class P>
+void assign(P& params, const base::Field<P>& field, const Place& at) {
+  if (!field.set(params, read_value(at, field.domain))) at.refuse(field.domain.describe());
 }
 
-/// Sets the members bound to the keys of a table.
-template <class Target>
-void bind_all(Target& target, const Bindings<Target>& bindings, const toml::table& table,
-              const Place& at) {
-  for (auto&& [key, node] : table) bind_one(target, bindings, at.inside(key.str(), node));
+/// Sets the fields named in a table. Throws BadInput for an unknown key.
+template <class P>
+void assign_all(P& params, const base::Fields<P>& fields, const toml::table& table,
+                const Place& at) {
+  for (auto&& [key, node] : table) {
+    const auto its = at.inside(key.str(), node);
+    const auto field = std::ranges::find(fields, its.key, &base::Field<P>::name);
+    if (field != fields.end()) {
+      assign(params, *field, its);
+      continue;
+    }
+    std::vector<std::string> known;
+    for (const auto& f : fields) known.push_back(f.name);
+    refuse_key(its, known);
+  }
 }
 
 /// Visits every key of a point by its dotted name, sorted by name. Skips [sweep], [let], [[check]]

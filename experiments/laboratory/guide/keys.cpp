@@ -8,19 +8,23 @@
 namespace laboratory {
 namespace {
 
-std::string describe_field(const programs::Parameter& field, const std::string& key,
-                           const std::any& defaults) {
-  const auto kind = field.domain.kind;
-  std::string text = fmt::format("    {:<28} {}", key, field.help);
-  if (!field.unit.empty()) text += "; " + field.unit;
-  if (kind == base::Domain::Kind::choice)
-    text += fmt::format("; one of {}", fmt::join(field.domain.choices, ", "));
-  if (kind == base::Domain::Kind::whole || kind == base::Domain::Kind::number)
-    text += fmt::format("; {}{}..{}", kind == base::Domain::Kind::whole ? "whole, " : "",
-                        field.domain.low, field.domain.high);
-  if (kind == base::Domain::Kind::flag) text += "; true or false";
-  if (kind == base::Domain::Kind::file) text += "; a file";
-  if (!field.domain.is_required) text += fmt::format(" [{}]", to_text(field.get(defaults)));
+// One line of help: the key, its meaning, unit, values and default.
+std::string describe(const Setting& setting, int indent) {
+  const auto& [key, help, unit, domain, standard] = setting;
+  const bool is_whole = domain.kind == base::Domain::Kind::whole;
+  std::string text = fmt::format("{:{}}{:<{}} {}", "", indent, key, 32 - indent, help);
+  if (!unit.empty()) text += "; " + unit;
+  if (domain.kind == base::Domain::Kind::choice)
+    text += fmt::format("; one of {}", fmt::join(domain.choices, ", "));
+  if (is_whole || domain.kind == base::Domain::Kind::number)
+    text += domain.high < 1e300
+                ? fmt::format("; {}{}..{}", is_whole ? "whole, " : "", domain.low, domain.high)
+                : fmt::format("; at least {}", domain.low);
+  if (domain.kind == base::Domain::Kind::flag) text += "; true or false";
+  if (domain.kind == base::Domain::Kind::file) text += "; a file";
+  const auto value = to_text(standard);
+  if (!domain.is_required && domain.kind != base::Domain::Kind::any && !value.empty())
+    text += fmt::format(" [{}]", value);
   return text + "\n";
 }
 
@@ -30,20 +34,19 @@ std::string describe_keys() {
   std::string text =
       "Keys of the experiment file (any but those of stage, order, fault, let and check can be an "
       "axis\nof [sweep]):\n";
-  for (const auto& setting : settings())
-    text += fmt::format("  {:<30} {}\n", setting.key, setting.help);
+  for (const auto& setting : settings()) text += describe(setting, 2);
   return text;
 }
 
 std::string describe_program(const programs::Program& program) {
   std::string text = fmt::format("  {:<30} {}\n", program.name, program.help);
   for (const auto& p : program.parameters)
-    text += describe_field(p, programs::key_of(p), program.defaults);
+    text += describe({programs::key_of(p), p.help, p.unit, p.domain, p.get(program.defaults)}, 4);
   for (const auto& list : program.lists) {
-    text += fmt::format("    {:<28} {}\n", list.key, list.help);
-    const auto record = list.make_record();
-    for (const auto& field : list.fields)
-      text += describe_field(field, list.key + "." + field.name, record);
+    text += describe({list.key, list.help}, 4);
+    std::vector<Setting> fields;
+    add_settings(fields, list.fields, list.key + ".", list.make_record());
+    for (const auto& field : fields) text += describe(field, 4);
   }
   return text;
 }

@@ -67,16 +67,18 @@ Table parse_reference(const std::string& path, const std::string& place) {
 // Reads the reference table that a [[check]] or a [[plot]] names.
 template <class Spec>
 std::optional<Table> read_reference(const Spec& spec) {
-  if (spec.reference.empty()) return std::nullopt;
-  Table table = parse_reference(spec.reference, spec.place);
-  for (const auto& key : spec.keys) find_column(table, key, spec.place + ": keys", spec.reference);
-  find_column(table, spec.column, spec.place + ": column", spec.reference);
+  if (spec.reference.path.empty()) return std::nullopt;
+  Table table = parse_reference(spec.reference.path, spec.place);
+  for (const auto& key : spec.keys)
+    find_column(table, key, spec.place + ": keys", spec.reference.path);
+  find_column(table, spec.column, spec.place + ": column", spec.reference.path);
   const auto column = *table.find(spec.column);
   for (auto& row : table.rows) row[column] = unquote_number(row[column]);
   for (const auto& row : table.rows)
     if (std::holds_alternative<std::string>(row[column]))
       throw BadInput(fmt::format("{}: {}, column {}: found \"{}\", expected a number or nothing",
-                                 spec.place, spec.reference, spec.column, to_string(row[column])));
+                                 spec.place, spec.reference.path, spec.column,
+                                 to_string(row[column])));
   return table;
 }
 
@@ -289,8 +291,7 @@ Inspect inspect_names(const CheckPlan& plan, const ExperimentFile& file) {
   return [&](const Point& point, const PointResult& result) {
     if (!result.is_complete()) return;
     ExperimentFile alone;
-    alone.axes = file.axes;
-    alone.coupled = file.coupled;
+    alone.sweep = file.sweep;
     alone.points = {point};
     const Table table = make_table(plan, alone, {result});
     check_names(plan, make_rows(plan, alone, table), 0);

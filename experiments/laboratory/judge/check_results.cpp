@@ -84,8 +84,9 @@ void compare_reference(CheckResult& result, const CheckPlan::Comparison& c, cons
                        const std::vector<std::size_t>& candidates,
                        std::vector<std::size_t>& left_out) {
   const Check& check = result.check;
-  for (const auto& [row, expected] : match_reference(
-           {*c.reference, check.reference, check.column, check.keys}, rows.table(), result.notes))
+  for (const auto& [row, expected] :
+       match_reference({*c.reference, check.reference.path, check.column, check.keys}, rows.table(),
+                       result.notes))
     if (std::ranges::binary_search(candidates, row))
       add_point(result, c, rows, row, expected, left_out);
 }
@@ -183,7 +184,7 @@ std::vector<std::size_t> choose_points(const CheckResult& result, std::size_t mo
 // The column name of the expected values.
 std::string name_expected(const Check& check) {
   if (!check.formula.empty()) return "formula";
-  if (!check.reference.empty()) return "reference";
+  if (!check.reference.path.empty()) return "reference";
   return check.at_most.empty() ? "at least" : check.at_least.empty() ? "at most" : "bound";
 }
 

@@ -4,10 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <sstream>
 
 #include "base/errors.hpp"
-#include "base/toml.hpp"
+#include "experiments/laboratory/file/values.hpp"
 
 namespace laboratory {
 
@@ -54,13 +53,10 @@ ordered_json to_json(const base::Scalar& value) {
       value);
 }
 
-// The last [[stage]] of the file as JSON; an empty object if there is none.
-ordered_json last_stage(const ExperimentFile& file) {
+// The last [[stage]] of the file; null if there is none.
+const toml::table* last_stage(const ExperimentFile& file) {
   const auto* stages = (*file.content)["stage"].as_array();
-  if (!stages || stages->empty() || !stages->back().is_table()) return ordered_json::object();
-  std::ostringstream text;
-  text << toml::json_formatter{*stages->back().as_table()};
-  return ordered_json::parse(text.str());
+  return stages && !stages->empty() ? stages->back().as_table() : nullptr;
 }
 
 }  // namespace
@@ -93,7 +89,7 @@ UserAction make_action(double at_s, const ordered_json& order) {
 
 ordered_json describe_limits(const programs::RecordList& list, const ExperimentFile& file) {
   using Kind = base::Domain::Kind;
-  const auto given = last_stage(file);
+  const auto* given = last_stage(file);
   const auto standard = list.make_record();
   auto limits = ordered_json::array();
   for (const auto& field : list.fields) {
@@ -105,7 +101,10 @@ ordered_json describe_limits(const programs::RecordList& list, const ExperimentF
                           {"whole", field.domain.kind == Kind::whole},
                           {"expected", field.domain.describe()}};
     if (is_number) limit["range"] = {field.domain.low, field.domain.high};
-    limit["value"] = given.contains(field.name) ? given[field.name] : to_json(field.get(standard));
+    const auto* node = given ? given->get(field.name) : nullptr;
+    limit["value"] =
+        to_json(node ? read_value({file.path, field.name, file.folder, *node}, field.domain)
+                     : field.get(standard));
     limits.push_back(std::move(limit));
   }
   return limits;

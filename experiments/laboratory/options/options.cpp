@@ -24,6 +24,7 @@ base::Scalar parse_scalar(const std::string& text, DomainKind kind) {
 
 std::string describe(const base::Domain& domain) {
   if (domain.kind == DomainKind::choice) return fmt::format("{}", fmt::join(domain.choices, "|"));
+  if (domain.high == std::numeric_limits<double>::max()) return "NUMBER";
   return domain.kind == DomainKind::text ? "TEXT" : fmt::format("{}..{}", domain.low, domain.high);
 }
 
@@ -67,14 +68,15 @@ void add_run_options(CLI::App& command, RunOptions& options, const std::string& 
   command.add_flag("--reduced", options.is_reduced,
                    "a quick trial: replace keys by those of the file's section [reduced]");
   add_set_option(command, options.overrides, set);
-  command.add_option("--jobs", options.jobs, "points run side by side")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  bind_options<RunOptions>(command,
+                           {base::Declare<RunOptions>::whole("jobs", &RunOptions::jobs, 1, 1024, "",
+                                                             "points run side by side")},
+                           options);
 }
 
-void add_field_option(CLI::App& app, const std::string& name, const std::string& help,
-                      const base::Domain& domain, const base::Scalar& standard,
-                      const std::function<std::string(const base::Scalar&)>& assign) {
+CLI::Option* add_field_option(CLI::App& app, const std::string& name, const std::string& help,
+                              const base::Domain& domain, const base::Scalar& standard,
+                              const std::function<std::string(const base::Scalar&)>& assign) {
   std::string option = "--" + name;
   std::ranges::replace(option, '_', '-');
   const auto set = [option, kind = domain.kind, assign](const std::string& text) {
@@ -82,8 +84,21 @@ void add_field_option(CLI::App& app, const std::string& name, const std::string&
     if (!expected.empty())
       throw CLI::ValidationError(option, fmt::format("found {}, expected {}", text, expected));
   };
-  app.add_option_function<std::string>(option, set, help)
+  return app.add_option_function<std::string>(option, set, help)
       ->option_text(fmt::format("{} [{}]", describe(domain), base::to_text(standard)));
+}
+
+CLI::Option* add_key_option(CLI::App& app, const std::string& name, const std::string& key,
+                            Overrides& overrides, const std::string& help) {
+  const auto all = settings();
+  const auto setting = std::ranges::find(all, key, &Setting::key);
+  if (setting == all.end()) throw base::InvariantBroken("no key " + key);
+  const auto set = [key, domain = setting->domain, &overrides](const base::Scalar& value) {
+    if (!domain.allows(value)) return domain.describe();
+    overrides.push_back({key, make_node(value)});
+    return std::string();
+  };
+  return add_field_option(app, name, help, setting->domain, setting->standard, set);
 }
 
 nlohmann::ordered_json make_json(const renderer::Work& work) {

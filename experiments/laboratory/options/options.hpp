@@ -28,9 +28,14 @@ using Aliases = std::map<std::string, std::string>;
 
 /// Adds the option `--name`. `assign` receives its value, and returns "" if the value is valid,
 /// else a description of valid values. The help shows `standard` as the default.
-void add_field_option(CLI::App& app, const std::string& name, const std::string& help,
-                      const base::Domain& domain, const base::Scalar& standard,
-                      const std::function<std::string(const base::Scalar&)>& assign);
+CLI::Option* add_field_option(CLI::App& app, const std::string& name, const std::string& help,
+                              const base::Domain& domain, const base::Scalar& standard,
+                              const std::function<std::string(const base::Scalar&)>& assign);
+
+/// Adds the option `--name`, which overrides a key of the experiment file. Values and default are
+/// those of the key.
+CLI::Option* add_key_option(CLI::App& app, const std::string& name, const std::string& key,
+                            Overrides& overrides, const std::string& help);
 
 /// Adds an option for each field, named like the field with - for _. The option sets the field in
 /// `params`, which must outlive `app`. Its default is the field's current value. Fields must be

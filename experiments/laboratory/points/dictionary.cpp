@@ -37,9 +37,9 @@ Meaning find_in(const programs::Program& program, const std::string& column) {
 // The help text of the key that an axis sets.
 std::string find_axis_help(const ExperimentFile& file, const std::string& column) {
   const auto all = settings();
-  for (std::size_t i = 0; i < file.axes.size(); ++i) {
-    const auto setting = std::ranges::find(all, file.axis_keys[i], &Setting::key);
-    if (file.axes[i] == column && setting != all.end()) return setting->help;
+  for (const auto& axis : file.axes()) {
+    const auto setting = std::ranges::find(all, axis.key, &Setting::key);
+    if (axis.name == column && setting != all.end()) return setting->help;
   }
   return "";
 }

@@ -181,7 +181,7 @@ void throw_failures(const ExperimentFile& file, const Results& results, const st
   int exit_code = 3;
   for (std::size_t i = 0; i < results.size(); ++i) {
     if (!results[i].is_failed()) continue;
-    if (file.axes.empty()) throw Failure(results[i].message, results[i].exit_code);
+    if (file.sweep.empty()) throw Failure(results[i].message, results[i].exit_code);
     names.push_back(name_of(file.points[i]));
     exit_code = std::min(exit_code, results[i].exit_code);
   }

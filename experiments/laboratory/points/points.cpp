@@ -20,14 +20,13 @@ using nlohmann::ordered_json;
 
 // Throws for an axis without effect, whose rows would claim values that were not used.
 void check_axes(const ExperimentFile& file) {
-  for (std::size_t axis = 0; axis < file.axes.size(); ++axis)
+  for (const auto& [axis, key, values] : file.axes())
     for (const auto& point : file.points) {
       const Experiment& e = point.experiment;
-      const auto& key = file.axis_keys[axis];
       std::string by = e.program->voids ? e.program->voids(e.params, key) : "";
       if (key == "network.workers" && has_own_workers(e)) by = "network.topology";
       base::require(by.empty(), file.path, "[sweep] has an axis {}, but {} says how many itself",
-                    file.axes[axis], by);
+                    axis, by);
     }
 }
 
@@ -53,7 +52,7 @@ PointResult run_and_save(const PointsPlan& plan, std::size_t number) {
     return result;
   } catch (const std::exception& error) {
     if (const auto failure = make_failure(error)) return *failure;
-    if (plan.file.axes.empty()) throw;
+    if (plan.file.sweep.empty()) throw;
     throw Failure(fmt::format("at {}: {}", name_of(point), error.what()), exit_code_of(error));
   }
 }
@@ -62,7 +61,7 @@ PointResult run_and_save(const PointsPlan& plan, std::size_t number) {
 void finish_failure(const PointsPlan& plan, std::size_t number, PointResult& failure,
                     Progress& bar) {
   const Point& point = plan.file.points[number];
-  if (!plan.file.axes.empty())
+  if (!plan.file.sweep.empty())
     bar.say(fmt::format("tlab: at {}: {}", name_of(point), failure.message));
   const auto known = describe_point(point.experiment);
   failure.topology = known.topology;

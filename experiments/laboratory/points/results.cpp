@@ -137,9 +137,9 @@ Value to_value(const Coordinate& at) {
 }
 
 std::vector<std::string> find_coupled(const ExperimentFile& file, const std::string& column) {
-  for (const auto& axes : file.coupled) {
+  for (const auto& axes : file.sweep) {
     std::vector<std::string> columns;
-    for (const auto& axis : axes) columns.push_back(column_of(file, axis));
+    for (const auto& axis : axes) columns.push_back(column_of(file, axis.name));
     if (std::ranges::find(columns, column) != columns.end()) return columns;
   }
   return {column};
@@ -149,8 +149,8 @@ std::vector<std::string> axis_columns(const ExperimentFile& file) {
   const auto all = programs_of(file);
   std::vector<std::string> columns;
   if (all.size() == 1) columns = all[0]->leading;
-  for (const auto& axis : file.axes) {
-    const auto column = column_of(file, axis);
+  for (const auto& axis : file.axes()) {
+    const auto column = column_of(file, axis.name);
     if (std::ranges::find(columns, column) == columns.end()) columns.push_back(column);
   }
   return columns;

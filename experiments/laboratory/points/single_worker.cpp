@@ -42,10 +42,9 @@ bool is_of_network(const std::string& key) {
 ExperimentFile without_network(const ExperimentFile& file) {
   ExperimentFile single = file;
   single.points.clear();
-  single.axes.clear();
-  std::erase_if(single.axis_keys, is_of_network);
-  for (std::size_t i = 0; i < file.axes.size(); ++i)
-    if (!is_of_network(file.axis_keys[i])) single.axes.push_back(file.axes[i]);
+  for (auto& coupled : single.sweep)
+    std::erase_if(coupled, [](const Axis& axis) { return is_of_network(axis.key); });
+  std::erase_if(single.sweep, [](const Coupled& coupled) { return coupled.empty(); });
   std::erase_if(single.settings, [](const auto& setting) { return is_of_network(setting.first); });
   single.settings["network.topology"] = "\"line\"";
   single.settings["network.workers"] = "1";

@@ -79,7 +79,7 @@ std::vector<std::optional<double>> find_published(Exhibit& exhibit, const Figure
   const PlotSpec& spec = figure.spec;
   std::vector<std::optional<double>> published(table.rows.size());
   for (const auto& [row, value] : match_reference(
-           {*figure.reference, spec.reference, spec.column, spec.keys}, table, exhibit.notes))
+           {*figure.reference, spec.reference.path, spec.column, spec.keys}, table, exhibit.notes))
     published[row] = value;
   return published;
 }

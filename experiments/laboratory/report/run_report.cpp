@@ -130,8 +130,9 @@ std::string spell(const programs::Parameter& p, const std::any& params) {
 std::string make_settings(const ExperimentFile& file) {
   std::vector<std::string> lines;
   const auto add = [&](const std::string& key, const std::string& value) {
-    const bool is_given = file.settings.contains(key) ||
-                          std::ranges::find(file.axis_keys, key) != file.axis_keys.end();
+    const bool is_given =
+        file.settings.contains(key) ||
+        std::ranges::any_of(file.axes(), [&](const Axis& axis) { return axis.key == key; });
     if (!is_given) append(lines, {fmt::format("# {} = {}", key, value)});
   };
   std::set<const programs::Program*> known;

@@ -136,14 +136,13 @@ ExperimentFile spread(const ExperimentFile& file) {
                 "found {} machines for {} points, expected at most {} points of all machines",
                 machines, file.points.size(), MOST_POINTS);
   ExperimentFile all = file;
-  all.axes.emplace_back("machine");
-  all.axis_keys.emplace_back("uncertain.machine");
+  all.sweep.push_back({{"machine", "uncertain.machine", {}}});
   const auto seed = static_cast<std::uint64_t>(file.uncertain.seed);
   std::map<std::string, std::vector<double>> quantiles;  // quantiles of each entry, by machine
   for (const auto& entry : drawn_entries(file))
     quantiles[entry] = draw_quantiles(seed, entry, machines);
   for (std::size_t machine = 0; machine < machines; ++machine) {
-    const auto number = std::make_shared<toml::value<std::int64_t>>(machine + 1);
+    const auto number = make_node(static_cast<std::int64_t>(machine + 1));
     std::map<std::string, machine::Overrides> known;  // drawn entries of each model of the file
     for (Point point : file.points) {
       const auto draw = [&](ModelSpec& spec) {

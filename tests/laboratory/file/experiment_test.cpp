@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 
 #include "base/errors.hpp"
+#include "base/random.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
 #include "tests/laboratory/support/load.hpp"
 
@@ -25,7 +27,7 @@ TEST(ExperimentsFile, DefaultsAreOnePoint) {
 
 TEST(ExperimentsFile, SweepSpansItsAxesInOrderTheLastFastest) {
   const auto file = load("[sweep]\nobjects = [200, 800]\nworkers = [1, 2, 3]\n");
-  EXPECT_EQ(file.axes, (std::vector<std::string>{"objects", "workers"}));
+  EXPECT_EQ(axes_of(file), (std::vector<std::string>{"objects", "workers"}));
   ASSERT_EQ(file.points.size(), 6u);
   for (std::size_t i = 0; i < 6; ++i) {
     EXPECT_EQ(objects_of(file.points[i].experiment), i < 3 ? 200 : 800);
@@ -46,8 +48,8 @@ TEST(ExperimentsFile, CoupledAxesMoveTogether) {
   const std::string text =
       "[sweep]\nobjects = [200, 800]\n\"workers, height\" = [[1, 16], [2, 16], [4, 32]]\n";
   const auto file = load(text);
-  EXPECT_EQ(file.axes, (std::vector<std::string>{"objects", "workers", "height"}));
-  EXPECT_EQ(file.coupled, (std::vector<std::vector<std::string>>{{"workers", "height"}}));
+  EXPECT_EQ(axes_of(file), (std::vector<std::string>{"objects", "workers", "height"}));
+  EXPECT_EQ(file.sweep.at(1).size(), 2u);
   ASSERT_EQ(file.points.size(), 6u);
   EXPECT_EQ(objects_of(file.points[5].experiment), 800);
   EXPECT_EQ(file.points[5].experiment.workers, 4);
@@ -249,11 +251,39 @@ TEST(ExperimentsFile, WhatIsResolvedCanBeReadAgain) {
       {"model.cpu.clock=20.1e6"});
   const auto again = read_experiment(resolve(file), "e.toml", "", {});
   ASSERT_EQ(again.points.size(), file.points.size());
-  EXPECT_EQ(again.axes, file.axes);
+  EXPECT_EQ(axes_of(again), axes_of(file));
   EXPECT_EQ(again.settings, file.settings);
   EXPECT_EQ(resolve(again), resolve(file));
   for (std::size_t i = 0; i < file.points.size(); ++i)
     EXPECT_EQ(name_of(again.points[i]), name_of(file.points[i]));
+}
+
+// Values of every kind, with texts that hold quotes, escapes, line ends and TOML of their own.
+TEST(ExperimentsFile, TheTextOfAnOverrideIsReadAgain) {
+  constexpr std::string_view LETTERS = "ab1.= \"'\\\n\t[]{}#,";
+  for (std::uint64_t i = 0; i < 300; ++i) {
+    std::string text;
+    for (std::uint64_t k = 0; k < i % 12; ++k)
+      text += LETTERS[base::random_at(i, k) % LETTERS.size()];
+    const auto whole = static_cast<std::int64_t>(base::random_at(i, 20) >> (i % 64)) / 2;
+    for (const base::Scalar& value :
+         {base::Scalar(text), base::Scalar(whole), base::Scalar(i % 2 == 0),
+          base::Scalar(std::ldexp(static_cast<double>(whole), static_cast<int>(i % 99) - 50)),
+          base::Scalar(std::vector{text, text})}) {
+      const Override made{"a.b", make_node(value)};
+      const auto read = parse_override(made.text());
+      EXPECT_EQ(read.key, made.key);
+      EXPECT_EQ(base::to_toml(*read.value), base::to_toml(*made.value)) << made.text();
+    }
+  }
+}
+
+TEST(ExperimentsFile, ATextStandsForAListOfOne) {
+  const auto over = [](const std::string& value) {
+    return load("[[best]]\nname = \"b\"\nof = \"time_s\"\nover = " + value + "\n").bests.at(0).over;
+  };
+  EXPECT_EQ(over("\"workers\""), over("[\"workers\"]"));
+  EXPECT_THROW(over("[3]"), base::BadInput);
 }
 
 }  // namespace

@@ -27,7 +27,7 @@ TEST(ExperimentsProgram, AxesKeepTheOrderOfTheFileWithSetToo) {
   const auto file =
       load(MESSAGE + "[sweep]\nmodel.link.one_way_rate = [1e6]\nbytes = [1, 2]\n",
            {"sweep.model.link.one_way_rate=[2e6, 3e6]", "sweep.model.cpu.clock=[1e6]"});
-  EXPECT_EQ(file.axes, (std::vector<std::string>{"link.one_way_rate", "bytes", "cpu.clock"}));
+  EXPECT_EQ(axes_of(file), (std::vector<std::string>{"link.one_way_rate", "bytes", "cpu.clock"}));
   ASSERT_EQ(file.points.size(), 4u);
   EXPECT_EQ(make_model(file.points[3].experiment.model).link.one_way_rate, 3e6);
   EXPECT_EQ(make_model(file.points[3].experiment.model).cpu.clock.value, 1e6);
@@ -55,7 +55,7 @@ TEST(ExperimentsProgram, MistakesAreNamed) {
   for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
            {"[program]\nname = \"mesage\"\n",
             "e.toml:2: program.name: found 'mesage', expected one of farm,"},
-           {"[program]\nname = 3\n", "expected a text"},
+           {"[program]\nname = 3\n", "program.name: found 3, expected one of farm, iirra"},
            {"[program]\nbytes = 3\n", "unknown key \"program.bytes\""},
            {MESSAGE + "byte = 3\n",
             "e.toml:3: unknown key \"program.byte\", the nearest valid key is \"program.bytes\""},

@@ -23,6 +23,12 @@ inline ExperimentFile load(const std::string& text,
   return load_experiment(path.string(), parse_overrides(overrides));
 }
 
+inline std::vector<std::string> axes_of(const ExperimentFile& file) {
+  std::vector<std::string> names;
+  for (const auto& axis : file.axes()) names.push_back(axis.name);
+  return names;
+}
+
 // The value of a parameter, and its text for display.
 inline base::Scalar get_value(const Experiment& e, const std::string& parameter) {
   return e.program->find(parameter)->get(e.params);

@@ -173,7 +173,7 @@ TEST_F(Uncertain, RefusesWhatIsNoNumberOfMachines) {
        {std::pair("1", "expected"), {"0", "expected"}, {"x", "expected"}, {"1e9", "expected"}}) {
     const auto outcome = run({"--uncertain", set});
     EXPECT_EQ(outcome.exit_code, 2) << set;
-    EXPECT_TRUE(contains(outcome.err, "machines")) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "--uncertain")) << outcome.err;
     EXPECT_TRUE(contains(outcome.err, text)) << outcome.err;
   }
   EXPECT_EQ(run({"--seed", "2"}).exit_code, 2);
