@@ -47,8 +47,9 @@ CsvCell CsvReader::take_quoted() {
   ++at_;
   skip_blanks();
   if (!ends_line() && text_[at_] != ',')
-    fail_at(line_, fmt::format("'{}' after a closing quote, expected a comma or the line's end",
-                               text_[at_]));
+    fail_at(line_,
+            fmt::format("'{}' after a closing quote, expected a comma or the end of the line",
+                        text_[at_]));
   return cell;
 }
 
@@ -57,7 +58,7 @@ CsvCell CsvReader::take_bare() {
   const auto bare = trim(text_.substr(at_, end - at_));
   if (bare.find('"') != bare.npos)
     fail_at(line_, fmt::format("a quote inside the cell {}, expected the whole cell in quotes, "
-                               "quotes in it doubled",
+                               "with each quote in it doubled",
                                bare));
   at_ = end;
   return {.text = std::string(bare)};

@@ -53,7 +53,7 @@ Formula::Formula(const std::string& text, std::string place)
   auto refuse = [&](const std::string& what) {
     base::refuse(place_, "found \"{}\", expected an expression: {}", text, what);
   };
-  if (has_assignment(text)) refuse("= sets nothing here, == compares");
+  if (has_assignment(text)) refuse("found \"=\", expected \"==\" for a comparison");
   mu::Parser& parser = parser_->parser;
   parser.DefineNameChars(std::string(NAME_CHARACTERS).c_str());
   parser.DefineFun("floor", [](double x) { return std::floor(x); });
@@ -62,7 +62,7 @@ Formula::Formula(const std::string& text, std::string place)
   try {
     parser.SetExpr(text);
     for (const auto& [name, ignored] : parser.GetUsedVar()) {
-      if (!is_name(name)) refuse(fmt::format("\"{}\" is no name", name));
+      if (!is_name(name)) refuse(fmt::format("\"{}\" is not a name", name));
       variables_.push_back(name);
     }
     parser_->values.resize(variables_.size());

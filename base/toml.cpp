@@ -69,7 +69,7 @@ void check_nodes(const toml::node& node, std::string_view origin) {
   if (const auto* number = node.as_integer())
     require(number->get() != std::numeric_limits<std::int64_t>::min(),
             fmt::format("{}:{}", origin, node.source().begin.line),
-            "found {}, expected a number above it", number->get());
+            "found {}, expected a larger number", number->get());
   const auto* table = node.as_table();
   if (!table) return;
   for (const auto& [key, value] : *table) {

@@ -64,7 +64,7 @@ TEST(Csv, MistakesAreNamedWithTheirLine) {
   };
   EXPECT_EQ(told("a\n\"b\nc"), "x.csv:2: a quote opened here is never closed");
   EXPECT_EQ(told("\"b\"c"),
-            "x.csv:1: 'c' after a closing quote, expected a comma or the line's end");
+            "x.csv:1: 'c' after a closing quote, expected a comma or the end of the line");
   EXPECT_TRUE(told("a\"b").starts_with("x.csv:1: a quote inside the cell a\"b"));
 }
 

@@ -64,12 +64,12 @@ TEST(Formula, MistakesAreNamed) {
            {"(1", "expected an expression"},
            {"2 a", "expected an expression"},
            {"a, b", "a comma outside of a function"},
-           {"a = 3", "== compares"},
-           {"a <= 3 = 2", "== compares"},
+           {"a = 3", "expected \"==\" for a comparison"},
+           {"a <= 3 = 2", "expected \"==\" for a comparison"},
            {"\"text\"", "expected an expression"},
            {"sqr(2)", "here: unknown function \"sqr\", the nearest is \"sqrt\""},
            {"1 + foo (2)", "unknown function \"foo\""},
-           {".a + 1", "here: found \".a + 1\", expected an expression: \".a\" is no name"},
+           {".a + 1", "here: found \".a + 1\", expected an expression: \".a\" is not a name"},
            {"min()", "expected an expression"}}) {
     const auto told = told_when([&, text = text] { eval(text); });
     EXPECT_NE(told.find(message), std::string::npos) << text << ": " << told;

@@ -70,7 +70,7 @@ TEST(Toml, WhatTheLibraryDoesNotStandIsRefused) {
               "e.toml:2: found a letter beyond ASCII, expected it in a text or a comment")
         << text;
   EXPECT_EQ(refusal_of("a = [1,\n-9223372036854775808]"),
-            "e.toml:2: found -9223372036854775808, expected a number above it");
+            "e.toml:2: found -9223372036854775808, expected a larger number");
   EXPECT_EQ(refusal_of("\xef\xbb\xbf# \xc3\xa9\n\"\xc3\xa9\" = '\xc3\xa9' # \xe2\x80\xa8\n"
                        "b = \"\"\"\n\xc3\xa9\"\"\"\nc = -9223372036854775807"),
             "");
