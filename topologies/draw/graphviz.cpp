@@ -20,7 +20,7 @@ std::string run_graphviz(const std::string& program, const std::vector<std::stri
                             .arguments = arguments,
                             .input = dot,
                             .purpose = "topology " + name,
-                            .remedy = "install graphviz, or ask for the format dot"});
+                            .remedy = "install graphviz, or use the format dot"});
 }
 
 }  // namespace topologies

@@ -104,7 +104,7 @@ void check_loads(const Topology& topology, const Loads& loads) {
     require(!name.empty() && find_extra(loads, name) == i, place,
             "found an extra processor called \"{}\", expected another name", name);
     require(to.empty() || find_extra(loads, to) < i, place,
-            "\"{}\" is wired to \"{}\", expected an earlier extra processor", name, to);
+            "found \"{}\" wired to \"{}\", expected an earlier extra processor", name, to);
     for (const double share : {load, link[0], link[1]}) check_share(share, name);
   }
 }
@@ -149,7 +149,7 @@ std::string write_legend(const Place& place) {
     out += text(fmt::format("t{}", quarter).c_str(), quarter * STEPS * WIDTH / 4, -0.45,
                 fmt::format("{} %", 25 * quarter));
   return out + text("about", STEPS * WIDTH / 2, -0.9,
-                    "busy; the half of a link beside a processor: what it sends");
+                    "busy time; half a link next to a processor: what it sends");
 }
 
 std::vector<Node> make_nodes(const Topology& topology, const Loads& loads, const Layout& layout) {

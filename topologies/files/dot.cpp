@@ -62,7 +62,7 @@ RawGraph DotReader::read() {
   graph_ = DotGraph(is_strict, is_directed);
   if (sees_name()) take_name("");
   read_statements(0);
-  if (tokens_.peek().kind != Kind::end) tokens_.refuse("one graph, and nothing after it");
+  if (tokens_.peek().kind != Kind::end) tokens_.refuse("only one graph");
   return graph_.make_raw();
 }
 
@@ -232,7 +232,8 @@ std::string to_dot(const Topology& topology) {
   std::vector<std::string> names;
   for (const auto& name : names_of(topology)) {
     base::require(can_quote(name), topology.name,
-                  "the processor \"{}\": DOT cannot hold a backslash before a quote or at the end",
+                  "found a processor \"{}\", expected no backslash before a quote or at the end: "
+                  "DOT cannot represent it",
                   name);
     names.push_back(quote(name));
   }

@@ -30,8 +30,9 @@ std::string format_metrics(const Topology& topology, const Metrics& m) {
   row("processors", m.processors);
   row("root", describe_processor(topology, topology.root));
   row("links", m.links);
-  if (topology.has_arrows) row("arrows", "read as links, which go both ways");
-  if (topology.has_port_names) row("port names", "left out, since they are no numbers 0 to 3");
+  if (topology.has_arrows) row("arrows", "read as links in both directions");
+  if (topology.has_port_names)
+    row("port names", "ignored, because they are not numbers from 0 to 3");
   row("links per processor", degree);
   row("diameter", m.diameter);
   row("mean distance", fmt::format("{:.4f}", m.mean_distance));

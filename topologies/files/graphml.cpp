@@ -80,7 +80,7 @@ void GraphmlReader::refuse_other_parts(const XmlElement& element) const {
 
 std::string GraphmlReader::require_attribute(const XmlElement& element, const char* key) const {
   const auto value = element.attribute(key);
-  base::require(!value.empty(), place_of(element), "found <{}> without attribute \"{}\"",
+  base::require(!value.empty(), place_of(element), "found <{}> without the attribute \"{}\"",
                 element.name, key);
   return value;
 }
@@ -94,7 +94,8 @@ void GraphmlReader::read_key(const XmlElement& key) {
                           .try_emplace(id, Key{domain.empty() ? "all" : domain,
                                                key.attribute("attr.name"), standard})
                           .second;
-  base::require(is_new, place_of(key), "two keys have id \"{}\"", id);
+  base::require(is_new, place_of(key), "found two keys with the id \"{}\", expected different ids",
+                id);
 }
 
 // The value of the attribute with this name, or its default; "" without one.
@@ -106,8 +107,8 @@ std::string GraphmlReader::find(const XmlElement& element, const char* name) con
   for (const auto& data : children(element, "data")) {
     const auto id = require_attribute(data, "key");
     const auto key = keys_.find(id);
-    base::require(key != keys_.end(), place_of(data), "found data of \"{}\", which is no key's id",
-                  id);
+    base::require(key != keys_.end(), place_of(data),
+                  "found data of \"{}\", expected the id of a key", id);
     if (key->second.name == name && !data.text.empty()) value = data.text;
   }
   return value;
@@ -117,17 +118,18 @@ void GraphmlReader::read_node(const XmlElement& node) {
   refuse_other_parts(node);
   const auto id = require_attribute(node, "id"), name = find(node, "name");
   base::require(vertices_.emplace(id, vertices_.size()).second, place_of(node),
-                "two nodes have id \"{}\"", id);
+                "found two nodes with the id \"{}\", expected different ids", id);
   raw_.vertices.push_back({name.empty() ? id : name, find(node, "root"), node.line});
   base::require(names_.insert(raw_.vertices.back().name).second, place_of(node),
-                "two vertices are called \"{}\"", raw_.vertices.back().name);
+                "found two vertices called \"{}\", expected different names",
+                raw_.vertices.back().name);
 }
 
 int GraphmlReader::find_vertex(const XmlElement& edge, const char* end) const {
   const auto id = require_attribute(edge, end);
   const auto found = vertices_.find(id);
   base::require(found != vertices_.end(), place_of(edge),
-                "an edge's {} is \"{}\", which is no node's id", end, id);
+                "found an edge whose {} is \"{}\", expected the id of a node", end, id);
   return found->second;
 }
 
@@ -141,7 +143,8 @@ void GraphmlReader::read_edge(const XmlElement& edge, bool is_directed) {
   const auto [low, high] = std::minmax(source, target);
   const auto ends = is_directed ? std::tuple(source, target, id) : std::tuple(low, high, id);
   base::require(id.empty() || edges_.insert(ends).second, place_of(edge),
-                "two edges between the same nodes have id \"{}\"", id);
+                "found two edges between the same nodes with the id \"{}\", expected different ids",
+                id);
   const auto find_name = [&](const char* port, const char* graphviz) {
     const auto name = edge.attribute(port);
     return name.empty() ? find(edge, graphviz) : name;
@@ -159,7 +162,8 @@ RawGraph GraphmlReader::read() {
     base::require(graph == nullptr, place_of(element), "found a second graph, expected one");
     graph = &element;
   }
-  base::require(graph != nullptr, place_of(graphml_), "found no <graph> in <graphml>");
+  base::require(graph != nullptr, place_of(graphml_),
+                "found no <graph> in <graphml>, expected one");
   refuse_other_parts(*graph);
   for (const auto& node : children(*graph, "node")) read_node(node);
   const bool is_directed = graph->attribute("edgedefault") == "directed";

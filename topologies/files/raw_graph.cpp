@@ -49,14 +49,15 @@ bool read_flag(const RawVertex& vertex, const std::string& file) {
     if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
   if (text.empty() || text == "false" || text == "0") return false;
   if (text == "true" || text == "1") return true;
-  base::refuse(place_in(file, vertex.line), "vertex \"{}\": root is {}, expected true or false",
-               vertex.name, base::quote(vertex.root));
+  base::refuse(place_in(file, vertex.line),
+               "vertex \"{}\": found root = {}, expected true or false", vertex.name,
+               base::quote(vertex.root));
 }
 
 int find_root(const RawGraph& graph, const std::string& file) {  // returns -1 without a root
   int root = -1;
   const auto designate = [&](int v) {
-    base::require(root < 0 || root == v, file, "both \"{}\" and \"{}\" are designated as root",
+    base::require(root < 0 || root == v, file, "found two roots, \"{}\" and \"{}\", expected one",
                   graph.vertices[std::max(root, 0)].name, graph.vertices[v].name);
     root = v;
   };
@@ -65,7 +66,7 @@ int find_root(const RawGraph& graph, const std::string& file) {  // returns -1 w
     if (!graph.root.empty() && graph.vertices[v].name == graph.root) designate(v);
   }
   base::require(root >= 0 || graph.root.empty(), file,
-                "root \"{}\" is not a vertex; the first vertex is \"{}\"", graph.root,
+                "found root \"{}\", expected a vertex, such as \"{}\"", graph.root,
                 graph.vertices[0].name);
   return root;
 }
@@ -128,11 +129,12 @@ std::vector<std::string> names_of(const Topology& topology) {
 }
 
 Topology make_topology(const RawGraph& graph, const std::string& name) {
-  base::require(!graph.vertices.empty(), name, "the graph is empty, expected a vertex at least");
+  base::require(!graph.vertices.empty(), name,
+                "found an empty graph, expected at least one vertex");
   for (const auto& vertex : graph.vertices)
     base::require(is_name(vertex.name), place_in(name, vertex.line),
-                  "found a vertex called {}, expected UTF-8 without control characters and without "
-                  "blanks at its ends",
+                  "found a vertex called {}, expected a name in UTF-8 without control characters "
+                  "and without blanks at its ends",
                   base::quote(vertex.name));
   Topology topology{name, static_cast<int>(graph.vertices.size()), 0, {}, {}, {}};
   topology.has_arrows = graph.has_arrows;

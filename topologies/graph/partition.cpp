@@ -36,8 +36,8 @@ std::vector<int> make_partition(const Topology& topology, int parts) {
       METIS_PartGraphKway(&processors, &weights, begins.data(), ends.data(), nullptr, nullptr,
                           nullptr, &count, nullptr, nullptr, options, &cut, part_of.data());
   if (status != METIS_OK)
-    throw base::InvariantBroken(fmt::format("METIS made no {} parts of {} processors: status {}",
-                                            count, processors, status));
+    throw base::InvariantBroken(fmt::format(
+        "METIS failed to make {} parts of {} processors: status {}", count, processors, status));
   number_anew(part_of);
   return {part_of.begin(), part_of.end()};
 }

@@ -101,11 +101,14 @@ void check_ends(const Topology& t) {
   for (const auto& [a, b] : t.links) {
     for (const End& end : {a, b})
       require(end.processor >= 0 && end.processor < t.processors, place,
-              "a link ends at processor {}, expected 0 to {}", end.processor, t.processors - 1);
-    require(a.processor != b.processor, place, "processor {} is linked to itself",
+              "found a link that ends at processor {}, expected 0 to {}", end.processor,
+              t.processors - 1);
+    require(a.processor != b.processor, place,
+            "found a link from processor {} to itself, expected two processors",
             describe_processor(t, a.processor));
-    require(a.processor < b.processor, place, "the link of processors {} and {} is upside down",
-            a.processor, b.processor);
+    require(a.processor < b.processor, place,
+            "found a link from processor {} to {}, expected the lower number first", a.processor,
+            b.processor);
   }
 }
 
@@ -113,7 +116,7 @@ void check_order(const Topology& t) {
   const std::string place = place_of(t);
   for (size_t i = 1; i < t.links.size(); ++i) {
     require(place_of_link(t.links[i - 1]) <= place_of_link(t.links[i]), place,
-            "links {} and {} are out of order", i - 1, i);
+            "found links {} and {} in the wrong order", i - 1, i);
   }
 }
 
@@ -123,16 +126,18 @@ void check_ports(const Topology& t) {
   std::vector<std::array<int, PORTS>> peer(t.processors, {-1, -1, -1, -1});
   for (const auto& [a, b] : t.links) ++degree[a.processor], ++degree[b.processor];
   for (int p = 0; p < t.processors; ++p)
-    require(degree[p] <= PORTS, place, "processor {} has {} links, a transputer has {} ports",
+    require(degree[p] <= PORTS, place,
+            "found {1} links of processor {0}, expected at most {2}, the ports of a transputer",
             describe_processor(t, p), degree[p], PORTS);
   for (const auto& link : t.links)
     for (const auto& [end, other] : {std::pair(link.a, link.b), std::pair(link.b, link.a)}) {
       const auto name = [&](int processor) { return describe_processor(t, processor); };
       require(end.port >= 0 && end.port < PORTS, place,
-              "the link of processor {} to {} is on port {}, expected 0 to {}", name(end.processor),
-              name(other.processor), end.port, PORTS - 1);
+              "found the link of processor {} to {} on port {}, expected 0 to {}",
+              name(end.processor), name(other.processor), end.port, PORTS - 1);
       int& taken = peer[end.processor][end.port];
-      require(taken < 0, place, "port {} of processor {} is wired to both {} and {}", end.port,
+      require(taken < 0, place,
+              "found port {} of processor {} wired to both {} and {}, expected one link", end.port,
               name(end.processor), name(taken), name(other.processor));
       taken = other.processor;
     }
@@ -142,7 +147,7 @@ void check_connected(const Topology& t) {
   const auto distance = make_search(t, t.root).distance;
   const auto lost = std::ranges::find(distance, -1) - distance.begin();
   require(lost == t.processors, place_of(t),
-          "not connected: processor {} cannot be reached from the root {}",
+          "found no path from the root {1} to processor {0}, expected a connected network",
           describe_processor(t, static_cast<int>(lost)), describe_processor(t, t.root));
 }
 
@@ -151,13 +156,13 @@ void check_connected(const Topology& t) {
 void check(const Topology& topology) {
   const Topology& t = topology;
   const std::string place = place_of(t);
-  require(t.processors >= 1, place, "no processors, expected at least one");
-  require(t.processors <= MAX_PROCESSORS, place, "{} processors, the limit is {}", t.processors,
-          MAX_PROCESSORS);
-  require(t.root >= 0 && t.root < t.processors, place, "root {}, expected 0 to {}", t.root,
+  require(t.processors >= 1, place, "found no processors, expected at least one");
+  require(t.processors <= MAX_PROCESSORS, place, "found {} processors, expected at most {}",
+          t.processors, MAX_PROCESSORS);
+  require(t.root >= 0 && t.root < t.processors, place, "found root {}, expected 0 to {}", t.root,
           t.processors - 1);
   require(t.labels.empty() || static_cast<int>(t.labels.size()) == t.processors, place,
-          "{} labels for {} processors", t.labels.size(), t.processors);
+          "found {} labels, expected {}, one for each processor", t.labels.size(), t.processors);
   check_ends(t);
   check_order(t);
   check_ports(t);

@@ -19,8 +19,8 @@ namespace {
 using Form = Shape::Form;
 
 Topology make_empty(std::string name, long long processors, Shape shape = {}) {
-  base::require(processors <= MAX_PROCESSORS, "topology " + name, "{} processors, the limit is {}",
-                processors, MAX_PROCESSORS);
+  base::require(processors <= MAX_PROCESSORS, "topology " + name,
+                "found {} processors, expected at most {}", processors, MAX_PROCESSORS);
   return {std::move(name), static_cast<int>(processors), 0, {}, {}, {}, {}, shape};
 }
 
@@ -47,7 +47,8 @@ Topology sorted(Topology topology) {
 
 void expect_degree(const Topology& topology, int links) {
   base::require(links <= PORTS, "topology " + topology.name,
-                "processor 0 has {} links, a transputer has {} ports", links, PORTS);
+                "found {} links of processor 0, expected at most {}, the ports of a transputer",
+                links, PORTS);
 }
 
 }  // namespace
@@ -65,7 +66,7 @@ Topology make_line(int n) {
 //   +-----------------------+
 Topology make_ring(int n) {
   auto t = make_empty(fmt::format("ring:{}", n), n, {Form::ring});
-  expect(t, n >= 3, "at least 3 processors (two would share a double link)");
+  expect(t, n >= 3, "at least 3 processors (2 would have two links between them)");
   for (int p = 0; p < n; ++p) add(t, {p, 2}, {(p + 1) % n, 1});
   t.bisection_width = 2;
   return sorted(std::move(t));
@@ -190,7 +191,7 @@ const Generator& find_generator(std::string_view spec, std::string_view name) {
   }
   const auto known =
       fmt::format("expected {}, or a .dot, .gv or .graphml file", fmt::join(forms, ", "));
-  if (name.empty()) fail(spec, "no generator named; " + known);
+  if (name.empty()) fail(spec, "found no name of a generator; " + known);
   const auto shown = name.substr(0, 64);
   fail(spec, fmt::format("unknown generator \"{}\"{}; {}", shown, base::did_you_mean(shown, names),
                          known));
@@ -198,12 +199,12 @@ const Generator& find_generator(std::string_view spec, std::string_view name) {
 
 int read_size(std::string_view spec, std::string_view word, const Generator& generator) {
   if (word.empty() || word.find_first_not_of("0123456789") != word.npos)
-    fail(spec, fmt::format("found \"{}\" where a size was expected; the form is {}: {}", word,
+    fail(spec, fmt::format("found \"{}\", expected a size in the form {} ({})", word,
                            generator.form, generator.help));
   const auto size = base::parse_number<int>(word);
   if (!size || *size > MAX_PROCESSORS)
     fail(spec,
-         fmt::format("size {} is too large, the limit is {} processors", word, MAX_PROCESSORS));
+         fmt::format("found the size {}, expected at most {} processors", word, MAX_PROCESSORS));
   return *size;
 }
 
@@ -211,15 +212,16 @@ int read_size(std::string_view spec, std::string_view word, const Generator& gen
 
 const std::vector<Generator>& generators() {
   static const std::vector<Generator> GENERATORS{
-      {"line:N", "N processors in a row, N >= 1", with_size(make_line)},
-      {"ring:N", "N processors in a circle, N >= 3", with_size(make_ring)},
-      {"tree:N[:ARITY]", "balanced tree of N processors, ARITY 1 to 3 (default 3)",
+      {"line:N", "N processors in a row; N >= 1", with_size(make_line)},
+      {"ring:N", "N processors in a circle; N >= 3", with_size(make_ring)},
+      {"tree:N[:ARITY]", "balanced tree of N processors; ARITY 1 to 3 (default 3)",
        [](const Sizes& sizes) { return make_tree(sizes[0], sizes.size() > 1 ? sizes[1] : 3); }},
-      {"binary:N", "balanced tree of N processors, two children at most", with_size(make_binary)},
-      {"mesh:RxC", "grid of R rows and C columns, each >= 1", with_sizes(make_mesh)},
-      {"torus:RxC", "grid whose R rows and C columns are rings, each >= 1", with_sizes(make_torus)},
+      {"binary:N", "balanced tree of N processors with at most two children each",
+       with_size(make_binary)},
+      {"mesh:RxC", "grid of R rows and C columns; both >= 1", with_sizes(make_mesh)},
+      {"torus:RxC", "grid whose R rows and C columns are rings; both >= 1", with_sizes(make_torus)},
       {"hypercube:D", "2^D processors, D 0 to 4", with_size(make_hypercube)},
-      {"star:N", "a centre and N - 1 leaves, N 1 to 5", with_size(make_star)},
+      {"star:N", "a centre and N - 1 leaves; N from 1 to 5", with_size(make_star)},
       {"amp:N", "minimum-path network of N processors, found by search", with_size(make_amp)},
   };
   return GENERATORS;
@@ -242,8 +244,8 @@ Topology make_generated(std::string_view spec) {
     rest.remove_prefix(end + 1);
   }
   if (std::ssize(sizes) < fewest || std::ssize(sizes) > most)
-    fail(spec, fmt::format("found {} size(s); the form is {}: {}", sizes.size(), generator.form,
-                           generator.help));
+    fail(spec, fmt::format("found {} size(s), expected the form {} ({})", sizes.size(),
+                           generator.form, generator.help));
   return generator.make(sizes);
 }
 
@@ -255,7 +257,7 @@ Topology make_topology(std::string_view spec) {
     return load_topology(std::string(spec));
   std::error_code ignored;
   if (spec.find(':') == spec.npos && std::filesystem::exists(spec, ignored))
-    fail(spec, "unknown kind of file, expected .dot, .gv or .graphml");
+    fail(spec, "found another kind of file, expected .dot, .gv or .graphml");
   auto topology = make_generated(spec);
   check(topology);
   return topology;

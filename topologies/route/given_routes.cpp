@@ -76,9 +76,9 @@ class Reader {
     std::vector<int> path;
     for (const auto part : base::split(text, '-')) path.push_back(read_processor(part));
     if (path.size() < 2 || path.front() != from || path.back() != to)
-      csv_.fail(fmt::format("found the path {}, expected one from {} to {}", text, from, to));
+      csv_.fail(fmt::format("found the path {}, expected a path from {} to {}", text, from, to));
     if (std::set<int>(path.begin(), path.end()).size() < path.size())
-      csv_.fail(fmt::format("found the path {}, expected each processor once", text));
+      csv_.fail(fmt::format("found the path {}, expected each processor at most once", text));
     return path;
   }
 
@@ -86,8 +86,8 @@ class Reader {
     for (size_t i = 0; i + 1 < path.size(); ++i)
       if (std::ranges::find(around_[path[i]], path[i + 1], &Neighbour::processor) ==
           around_[path[i]].end())
-        csv_.fail(fmt::format("found a step from {} to {}, but no link of {} joins the two",
-                              path[i], path[i + 1], topology_.name));
+        csv_.fail(fmt::format("found a step from {} to {}, expected a link of {}", path[i],
+                              path[i + 1], topology_.name));
   }
 
   // Adds the steps of a row's path in one direction to the known steps.
@@ -98,8 +98,8 @@ class Reader {
       if (const Step& other = known->second; !added && other.next != next)
         csv_.fail_at(
             row.line,
-            fmt::format("the path {} leads from {} to {} by {}, but that of line {}, {}, by {}; "
-                        "expected one way from a processor to an end",
+            fmt::format("found the path {0}, which goes from {1} to {2} by {3}, and in line {4} "
+                        "the path {5}, which goes by {6}; expected the same next processor",
                         row.text, at, path.back(), next, other.row->line, other.row->text,
                         other.next));
     }

@@ -38,10 +38,10 @@ RoutingTable make_xy_routes(const Topology& topology) {
   if (topology.shape.form == Form::grid)
     if (const auto grid = find_grid(topology))
       return make_table(std::make_shared<XyRule>(topology, *grid));
-  throw base::BadInput(fmt::format(
-      "topology {}: found no dimensions to go through in order (xy), expected a mesh, a "
-      "torus or a hypercube made by its name",
-      topology.name));
+  throw base::BadInput(
+      fmt::format("topology {}: found no dimensions for dimension-order routing (xy), expected a "
+                  "mesh, torus or hypercube given by its name",
+                  topology.name));
 }
 
 SpanningTree make_spanning_tree(const Topology& topology, int root) {
@@ -83,7 +83,7 @@ TreeLinks check_tree_links(const Topology& topology, const TreeLinks& links) {
   TreeLinks sorted;
   for (const auto& [a, b] : links) {
     const std::pair<int, int> link = std::minmax(a, b);
-    if (!known.contains(link)) refuse(a, b, "but no link joins the two");
+    if (!known.contains(link)) refuse(a, b, "which is not a link of the network");
     if (!found.insert(link).second) refuse(a, b, "twice");
     if (part_of(a) == part_of(b)) refuse(a, b, "which closes a cycle");
     leads[part_of(a)] = part_of(b);
@@ -92,8 +92,8 @@ TreeLinks check_tree_links(const Topology& topology, const TreeLinks& links) {
   for (int p = 0; p < topology.processors; ++p)
     if (part_of(p) != part_of(topology.root))
       throw base::BadInput(
-          fmt::format("no link reaches processor {} from the root {}; expected the links of a "
-                      "spanning tree of {}",
+          fmt::format("found no path from the root {1} to processor {0}, expected the links of a "
+                      "spanning tree of {2}",
                       p, topology.root, topology.name));
   std::ranges::sort(sorted);
   return sorted;

@@ -267,7 +267,8 @@ TEST(TopologyFiles, NamesOfPortsThatAreNoNumbersAreLeftOutAndReported) {
       "<edge source='a' target='b' targetport='north'/>"
       "</graph></graphml>",
       "x.graphml");
-  const std::string row = "\nport names              left out, since they are no numbers 0 to 3\n";
+  const std::string row =
+      "\nport names              ignored, because they are not numbers from 0 to 3\n";
   EXPECT_NE(dot("f0").find(row), std::string::npos);
   EXPECT_NE(to_metrics(graphml).find(row), std::string::npos);
   for (const auto* port : {"ne", "_", "3", "\"3:w\""})

@@ -23,7 +23,7 @@ void expect_rejected(const std::vector<Case>& cases, Act act) {
 }
 
 TEST(TopologyErrors, Specs) {
-  const std::string limit = "the limit is 65536";
+  const std::string limit = "expected at most 65536";
   expect_rejected(
       {{"line:8x", {"\"line:8x\"", "found \"8x\"", "line:N", "N >= 1"}},
        {"line:", {"found \"\"", "line:N"}},
@@ -50,20 +50,20 @@ TEST(TopologyErrors, Specs) {
        {"binary:7:2", {"found 2 size(s)", "binary:N"}},
        {"amp:0", {"amp:0", "found 0 processors, expected 1 to 65536"}},
        {"amp", {"found \"\"", "amp:N"}},
-       {"hypercube:5", {"processor 0 has 5 links", "4 ports"}},
-       {"star:6", {"processor 0 has 5 links", "4 ports"}},
+       {"hypercube:5", {"5 links of processor 0", "at most 4"}},
+       {"star:6", {"5 links of processor 0", "at most 4"}},
        {"star:0", {"at least 1"}},
        {"line:65537", {"65537", limit}},
        {"line:99999999999", {"99999999999", limit}},
-       {"line:99999999999x", {"where a size was expected"}},
+       {"line:99999999999x", {"expected a size"}},
        {"mesh:100000x100000", {"100000", limit}},
        {"mesh:65536x65536", {"4294967296 processors", limit}},
        {"torus:257x256", {"65792 processors", limit}},
        {"rnig:4", {"unknown generator \"rnig\"", "did you mean \"ring\"", "torus:RxC", ".graphml"}},
        {"hypercub:4", {"did you mean \"hypercube\""}},
        {"Mesh:4x4", {"did you mean \"mesh\""}},
-       {"", {"no generator named", "line:N"}},
-       {":4", {"no generator named"}},
+       {"", {"found no name of a generator", "line:N"}},
+       {":4", {"found no name of a generator"}},
        {std::string(100000, 'q'), {"unknown generator"}},
        {std::string("line:3\0x", 8), {"line:3"}}},
       [](const std::string& spec) { make_topology(spec); });
@@ -110,13 +110,14 @@ TEST(TopologyErrors, Dot) {
        {"graph { a:0:n:n -- b }", {"found ':'"}},
        {"graph { subgraph s; a }", {"found ';', expected \"{\""}},
        {"graph { node a }", {"found 'a', expected \"[\" after \"node\""}},
-       {"graph { a -- b }\ngraph { c }", {"line 2: found 'graph', expected one graph"}},
-       {"graph { a -- b }\n}", {"line 2: found '}', expected one graph, and nothing after it"}},
+       {"graph { a -- b }\ngraph { c }", {"line 2: found 'graph', expected only one graph"}},
+       {"graph { a -- b }\n}", {"line 2: found '}', expected only one graph"}},
        {"graph { }", {"x.dot", "empty"}},
-       {"graph { a -- b; b -- b }", {"x.dot", "\"b\" is linked to itself"}},
-       {"graph { a -- b; a -- b; a -- b; b -- a; a -- b }", {"processor \"a\" has 5 links"}},
-       {"graph { a -- b; c -- d }", {"not connected", "\"c\" cannot be reached", "root \"a\""}},
-       {"graph { a -- b; a--c; a--d; a--e; a--f }", {"processor \"a\" has 5 links", "4 ports"}},
+       {"graph { a -- b; b -- b }", {"x.dot", "a link from processor \"b\" to itself"}},
+       {"graph { a -- b; a -- b; a -- b; b -- a; a -- b }", {"5 links of processor \"a\""}},
+       {"graph { a -- b; c -- d }",
+        {"expected a connected network", "to processor \"c\"", "root \"a\""}},
+       {"graph { a -- b; a--c; a--d; a--e; a--f }", {"5 links of processor \"a\"", "at most 4"}},
        {"graph {\n\n a -- b [port_a=4] }",
         {"x.dot: line 3: edge \"a\" to \"b\"", "port '4'", "0 to 3"}},
        {"graph { a -- b [port_b=east] }", {"port 'east'", "0 to 3"}},
@@ -124,8 +125,8 @@ TEST(TopologyErrors, Dot) {
        {"graph { a--b [port_a=1]; a--c [port_a=1] }",
         {"port 1 of processor \"a\"", "\"b\" and \"c\""}},
        {"graph {\n a -- b;\n c:7:ne -- a }", {"line 3", "edge \"c\" to \"a\"", "port '7'"}},
-       {"graph { root=z; a -- b }", {"root \"z\" is not a vertex", "\"a\""}},
-       {"graph { root=a; a -- b; b [root=true] }", {"both \"a\" and \"b\"", "root"}},
+       {"graph { root=z; a -- b }", {"found root \"z\", expected a vertex", "\"a\""}},
+       {"graph { root=a; a -- b; b [root=true] }", {"two roots, \"a\" and \"b\"", "root"}},
        {"graph {\n a [root=maybe]; a -- b }", {"line 2: vertex \"a\"", "'maybe'", "true or false"}},
        {"graph " + std::string(5000, '{'), {"line 1", "at most 100 nested braces"}},
        {"graph {\n" + make_group(2000) + " -- " + make_group(2000) + " }",
@@ -152,23 +153,24 @@ TEST(TopologyErrors, Graphml) {
        {"<html></html>", {"line 1: found <html>, expected <graphml>"}},
        {"\n<graphml></graphml>", {"line 2: found no <graph> in <graphml>"}},
        {graphml(""), {"empty"}},
-       {graphml("<node/>"), {"line 4: found <node> without attribute \"id\""}},
-       {graphml(ab + "<edge source=\"a\"/>"), {"<edge> without attribute \"target\""}},
+       {graphml("<node/>"), {"line 4: found <node> without the attribute \"id\""}},
+       {graphml(ab + "<edge source=\"a\"/>"), {"<edge> without the attribute \"target\""}},
        {graphml(ab + "\n<edge source=\"a\" target=\"zz\"/>"),
-        {"line 5: ", "target is \"zz\"", "no node's id"}},
-       {graphml(ab + R"(<node id="a"/>)"), {"line 4: two nodes have id \"a\""}},
-       {graphml(ab + R"(<edge source="b" target="b"/>)"), {"\"b\" is linked to itself"}},
-       {graphml(ab + R"(<node id="c"/>)"), {"\"c\" cannot be reached"}},
+        {"line 5: ", "target is \"zz\"", "expected the id of a node"}},
+       {graphml(ab + R"(<node id="a"/>)"), {"line 4: found two nodes with the id \"a\""}},
+       {graphml(ab + R"(<edge source="b" target="b"/>)"),
+        {"a link from processor \"b\" to itself"}},
+       {graphml(ab + R"(<node id="c"/>)"), {"to processor \"c\""}},
        {graphml(R"(<node id="a"/><node id="b"/><edge source="a" target="b"><data key="p">7</data>)"
                 "</edge>"),
         {"line 4: edge \"a\" to \"b\": found port '7', expected 0 to 3"}},
        {graphml(R"(<node id="a"/><node id="b"/><edge source="a" target="b" sourceport="5"/>)"),
         {"line 4", "port '5'", "0 to 3"}},
        {graphml(R"(<node id="a"><data key="q">7</data></node>)"),
-        {"line 4", "\"q\"", "no key's id"}},
+        {"line 4", "\"q\"", "expected the id of a key"}},
        {graphml(R"(<node id="a"/><node id="b"/><edge id="e" source="a" target="b"/>)"
                 R"(<edge id="e" source="b" target="a"/>)"),
-        {"line 4: two edges between the same nodes have id \"e\""}},
+        {"line 4: found two edges between the same nodes with the id \"e\""}},
        {deep, {"malformed XML: no element found"}},
        {deep + "</a>", {"line 1: malformed XML"}},
        {graphml(deep + closed), {"empty"}},
@@ -181,7 +183,7 @@ TEST(TopologyErrors, Graphml) {
         {"line 5: found <graph> in <edge>"}},
        {graphml("<locator xlink='a.graphml'/>"), {"line 4: found <locator> in <graph>"}},
        {"<graphml>\n<key id='a'/>\n<key id='a'/><graph/></graphml>",
-        {"line 3: two keys have id \"a\""}}},
+        {"line 3: found two keys with the id \"a\""}}},
       [](const std::string& text) { read_graphml(text, "x.graphml"); });
 }
 
@@ -225,11 +227,12 @@ TEST(TopologyErrors, HandMadeTopologies) {
   EXPECT_NE(made(0, 0, {}).find("no processors"), std::string::npos);
   EXPECT_NE(made(2, 2, {{{0, 0}, {1, 0}}}).find("root 2, expected 0 to 1"), std::string::npos);
   EXPECT_NE(made(2, 0, {{{0, 0}, {2, 0}}}).find("ends at processor 2"), std::string::npos);
-  EXPECT_NE(made(2, 0, {{{1, 0}, {0, 0}}}).find("upside down"), std::string::npos);
-  EXPECT_NE(made(2, 0, {{{0, 4}, {1, 0}}}).find("on port 4, expected 0 to 3"), std::string::npos);
-  EXPECT_NE(made(3, 0, {{{0, 0}, {2, 0}}, {{0, 1}, {1, 0}}}).find("out of order"),
+  EXPECT_NE(made(2, 0, {{{1, 0}, {0, 0}}}).find("expected the lower number first"),
             std::string::npos);
-  EXPECT_NE(made(99999, 0, {}).find("the limit is 65536"), std::string::npos);
+  EXPECT_NE(made(2, 0, {{{0, 4}, {1, 0}}}).find("on port 4, expected 0 to 3"), std::string::npos);
+  EXPECT_NE(made(3, 0, {{{0, 0}, {2, 0}}, {{0, 1}, {1, 0}}}).find("in the wrong order"),
+            std::string::npos);
+  EXPECT_NE(made(99999, 0, {}).find("expected at most 65536"), std::string::npos);
 }
 
 }  // namespace

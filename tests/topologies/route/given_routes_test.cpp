@@ -98,21 +98,20 @@ TEST(TopologyGivenRoutes, OfRandomPathsAllArrive) {
 TEST(TopologyGivenRoutes, MistakesAreNamedWithTheirLine) {
   const auto ring = make_topology("ring:6");
   for (const auto& [rows, message] : std::vector<std::pair<std::string, std::string>>{
-           {"0,2,0-2\n", "r.csv:2: found a step from 0 to 2, but no link of ring:6 joins the two"},
+           {"0,2,0-2\n", "r.csv:2: found a step from 0 to 2, expected a link of ring:6"},
            {"0,2,0-1-2\n0,6,0-1\n", "r.csv:3: found \"6\", expected a processor from 0 to 5"},
-           {"0,2,0-1\n", "r.csv:2: found the path 0-1, expected one from 0 to 2"},
-           {"0,0,0\n", "expected one from 0 to 0"},
+           {"0,2,0-1\n", "r.csv:2: found the path 0-1, expected a path from 0 to 2"},
+           {"0,0,0\n", "expected a path from 0 to 0"},
            {"0,1,0--1\n", "found \"\", expected a processor"},
-           {"0,2,0-1-0-1-2\n", "expected each processor once"},
+           {"0,2,0-1-0-1-2\n", "expected each processor at most once"},
            {"0,2\n", "r.csv:2: found \"0,2\", expected from,to,path"},
            {"0,2,0-1-2\n# as long\n5,2,5-0-5-4-3-2\n", "r.csv:4: found the path"},
            {"0,3,0-1-2-3\n5,3,5-4-3\n1,3,1-0-5-4-3\n",
-            "r.csv:4: the path 1-0-5-4-3 leads from 1 to 3 by 0, but that of line 2, 0-1-2-3, by "
-            "2; "
-            "expected one way from a processor to an end"},
+            "r.csv:4: found the path 1-0-5-4-3, which goes from 1 to 3 by 0, and in line 2 the "
+            "path 0-1-2-3, which goes by 2; expected the same next processor"},
            {"0,3,0-1-2-3\n4,0,4-3-2-1-0\n3,0,3-4-5-0\n",
-            "r.csv:4: the path 3-4-5-0 leads from 3 to 0 by 4"},
-           {"0,3,0-1-2\n", "r.csv:2: found the path 0-1-2, expected one from 0 to 3"}}) {
+            "r.csv:4: found the path 3-4-5-0, which goes from 3 to 0 by 4"},
+           {"0,3,0-1-2\n", "r.csv:2: found the path 0-1-2, expected a path from 0 to 3"}}) {
     const auto told = rejection([&, rows = rows] { read_routes(ring, COLUMNS + rows, "r.csv"); });
     EXPECT_NE(told.find(message), std::string::npos) << rows << told;
   }
@@ -140,19 +139,19 @@ TEST(TopologyTreeLinks, OfAnyRootJoinAll) {
 TEST(TopologyTreeLinks, MistakesAreNamed) {
   const auto mesh = make_topology("mesh:2x2");  // a mesh with the links 0-1, 0-2, 1-3, 2-3
   for (const auto& [links, message] : std::vector<std::pair<TreeLinks, std::string>>{
-           {{{0, 1}, {0, 3}, {1, 2}}, "found [0, 3], but no link joins the two"},
+           {{{0, 1}, {0, 3}, {1, 2}}, "found [0, 3], which is not a link of the network"},
            {{{0, 1}, {1, 0}, {1, 3}}, "found [1, 0], twice"},
            {{{0, 1}, {0, 2}, {1, 3}, {3, 2}},
             "found [3, 2], which closes a cycle; expected the "
             "links of a spanning tree of mesh:2x2"},
-           {{{0, 1}, {1, 3}}, "no link reaches processor 2 from the root 0"}}) {
+           {{{0, 1}, {1, 3}}, "found no path from the root 0 to processor 2"}}) {
     const auto told = rejection([&, links = links] { check_tree_links(mesh, links); });
     EXPECT_NE(told.find(message), std::string::npos) << told;
   }
   auto line = make_topology("line:3");
   line.root = 2;
   const auto told = rejection([&] { check_tree_links(line, {{1, 2}}); });
-  EXPECT_NE(told.find("no link reaches processor 0 from the root 2"), std::string::npos) << told;
+  EXPECT_NE(told.find("found no path from the root 2 to processor 0"), std::string::npos) << told;
 }
 
 }  // namespace
