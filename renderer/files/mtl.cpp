@@ -53,7 +53,7 @@ class MtlReader {
     while (tokens_.begin_line()) try {
         read_statement();
       } catch (const base::BadInput& bad) {
-        left_out_.add("values of materials", bad.what());
+        left_out_.add("unreadable values of materials", bad.what());
         tokens_.skip_line();
       }
     std::vector<MtlEntry> entries;
@@ -97,7 +97,7 @@ class MtlReader {
 
   static void skip(MtlReader& r, Draft&) { r.tokens_.take_rest(); }
   static void leave_picture_out(MtlReader& r, Draft&) {
-    r.left_out_.add("pictures of other things than colours");
+    r.left_out_.add("pictures for properties other than colour");
     r.tokens_.take_rest();
   }
 
@@ -144,7 +144,7 @@ class MtlReader {
   }
 
   void read_opacity(Draft& draft) {
-    if (tokens_.take_if("-halo")) left_out_.add("halos of materials");
+    if (tokens_.take_if("-halo")) left_out_.add("halo options of materials");
     draft.opacity = take("d", 1);
   }
 
@@ -172,7 +172,7 @@ class MtlReader {
       left_out_.add("pictures",
                     fmt::format("{}:{}: found {}, expected {}", tokens_.name(), line,
                                 base::quote(cut_comment(words.rest())),
-                                file ? "a PNG picture" : "the name of a file that is there"));
+                                file ? "a PNG picture" : "the name of an existing file"));
   }
 
   // Takes an option and its values. Returns false if the next word is no option.
@@ -193,7 +193,8 @@ class MtlReader {
       const auto [u, v] = take_pair(words, otherwise);
       if (name == "-o") map.u_offset = u, map.v_offset = v;
       if (name == "-s") map.u_scale = u, map.v_scale = v;
-      if (name == "-t" && (u != 0 || v != 0)) left_out_.add("options of pictures");
+      if (name == "-t" && (u != 0 || v != 0))
+        left_out_.add("options of pictures without an equivalent");
       return true;
     }
     const auto* known = std::ranges::find(OPTIONS, name, &Option::name);
@@ -201,7 +202,7 @@ class MtlReader {
     words.take();
     bool is_off = true;
     for (int i = 0; i < known->values; ++i) is_off = words.take() == "off" && is_off;
-    if (known->has_effect && !is_off) left_out_.add("options of pictures");
+    if (known->has_effect && !is_off) left_out_.add("options of pictures without an equivalent");
     return true;
   }
 
@@ -239,7 +240,7 @@ class MtlReader {
     if (!d && !tr) return;
     if (!d && *tr == 1 && draft.material.illum < FIRST_TRANSPARENT_ILLUM)
       return remark(draft, "materials made opaque", "Tr 1",
-                    "'d' beside it, or illum 4 or more, if nothing shall be seen");
+                    "'d', or illum 4 or more, if the material is meant to be invisible");
     const bool is_tr_meant = tr && (!d || std::abs(*d + *tr - 1) <= ROUNDED);
     draft.material.transparency = is_tr_meant ? *tr : 1 - *d;
   }

@@ -119,7 +119,7 @@ class Reader {
   // Throws if a statement that may appear only once appears again.
   void require_first(std::string_view statement, int& line) {
     if (line != 0)
-      tokens_.fail(target_.line, fmt::format("found a second '{}', expected one, that of line {}",
+      tokens_.fail(target_.line, fmt::format("found a second '{}', expected only that of line {}",
                                              statement, line));
     line = target_.line;
   }
@@ -150,21 +150,20 @@ class Reader {
     require_first("# lens", lens_line_);
     Lens lens;
     lens.aperture = tokens_.take_number("the lens's aperture", 0, MAX_NUMBER);
-    lens.focus = tokens_.take_number("the distance in focus", MIN_FOCUS, MAX_NUMBER);
+    lens.focus = tokens_.take_number("the lens's focal distance", MIN_FOCUS, MAX_NUMBER);
     tell([&] { target_.set_lens(lens); });
   }
 
   void read_shutter() {
     require_first("# shutter", shutter_line_);
     Shutter shutter;
-    shutter.open = tokens_.take_number("the time in frames when it opens", 0, MAX_TIME);
-    shutter.close =
-        tokens_.take_number("the time in frames when it closes", shutter.open, MAX_TIME);
+    shutter.open = tokens_.take_number("the opening time in frames", 0, MAX_TIME);
+    shutter.close = tokens_.take_number("the closing time in frames", shutter.open, MAX_TIME);
     tell([&] { target_.set_shutter(shutter); });
   }
 
   void read_move() {
-    const Vec velocity = tokens_.take_vec("a velocity in scene units a frame");
+    const Vec velocity = tokens_.take_vec("a velocity in scene units per frame");
     tell([&] { target_.set_motion({velocity, {}}); });
   }
 
@@ -228,7 +227,7 @@ class Reader {
   }
 
   Mapping take_spherical() {
-    const Vec middle = tokens_.take_vec("the texture's middle");
+    const Vec middle = tokens_.take_vec("the texture's centre");
     Vec axis{0, 0, 1};
     if (tokens_.take_if("axis")) axis = tokens_.take_vec("the texture's axis");
     Mapping mapping;
@@ -266,7 +265,7 @@ class Reader {
       s.ior = ior;
     else if (s.t > 0)  // opaque surfaces may state an index of 0
       tokens_.fail(tokens_.line(),
-                   "found an index of refraction of 0, expected one > 0 where T > 0");
+                   "found an index of refraction of 0, expected more than 0 because T > 0");
     has_surface_ = true;
     tell([&] { target_.set_surface(s); });
   }

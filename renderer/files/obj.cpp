@@ -146,8 +146,8 @@ class ObjReader {
         {"bzp", &leave_out, CURVES},
         {"cdc", &leave_out, CURVES},
         {"cdp", &leave_out, CURVES},
-        {"call", &leave_out, "calls of other files"},
-        {"csh", &leave_out, "commands of the shell"},
+        {"call", &leave_out, "calls to other files"},
+        {"csh", &leave_out, "shell commands"},
         {"shadow_obj", &leave_out, "objects for shadows"},
         {"trace_obj", &leave_out, "objects for reflections"},
         {"usemap", leave_out_if_on, "texture maps of faces"},
@@ -284,9 +284,10 @@ class ObjReader {
       const auto words = split_corner(tokens_.peek());
       const Vec* point = words ? points_.find(words->v) : nullptr;
       if (!point)
-        tokens_.fail_next(fmt::format(
-            "the number of a readable vertex (v): 1 to {}, or -1 to -{} from the last above",
-            points_.all.size(), points_.above));
+        tokens_.fail_next(
+            fmt::format("the number of a readable vertex (v): 1 to {}, or -1 to -{} counted back "
+                        "from this line",
+                        points_.all.size(), points_.above));
       face.corners.push_back(*point);
       coordinates.add(coordinates_, words->vt);
       normals.add(normals_, words->vn);
@@ -304,8 +305,8 @@ class ObjReader {
     if (items.size() == count) return std::move(items);
     if (items.empty() && problem.empty()) return {};
     if (problem.empty())
-      problem = fmt::format("found {} {}, expected one for each of the {} corners", items.size(),
-                            kind, count);
+      problem =
+          fmt::format("found {} {}, expected {}, one for each corner", items.size(), kind, count);
     left_out_.add(kind, at_line(problem));
     return {};
   }
@@ -315,9 +316,10 @@ class ObjReader {
     for (auto& [u, v] : coordinates) {
       u = map_.u_scale * u + map_.u_offset, v = map_.v_scale * v + map_.v_offset;
       if (std::abs(u) <= MAX_COORDINATE && std::abs(v) <= MAX_COORDINATE) continue;
-      left_out_.add("texture coordinates of faces",
-                    at_line(fmt::format("found a scaled coordinate {:g} {:g}, expected up to {:g}",
-                                        u, v, MAX_COORDINATE)));
+      left_out_.add(
+          "texture coordinates of faces",
+          at_line(fmt::format("found a scaled coordinate {:g} {:g}, expected at most {:g}", u, v,
+                              MAX_COORDINATE)));
       return {};
     }
     return coordinates;
@@ -354,7 +356,7 @@ std::vector<ObjFace> cut_into_triangles(const ObjFace& face) {
     if (length(cross(b - a, c - a)) > LEAST_HEIGHT * longest * longest)
       parts.push_back(std::move(part));
   }
-  require(!parts.empty(), "a polygon without area", "vertices that are not all on one line");
+  require(!parts.empty(), "a polygon with area 0", "vertices that are not collinear");
   return parts;
 }
 

@@ -16,8 +16,8 @@ class ItemReader {
 
   ObjItems read() {
     while (tokens_.begin_line()) read_statement(base::to_lower(tokens_.take()));
-    left_out_.add("colours of corners", "", colours_);
-    left_out_.add("weights of corners", "", weights_);
+    left_out_.add("colours of vertices", "", colours_);
+    left_out_.add("weights of vertices", "", weights_);
     return std::move(items_);
   }
 

@@ -55,7 +55,7 @@ void ObjMaterials::read_libraries(const std::string& name, const ObjItems::Libra
     }
     end = i + 1;
     while (end < words.size() && !base::to_lower(words[end - 1]).ends_with(".mtl")) ++end;
-    note_missing(fmt::format("{}: found {}, expected the name of a file that is there", place,
+    note_missing(fmt::format("{}: found {}, expected the name of an existing file", place,
                              base::quote(span_words(words[i], words[end - 1]))));
     i = end;
   }

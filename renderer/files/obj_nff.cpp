@@ -28,7 +28,7 @@ void ObjAsNff::add_material(const MtlMaterial& material) {
   const auto& [r, g, b] = material.specular;
   if (look.surface.ks > 0 && (r != g || g != b)) left_out_.add("colours of mirrors");
   if (look.surface.ks == 0 && material.specular != Rgb{})
-    left_out_.add("highlights without mirror images");
+    left_out_.add("highlights without mirror reflection");
   if (!material.picture.empty()) try {
       look.surface.texture = target_.add_texture(material.picture, make_mesh_mapping());
       target_.add_file(material.picture);
@@ -119,7 +119,7 @@ void NffAsObj::change_surface(const Surface& s) {
 
 std::uint32_t NffAsObj::add_texture(const std::string& file, const Mapping& mapping) {
   const bool is_mesh = mapping.kind == Mapping::Kind::mesh;
-  if (!is_mesh) left_out_.add("textures that are no mesh's");
+  if (!is_mesh) left_out_.add("textures with another mapping than mesh");
   pictures_.push_back(is_mesh ? file : "");
   return static_cast<std::uint32_t>(pictures_.size() - 1);
 }

@@ -78,7 +78,7 @@ class NffAsObj : public NffTarget {
   void set_lens(const Lens&) override { left_out_.add("lenses"); }
   void set_shutter(const Shutter&) override { left_out_.add("shutters"); }
   void set_motion(Motion) override { left_out_.add("motions"); }
-  void set_camera(Path) override { left_out_.add("paths of the camera"); }
+  void set_camera(Path) override { left_out_.add("camera paths"); }
   std::uint32_t add_texture(const std::string& file, const Mapping& mapping) override;
   void set_coordinates(std::vector<Corner> coordinates) override {
     coordinates_ = std::move(coordinates);

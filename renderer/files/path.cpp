@@ -19,11 +19,11 @@ Path parse_path(std::string text, const std::string& name, bool has_target) {
     PathRow row;
     row.time = tokens.take_number("a time in frames");
     row.place = tokens.take_vec(has_target ? "the view point" : "a displacement");
-    if (has_target) row.target = tokens.take_vec("the point looked at");
+    if (has_target) row.target = tokens.take_vec("the point that the camera looks at");
     tokens.end_line();
     if (!path.empty() && !(row.time > path.back().time))
-      tokens.fail(tokens.line(),
-                  fmt::format("found time {}, expected one after {}", row.time, path.back().time));
+      tokens.fail(tokens.line(), fmt::format("found the time {}, expected more than {}", row.time,
+                                             path.back().time));
     path.push_back(row);
   }
   if (path.empty()) tokens.fail_next("a row of numbers");

@@ -30,7 +30,7 @@ std::string describe_light(const Light& light, const std::optional<Rgb>& colour)
 
 void check_word(const std::string& name) {
   require(name.find_first_of(" \t\n\r\f\v#") == name.npos, base::quote(name),
-          "a name without blanks and #");
+          "a name without blanks and without '#'");
 }
 
 std::string WordNames::make(std::string name) {
@@ -73,7 +73,7 @@ void NffText::set_emission(const Rgb& emission) { body_ += "# emit " + describe(
 std::uint32_t NffText::add_texture(const std::string& file, const Mapping&) {
   pictures_.push_back(find_from(folder_, file));
   require(pictures_.back().find('.') != std::string::npos, base::quote(pictures_.back()),
-          "a picture's name with a full stop, without which '# texture' is prose");
+          "a picture's name with a full stop (otherwise '# texture' is an ordinary comment)");
   return static_cast<std::uint32_t>(pictures_.size() - 1);
 }
 

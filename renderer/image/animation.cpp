@@ -27,11 +27,11 @@ class FrameCheck {
       width_ = bitmap.width, height_ = bitmap.height;
       require(width_ <= MAX_WEBP_SIDE && height_ <= MAX_WEBP_SIDE, WHO,
               fmt::format("{} x {} pixels", width_, height_),
-              fmt::format("at most {} along each side", MAX_WEBP_SIDE));
+              fmt::format("at most {} on each side", MAX_WEBP_SIDE));
     }
     require(bitmap.width == width_ && bitmap.height == height_, who,
             fmt::format("{} x {} pixels", bitmap.width, bitmap.height),
-            fmt::format("{} x {} as the first", width_, height_));
+            fmt::format("{} x {}, as in the first frame", width_, height_));
     require(duration_ms >= 1 && duration_ms <= MAX_DURATION_MS, who,
             fmt::format("a duration of {} ms", duration_ms), fmt::format("1..{}", MAX_DURATION_MS));
     time_ms_ += duration_ms;

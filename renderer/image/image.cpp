@@ -25,11 +25,11 @@ std::uint8_t to_byte(std::int64_t sum) {
 
 void check_bytes(int width, int height, const std::vector<std::uint8_t>& rgb8,
                  std::string_view who) {
-  require(!rgb8.empty(), who, "an image of no pixels", "1 or more");
+  require(!rgb8.empty(), who, "an image without pixels", "1 or more");
   const auto expected =
       std::size_t{3} * static_cast<unsigned>(width) * static_cast<unsigned>(height);
   require(rgb8.size() == expected, who, fmt::format("{} bytes", rgb8.size()),
-          fmt::format("3 for each of {} x {} pixels", width, height));
+          fmt::format("3 bytes for each of {} x {} pixels", width, height));
 }
 
 }  // namespace
@@ -84,14 +84,16 @@ Bitmap load_png(const std::string& path) {
   image.version = PNG_IMAGE_VERSION;
   const auto check_read = [&](int done) {
     if (done == 0) png_image_free(&image);
-    require(done != 0, path, fmt::format("what is no whole PNG ({})", image.message), "a picture");
+    require(done != 0, path,
+            fmt::format("a file that is not a complete PNG picture ({})", image.message),
+            "a picture");
   };
   check_read(png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()));
   const auto pixels = std::uint64_t{image.width} * image.height;
   if (pixels > std::uint64_t{MAX_PICTURE}) png_image_free(&image);
   require(pixels <= std::uint64_t{MAX_PICTURE}, path,
           fmt::format("{} x {} pixels", image.width, image.height),
-          fmt::format("at most {} together", MAX_PICTURE));
+          fmt::format("at most {} pixels", MAX_PICTURE));
   image.format = PNG_FORMAT_RGB;
   // without this flag, libpng takes 16-bit samples as linear
   image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;

@@ -6,8 +6,8 @@ namespace renderer {
 
 void read_mesh(const std::string& path, ObjTarget& /*target*/, LeftOut& /*left_out*/) {
   throw base::BadInput(path +
-                       ": found a mesh, but this tlab was built without Assimp; expected a build "
-                       "with Debian's libassimp-dev installed");
+                       ": found a mesh file, but this tlab was built without Assimp; install "
+                       "Debian's libassimp-dev and rebuild");
 }
 
 }  // namespace renderer

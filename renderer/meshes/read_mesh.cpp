@@ -28,7 +28,8 @@ class Teller {
     for (unsigned i = 0; i < scene_.mNumMaterials; ++i) tell_material(*scene_.mMaterials[i]);
     for (unsigned i = 0; i < scene_.mNumMeshes; ++i) tell_mesh(*scene_.mMeshes[i]);
     if (told_ == 0)
-      throw base::BadInput(path_ + ": found no triangle with an area, expected one or more");
+      throw base::BadInput(path_ +
+                           ": found no triangle with an area above 0, expected one or more");
     left_out_.add("lights", "", scene_.mNumLights);
     left_out_.add("cameras", "", scene_.mNumCameras);
     left_out_.add("animations", "", scene_.mNumAnimations);
@@ -57,7 +58,7 @@ class Teller {
     m.ior = number(AI_MATKEY_REFRACTI, 1e-3, MAX_IOR, 1);
     for (int type = 0; type <= AI_TEXTURE_TYPE_MAX; ++type)
       if (type != aiTextureType_DIFFUSE && type != aiTextureType_BASE_COLOR)
-        left_out_.add("pictures of other things than colours", "",
+        left_out_.add("pictures for properties other than colour", "",
                       material.GetTextureCount(static_cast<aiTextureType>(type)));
     aiString picture;
     if (material.GetTexture(aiTextureType_DIFFUSE, 0, &picture) == aiReturn_SUCCESS)
@@ -68,7 +69,7 @@ class Teller {
   // Sets the picture of a material if it is a file of its own. Embedded pictures are left out.
   void tell_picture(const std::string& name, MtlMaterial& material) {
     if (scene_.GetEmbeddedTexture(name.c_str()))
-      left_out_.add("pictures in the file");
+      left_out_.add("embedded pictures");
     else
       material.picture = (std::filesystem::path(path_).parent_path() / name).string();
   }
@@ -78,7 +79,7 @@ class Teller {
       const bool is_lines = mesh.mPrimitiveTypes & aiPrimitiveType_LINE;
       return left_out_.add(is_lines ? "lines" : "points", "", mesh.mNumFaces);
     }
-    if (mesh.HasVertexColors(0)) left_out_.add("colours of corners", "", mesh.mNumVertices);
+    if (mesh.HasVertexColors(0)) left_out_.add("colours of vertices", "", mesh.mNumVertices);
     target_.use_material(mesh.mMaterialIndex);
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) tell_face(mesh, mesh.mFaces[i]);
   }
@@ -95,17 +96,17 @@ class Teller {
     }
     for (const Vec& corner : corners)
       base::require(max_abs(corner) <= MAX_NUMBER, path_,
-                    "found a corner at {:g} {:g} {:g}, expected coordinates up to {:g}", corner.x,
+                    "found a vertex at {:g} {:g} {:g}, expected coordinates up to {:g}", corner.x,
                     corner.y, corner.z, MAX_NUMBER);
     if (!std::ranges::all_of(coordinates, can_be_read)) {
-      left_out_.add("coordinates beyond a million", "", coordinates.size());
+      left_out_.add("texture coordinates beyond a million", "", coordinates.size());
       coordinates.clear();
     }
     if (!can_be_polygon(corners, normals)) normals.clear();
     if (can_be_polygon(corners, {}) && ++told_)
       target_.add_face(std::move(corners), std::move(normals), std::move(coordinates));
     else
-      left_out_.add("triangles without an area");
+      left_out_.add("triangles with area 0");
   }
 
   static bool can_be_read(const Corner& c) {
@@ -139,7 +140,7 @@ void read_mesh(const std::string& path, ObjTarget& target, LeftOut& left_out) {
     const std::string reason = importer.GetErrorString();
     const bool is_memory = reason.find("bad_alloc") != reason.npos;
     throw base::BadInput(fmt::format("{}: found {}, expected a mesh of triangles", path,
-                                     is_memory        ? "what asks for more memory than there is"
+                                     is_memory ? "a file that needs more memory than is available"
                                      : reason.empty() ? "none"
                                                       : base::quote(reason)));
   }

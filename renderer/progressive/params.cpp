@@ -27,10 +27,10 @@ base::Fields<Step> step_fields() {
   using D = base::Declare<Step>;
   return {
       D::number("contrast", &Step::contrast, 0, 1, "",
-                "contrast above which a cell is divided; 0: every cell is"),
+                "contrast above which a cell is divided; 0: divide every cell"),
       side_field<Step>("min_cell", &Step::min_cell, "side of the smallest cells, a power of two"),
       D::flag("pyramid", &Step::pyramid,
-              "whether a cell is divided too that may hide an object from its samples")};
+              "true: also divide cells whose samples may miss an object")};
 }
 
 void check(const Step& step, const Params& params, int max_cell) {

@@ -31,7 +31,7 @@ base::Field<P> step_kind_field(Access access) {
   return base::Declare<P>::choice(
       "steps", access,
       base::Names<StepKind>{{"cells", StepKind::cells}, {"depth", StepKind::depth}},
-      "what grows: ever smaller cells, or ever deeper trees");
+      "what changes from step to step: smaller cells, or deeper shading trees");
 }
 
 inline constexpr const char* EXPECTED_SIDE = "a power of two from 1 to 65536";

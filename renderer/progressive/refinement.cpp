@@ -72,7 +72,7 @@ Refinement::Refinement(const Scene& scene, const Params& params, Order order, in
   state_.work = state.work;
   const std::uint64_t others = pixel_samples() - 1;
   require(done() <= total() && (done() <= pixels_ || (done() - pixels_) % others == 0), "samples",
-          done(), fmt::format("at most {}, and whole pixels", total()));
+          done(), fmt::format("at most {}, in complete pixels", total()));
   require(state_.corner_rows >= 0 && state_.corner_rows <= state_.corners.rows(), "corner_rows",
           state_.corner_rows, fmt::format("0 to {}", state_.corners.rows()));
   const auto begun = is_second_pass() && others > 0 ? (done() - pixels_) / others : done();

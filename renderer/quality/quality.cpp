@@ -80,7 +80,7 @@ double rmse(const Bitmap& a, const Bitmap& b) {
 double rms_difference(const Samples& a, const Samples& b) {
   require(a.width == b.width && a.height == b.height && !a.sums.empty(), "rms_difference",
           fmt::format("images of {} x {} and {} x {} pixels", a.width, a.height, b.width, b.height),
-          "equal sizes, and a pixel");
+          "equal sizes of at least one pixel");
   double squares = 0;
   for (std::size_t i = 0; i < a.sums.size(); ++i) {
     const Rgb p = to_rgb(a.sums[i]), q = to_rgb(b.sums[i]);

@@ -85,8 +85,8 @@ Polygon make_polygon(std::span<const Vec> corners, Tag tag, std::vector<PolygonC
   const Bounds box = make_bounds(corners);
   const double size = max_abs(box.hi - box.lo);
   const Vec newell = eval_newell_normal(corners, centre);
-  require(length(newell) > MIN_AREA * size * size, "a polygon without area",
-          "vertices that are not all on one line");
+  require(length(newell) > MIN_AREA * size * size, "a polygon with area 0",
+          "vertices that are not collinear");
 
   Polygon made;
   made.normal = normalize(newell);
@@ -114,11 +114,11 @@ Patch make_patch(std::span<const Vec> corners, std::span<const Vec> corner_norma
                  std::vector<PolygonCorner>& pool, std::vector<Vec>& normal_pool) {
   require(corners.size() == corner_normals.size(),
           fmt::format("{} normals for {} vertices", corner_normals.size(), corners.size()),
-          "one each");
+          "one normal for each vertex");
   Patch made{make_polygon(corners, tag, pool), static_cast<std::uint32_t>(normal_pool.size())};
   Vec sum;
   for (const Vec& n : corner_normals) {
-    require(length(n) > 0, "a normal of length 0", "a direction");
+    require(length(n) > 0, "a normal of length 0", "a non-zero length");
     normal_pool.push_back(normalize(n));
     sum += normal_pool.back();
   }
@@ -143,7 +143,7 @@ Cone make_cone(const Vec& base, double base_radius, const Vec& apex, double apex
           fmt::format("a cone of radii {} and {}", base_radius, apex_radius), "radii >= 0");
   require(base_radius + apex_radius > 0, "a cone of radii 0 and 0", "one radius > 0");
   const double height = length(apex - base);
-  require(height > 0, "a cone whose ends coincide", "two different end points");
+  require(height > 0, "a cone with coinciding ends", "two different end points");
   return {base, normalize(apex - base), height, base_radius, (apex_radius - base_radius) / height,
           tag};
 }

@@ -23,7 +23,8 @@ Tag make_tag(const Scene& scene, std::string_view shape, std::size_t corners = 0
   require(scene.objects.size() < MAX_OBJECTS, "more objects",
           fmt::format("at most {}", MAX_OBJECTS));
   require(corners > 0 || !has_mesh_texture(scene), fmt::format("{} without coordinates", shape),
-          "polygons with coordinates ('# uv') of their surface's texture, which is a mesh's");
+          "polygons with texture coordinates ('# uv'), because the surface's texture has the "
+          "mapping mesh");
   return {static_cast<std::uint32_t>(scene.objects.size()),
           static_cast<std::uint32_t>(scene.surfaces.size() - 1)};
 }
@@ -37,7 +38,7 @@ void add(Scene& scene, Kind kind, std::vector<Primitive>& list, const Primitive&
 void check_coordinates(std::span<const Vec> corners, std::span<const Corner> coordinates) {
   require(coordinates.empty() || coordinates.size() == corners.size(),
           fmt::format("{} texture coordinates for {} vertices", coordinates.size(), corners.size()),
-          "one pair each");
+          "one pair for each vertex");
 }
 
 // Stores the texture coordinates of the last polygon's corners.
@@ -121,11 +122,12 @@ void check_motion(const View& view) {
   const Vec open = view.at - view.from, move = view.at_move - view.from_move;
   const double longest = std::max(length(open), length(open + move));
   require(eval_least_length(open, move) > LEAST_ANGLE * longest,
-          "a view whose 'from' and 'at' meet while the shutter is open", "'from' and 'at' apart");
+          "a view whose 'from' and 'at' meet while the shutter is open",
+          "different points 'from' and 'at'");
   require(eval_least_length(cross(open, view.up), cross(move, view.up)) >
               LEAST_ANGLE * length(view.up) * longest,
           "a view that turns along the up direction while the shutter is open",
-          "'up' across the line from 'from' to 'at'");
+          "an 'up' that is not parallel to the line from 'from' to 'at'");
 }
 
 // Sorts the primitives of one kind into the order of the leaves.
@@ -182,9 +184,10 @@ View make_image_plane(View view) {
   require(view.angle > 0 && view.angle < 180, fmt::format("a view angle of {}", view.angle),
           "degrees between 0 and 180");
   require(length(view.at - view.from) > 0, "a view from the point it looks at",
-          "'from' and 'at' apart");
+          "different points 'from' and 'at'");
   require(length(cross(normalize(view.at - view.from), view.up)) > LEAST_ANGLE * length(view.up),
-          "an up direction along the view", "'up' across the line from 'from' to 'at'");
+          "an up direction along the view",
+          "an 'up' that is not parallel to the line from 'from' to 'at'");
   point(view);
   view.half_height = static_cast<double>(
       std::tan(static_cast<long double>(view.angle) * std::numbers::pi_v<long double> / 360));

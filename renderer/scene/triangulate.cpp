@@ -7,7 +7,7 @@ namespace renderer {
 namespace {
 
 constexpr double OFF_PLANE = 1e-6, NO_AREA = 1e-12;  // relative to the size and its square
-constexpr const char* CROSSED = "a polygon whose edges cross";
+constexpr const char* CROSSED = "a polygon with crossing edges";
 constexpr std::size_t MOST_CORNERS = 1000;
 
 struct Point {
@@ -29,8 +29,8 @@ double eval_turn(const Point& a, const Point& b, const Point& c) {
 std::vector<Point> project(std::span<const Vec> corners) {
   const double size = eval_size(corners);
   const Vec area = eval_area_normal(corners);
-  require(length(area) > NO_AREA * size * size, "a polygon without area",
-          "vertices that are not all on one line");
+  require(length(area) > NO_AREA * size * size, "a polygon with area 0",
+          "vertices that are not collinear");
   const Vec normal = normalize(area);
   const Vec u = normalize(cross(std::abs(normal.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0}, normal));
   const Vec v = cross(normal, u);
@@ -59,7 +59,7 @@ class EarClipper {
     std::uint32_t left = static_cast<std::uint32_t>(points_.size()), at = 1;
     for (std::uint32_t failed = 0; left > 3;) {
       const bool is_all_tried = failed >= left;
-      require(failed < 2 * left, CROSSED, "edges that do not");
+      require(failed < 2 * left, CROSSED, "edges that do not cross");
       if (is_ear(at) || (is_all_tried && std::abs(turn(at)) <= NO_AREA)) {
         const auto next = links_[at].next;
         cut(at);
@@ -71,7 +71,7 @@ class EarClipper {
         at = links_[at].next;
       }
     }
-    require(turn(at) >= -NO_AREA, CROSSED, "edges that do not");
+    require(turn(at) >= -NO_AREA, CROSSED, "edges that do not cross");
     add(at);
     return std::move(triangles_);
   }

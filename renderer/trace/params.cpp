@@ -52,15 +52,17 @@ base::Fields<Params> sampling_fields() {
   const auto lens = [](auto& p) -> auto& { return p.sampling.lens; };
   const auto shutter = [](auto& p) -> auto& { return p.sampling.shutter; };
   const auto seed = [](auto& p) -> auto& { return p.sampling.seed; };
-  return {D::whole("pixel_samples", samples, 1, MAX_PIXEL_SAMPLES, "",
-                   "samples of a pixel; with adaptive, the most"),
-          D::number("adaptive", adaptive, 0, 1, "",
-                    "standard error of a pixel's colour that 64 samples may leave, n of them "
-                    "sqrt(n / 64) times as much: above it more are taken; 0: all pixels get "
-                    "pixel_samples"),
-          D::number("lens", lens, 0, MAX_LENS, "", "factor of the scene's aperture; 0: a pinhole"),
-          D::number("shutter", shutter, 0, 1, "", "part of the scene's shutter time"),
-          D::whole("sample_seed", seed, 0, 9007199254740992.0, "", "seed of the samples")};
+  return {
+      D::whole("pixel_samples", samples, 1, MAX_PIXEL_SAMPLES, "",
+               "samples per pixel; with adaptive, the maximum"),
+      D::number(
+          "adaptive", adaptive, 0, 1, "",
+          "standard error allowed for a pixel's colour after 64 samples (after n samples, sqrt(n / "
+          "64) times as much); pixels above it get more samples; 0: pixel_samples for all"),
+      D::number("lens", lens, 0, MAX_LENS, "",
+                "factor that multiplies the scene's aperture; 0: a pinhole"),
+      D::number("shutter", shutter, 0, 1, "", "share of the scene's shutter time"),
+      D::whole("sample_seed", seed, 0, 9007199254740992.0, "", "seed for the samples")};
 }
 
 base::Fields<Params> param_fields() {
@@ -70,18 +72,19 @@ base::Fields<Params> param_fields() {
   base::Fields<Params> fields = {
       D::whole("width", &Params::width, 1, MAX_SIDE, "pixels", "width of the image"),
       D::whole("height", &Params::height, 1, MAX_SIDE, "pixels", "height of the image"),
-      D::whole("depth", depth, 1, 1000, "", "levels of the shading tree"),
-      D::number("min_influence", min_influence, 0, 1, "",
-                "influence factor below which no ray is made"),
+      D::whole("depth", depth, 1, 1000, "", "number of levels of the shading tree"),
+      D::number("min_influence", min_influence, 0, 1, "", "smallest influence factor of a ray"),
       D::choice("feelers", &Params::feelers, FEELERS,
-                "lights that get a feeler: all, or those in front of the surface"),
+                "lights that get a shadow feeler: all, or only those in front of the surface"),
       D::choice("total_reflection", &Params::total_reflection, TOTAL_REFLECTIONS,
                 "transmitted light on total internal reflection in clear glass: mirrored, or lost "
                 "(T. Whitted)"),
       D::choice("sample", &Params::sample, SAMPLES,
-                "where a pixel is sampled: corner, center, or lattice (edge to edge)"),
+                "where a pixel is sampled: corner, center, or lattice (samples reach from edge to "
+                "edge of the image)"),
       D::choice("traversal", &Params::traversal, TRAVERSALS,
-                "how the hierarchy is searched: exhaustive (the thesis), nearest first, or linear"),
+                "search of the hierarchy: exhaustive (as in the thesis), nearest first, or linear "
+                "(without the hierarchy)"),
       D::number("ambient", &Params::ambient, 0, 1000, "", "intensity of ambient light"),
       base::lift<Params>(area_field(), &Params::area),
   };
@@ -93,7 +96,7 @@ void check(const Params& p) {
   const auto show = [](int width, int height) { return fmt::format("{} x {}", width, height); };
   const auto size = show(p.width, p.height);
   require(p.width >= 1 && p.width <= MAX_SIDE && p.height >= 1 && p.height <= MAX_SIDE, "size",
-          size, fmt::format("1 to {} pixels a side", MAX_SIDE));
+          size, fmt::format("1 to {} pixels on each side", MAX_SIDE));
   require(1LL * p.width * p.height <= MAX_PIXELS, "size", size,
           fmt::format("at most {} pixels", MAX_PIXELS));
   require_allowed(param_fields(), p);

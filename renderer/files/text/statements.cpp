@@ -48,7 +48,7 @@ View take_view(Tokens& tokens) {
         std::ranges::find(settings, tokens.peek(), [](const auto& named) { return named.first; });
     if (setting == std::end(settings)) break;
     if (std::exchange(seen[setting - settings], true))
-      tokens.fail_next("each of the view's settings once");
+      tokens.fail_next("each setting of the view only once");
     tokens.take();
     setting->second();
   }
@@ -78,7 +78,7 @@ StatedLight take_area_light(Tokens& tokens) {
   const int line = tokens.line();
   const bool is_sphere = tokens.take() == "sphere";
   light.shape = is_sphere ? LightShape::sphere : LightShape::rectangle;
-  light.at = tokens.take_vec("the light's middle");
+  light.at = tokens.take_vec("the light's centre");
   if (is_sphere) {
     light.radius = tokens.take_number("the light's radius", 0, MAX_NUMBER);
     tokens.at_line(line, [&] { require(light.radius > 0, "a light of radius 0", "a radius > 0"); });
@@ -87,7 +87,7 @@ StatedLight take_area_light(Tokens& tokens) {
     light.v = tokens.take_vec("the light's second half edge");
     tokens.at_line(line, [&] {
       require(length(cross(light.u, light.v)) > 1e-9 * length(light.u) * length(light.v),
-              "a light without area", "half edges that are not parallel, and not of length 0");
+              "a light with area 0", "half edges of non-zero length that are not parallel");
     });
   }
   return end_light(tokens, light);

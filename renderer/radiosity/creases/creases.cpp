@@ -169,8 +169,8 @@ base::Field<Creases> creases_field() {
       {"file", Creases::file}, {"auto", Creases::found}, {"none", Creases::none}};
   return base::Declare<Creases>::choice(
       "creases", [](auto& c) -> auto& { return c; }, names,
-      "lines at which patches end: the room's; these and the borders of penumbrae and lines within "
-      "them that are found, and near lights smaller patches; none");
+      "lines where patches end: those of the room's file; auto: also borders of penumbrae, lines "
+      "inside them, and smaller patches near lights; or none");
 }
 
 void choose_creases(Room& room, Creases creases) {

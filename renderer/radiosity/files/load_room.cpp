@@ -57,8 +57,9 @@ class RoomReader {
     at_place(tokens_.name(), [&] { check_light(room_); });
     for (std::size_t i = 0; i < crease_lines_.size(); ++i)
       if (!lies_on_a_face(room_.creases[i], room_))
-        tokens_.fail(crease_lines_[i],
-                     "found a crease on no face, expected both ends in a plane of one");
+        tokens_.fail(
+            crease_lines_[i],
+            "found a crease that lies on no face, expected both ends in the plane of one face");
     return std::move(room_);
   }
 
@@ -106,7 +107,7 @@ class RoomReader {
       face.corners.push_back(tokens_.take_vec(fmt::format("corner {}", i + 1)));
     if (tokens_.take_if("divide")) {
       face.along = take_divisions("patches along the first edge");
-      face.across = corners ? take_divisions("patches across it") : face.along;
+      face.across = corners ? take_divisions("patches along the second edge") : face.along;
     }
     face.two_sided = tokens_.take_if("two-sided");
     if (tokens_.continues())
@@ -119,13 +120,13 @@ class RoomReader {
     const int line = tokens_.line();
     Face face;
     face.material = take_material(tokens_, room_, "lines above");
-    const Vec ends[] = {tokens_.take_vec("the least corner"),
-                        tokens_.take_vec("the greatest corner")};
+    const Vec ends[] = {tokens_.take_vec("the corner with the smallest coordinates"),
+                        tokens_.take_vec("the corner with the largest coordinates")};
     for (int axis = 0; axis < 3; ++axis)
       if (!(ends[0][axis] < ends[1][axis]))
-        tokens_.fail(
-            line, fmt::format("found a box from {} to {} along {}, expected the least corner first",
-                              ends[0][axis], ends[1][axis], "xyz"[axis]));
+        tokens_.fail(line, fmt::format("found a box from {} to {} along {}, expected the corner "
+                                       "with the smallest coordinates first",
+                                       ends[0][axis], ends[1][axis], "xyz"[axis]));
     if (tokens_.take_if("divide"))
       face.along = face.across = take_divisions("patches along every edge");
     const bool inside = tokens_.take_if("inside");
@@ -160,7 +161,7 @@ class RoomReader {
     const int line = tokens_.line();
     if (view_line_ != 0)
       tokens_.fail(line,
-                   fmt::format("found a second view, expected one, that of line {}", view_line_));
+                   fmt::format("found a second view, expected only that of line {}", view_line_));
     view_line_ = line;
     renderer::View view;
     for (const auto& [name, vec] :
@@ -169,7 +170,7 @@ class RoomReader {
       *vec = tokens_.take_vec(name);
     }
     take_name("angle");
-    view.angle = tokens_.take_number("the angle of the picture's height in degrees");
+    view.angle = tokens_.take_number("the vertical angle of view in degrees");
     take_name("size");
     view.width = tokens_.take_count("the picture's width", 1, renderer::MAX_SIDE);
     view.height = tokens_.take_count("the picture's height", 1, renderer::MAX_SIDE);
@@ -201,7 +202,7 @@ struct RoomTarget : renderer::NffTarget {
   }
 
   void set_surface(const renderer::Surface& s) override {
-    if (s.t > 0) throw BadInput(fmt::format("found T {}, expected 0: opaque surfaces", s.t));
+    if (s.t > 0) throw BadInput(fmt::format("found T {}, expected 0 (opaque surfaces)", s.t));
     const bool mirror = s.ks == 1 && s.kd == 0;
     if (s.ks > 0 && !mirror) left_out.add("partial reflections");
     set_material({{}, mirror ? Rgb{1, 1, 1} : s.kd * s.colour, {}, mirror});
@@ -251,7 +252,7 @@ struct ObjRoom : renderer::ObjTarget {
     if (m.illum > renderer::ILLUM_REFLECTS && m.specular != Rgb{})
       left_out.add("partial reflections");
     if (m.illum < renderer::ILLUM_REFLECTS && m.specular != Rgb{})
-      left_out.add("highlights without mirror images");
+      left_out.add("highlights without mirror reflection");
     if (m.transparency > 0) left_out.add("transparent materials");
     if (!m.picture.empty()) left_out.add("pictures");
     room.materials.push_back({m.name, mirror ? m.specular : m.diffuse, m.emission, mirror});
@@ -328,7 +329,7 @@ Read find_reader(const std::string& name) {
   if (name.ends_with(".obj")) return &read_obj_room;
   if (name.ends_with(".nff")) return &read_nff_room;
   throw BadInput(fmt::format(
-      "{}: found a room's name with another ending, expected .room, .nff or .obj", name));
+      "{}: found another ending in the name of a room, expected .room, .nff or .obj", name));
 }
 
 // Moves a room to the origin if its distance is more than FAR times its size. Computations are then

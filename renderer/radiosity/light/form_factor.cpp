@@ -40,18 +40,19 @@ base::Fields<FactorParams> factor_fields() {
   using F = FactorParams;
   return {
       D::whole("samples", &F::samples, 1, 1024, "",
-               "a patch is cut into samples x samples delta areas, and more when near"),
+               "divides a patch into samples x samples delta areas, and near patches further"),
       D::number("spread", &F::spread, 1e-6, 1e6, "",
-                "a delta area is halved while it is wider than this share of its distance"),
-      D::whole("halvings", &F::halvings, 0, 30, "", "times that a delta area is halved, at most"),
+                "halve a delta area while it is wider than this share of its distance"),
+      D::whole("halvings", &F::halvings, 0, 30, "",
+               "largest number of times that a delta area is halved"),
       D::whole("reflections", &F::reflections, 0, MOST_REFLECTIONS, "",
-               "mirrors that light may meet on its way"),
-      D::whole("mirror_pieces", &F::mirror_pieces, 0, 1000, "",
-               "pieces that a mirror is cut into, along and across; 0: as each delta area "
-               "needs"),
+               "largest number of mirrors on a path of light"),
+      D::whole(
+          "mirror_pieces", &F::mirror_pieces, 0, 1000, "",
+          "divides a mirror into this many pieces along and across; 0: as each delta area needs"),
       D::number("mirror_share", &F::mirror_share, 1e-6, 1e9, "",
-                "a delta area that is seen in mirrors is halved while it looks wider than this "
-                "share of them")};
+                "halve a delta area seen in a mirror while it appears wider than this share of the "
+                "mirror")};
 }
 
 void check(const FactorParams& params) { renderer::require_allowed(factor_fields(), params); }

@@ -266,15 +266,14 @@ base::Fields<SolveParams> solve_fields() {
   return base::join(
       base::lift_all<SolveParams>(factor_fields(), &SolveParams::factor),
       {{D::choice("mean", &SolveParams::mean, MEANS,
-                  "what a patch has received: a twelfth of each corner's and two thirds of the "
-                  "centre's; or the mean of its corners"),
-        D::choice(
-            "sends", &SolveParams::sends, SENDS,
-            "what a patch sends: its corners' light, bilinear; or their mean from everywhere"),
+                  "light received by a patch: Simpson's rule, a twelfth of each corner's plus two "
+                  "thirds of the centre's; or the mean of its corners"),
+        D::choice("sends", &SolveParams::sends, SENDS,
+                  "light sent by a patch: bilinear between its corners, or everywhere their mean"),
         D::whole("max_shots", &SolveParams::shots, 0, 1e9, "",
-                 "times that a patch sends its light, at most"),
+                 "largest number of shots; in each, one patch sends its light"),
         D::number("tolerance", &SolveParams::tolerance, 0, 1, "",
-                  "share of the emitted power that may stay unsent")}});
+                  "share of the emitted power that may remain unsent")}});
 }
 
 Solution solve(const Mesh& mesh, const SolveParams& params, const Step& step, const Mesh* fine) {
@@ -289,9 +288,10 @@ Solution solve_further(const Mesh& mesh, const SolveParams& params, Solution beg
 }
 
 base::Field<LightParams> senders_field() {
-  return base::Declare<LightParams>::whole("senders", &LightParams::senders, 0, 1000, "",
-                                           "the `refine` of coarser patches that send the light to "
-                                           "the vertices of the finer ones; 0: the finer send it");
+  return base::Declare<LightParams>::whole(
+      "senders", &LightParams::senders, 0, 1000, "",
+      "`refine` of coarser patches that send light to the vertices of the finer ones; 0: the finer "
+      "patches send it");
 }
 
 Solution solve_room(const Room& room, const Mesh& mesh, const LightParams& params,

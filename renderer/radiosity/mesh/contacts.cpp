@@ -122,8 +122,8 @@ std::vector<std::vector<std::uint32_t>> find_neighbours(std::span<const Flat> fl
         continue;
       if (++pairs > most)
         base::refuse(a.face->where,
-                     "found one of more than {} pairs of faces that touch or nearly so, expected "
-                     "fewer: are faces there many times?",
+                     "found a face in one of more than {} pairs that touch or nearly touch, "
+                     "expected fewer: does the file repeat faces?",
                      most);
       neighbours[order[i]].push_back(order[k]);
       neighbours[order[k]].push_back(order[i]);

@@ -478,8 +478,8 @@ base::Fields<MeshParams> mesh_fields() {
   return {D::whole("refine", &MeshParams::refine, 1, 1000, "",
                    "multiplies the divisions of every face of the room"),
           D::whole("crease_growth", &MeshParams::crease_growth, 1, 1000, "",
-                   "times as many patches as without creases that the room may have with them (or "
-                   "2000); further creases are left out, those of weak lamps first")};
+                   "largest growth of the number of patches by creases (2000 patches are always "
+                   "allowed); beyond it, creases of weak lamps are left out first")};
 }
 
 Mesh make_mesh(const Room& room, const MeshParams& params) {

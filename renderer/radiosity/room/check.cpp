@@ -37,17 +37,18 @@ void check_plane(std::span<const Vec> corners, double size) {
   for (std::size_t i = 0; i < n; ++i)
     require(length(corners[(i + 1) % n] - corners[i]) > REPEATED * size,
             fmt::format("corners {} and {} both at {}", i + 1, (i + 1) % n + 1, show(corners[i])),
-            "corners apart");
+            "different corners");
   const Vec area = eval_area_normal(corners);
-  require(length(area) > 2 * NO_AREA * size * size, fmt::format("{} corners around no area", n),
-          "a face with an area: corners not on one line, no edges that cross");
+  require(length(area) > 2 * NO_AREA * size * size,
+          fmt::format("{} corners that enclose no area", n),
+          "a face with an area: corners that are not collinear, edges that do not cross");
   const Vec normal = normalize(area), centre = eval_mean(corners);
   for (std::size_t i = 0; i < n; ++i) {
     const double off = std::abs(dot(normal, corners[i] - centre));
     require(
         off <= OFF_PLANE * size,
-        fmt::format("corner {} off the plane of the face by {:.3g}", i + 1, off),
-        fmt::format("a flat face: at most {:.3g}, {:g} of its size", OFF_PLANE * size, OFF_PLANE));
+        fmt::format("corner {} at a distance of {:.3g} from the face's plane", i + 1, off),
+        fmt::format("a flat face: at most {:.3g} ({:g} of its size)", OFF_PLANE * size, OFF_PLANE));
   }
 }
 
@@ -69,7 +70,7 @@ void check_convex(std::span<const Vec> corners) {
   for (std::size_t i = 2; i < n; ++i)
     require(dot(normal, cross(edge, corners[i] - corners[0])) > 0 &&
                 dot(normal, cross(corners[i - 1] - corners[0], corners[i] - corners[0])) > 0,
-            fmt::format("a face that goes around more than once before corner {}", i + 1),
+            fmt::format("a face whose corners wind more than once before corner {}", i + 1),
             "a convex face");
 }
 
@@ -83,8 +84,8 @@ void check_normals(const Face& face) {
     require_finite(face.normals[i], fmt::format("the normal of corner {}", i + 1));
     require(dot(face.normals[i], front) > 0 && length(face.normals[i]) > 0,
             fmt::format("the normal {} of corner {}", show(face.normals[i]), i + 1),
-            "one on the side of the face's front, from which corners run "
-            "counter-clockwise, and not of length 0");
+            "a normal of non-zero length on the face's front side, from which corners run "
+            "counter-clockwise");
   }
 }
 
@@ -103,7 +104,7 @@ void check_material(const Material& material) {
         "0 to 1");
     check_colour(
         "a mirror's emission", material.emission, [](double x) { return x == 0; },
-        "none: a mirror only reflects");
+        "none, because a mirror only reflects");
   } else {
     check_colour(
         "a diffuse reflectance", material.reflectance, [](double x) { return x >= 0 && x < 1; },
@@ -125,7 +126,7 @@ void check_face(const Face& face, std::size_t materials) {
   const auto in_range = [](int n) { return n >= 1 && n <= MAX_DIVISIONS; };
   require(in_range(face.along) && in_range(face.across),
           fmt::format("{} x {} patches", face.along, face.across),
-          fmt::format("1 to {} each way", MAX_DIVISIONS));
+          fmt::format("1 to {} in each direction", MAX_DIVISIONS));
   require(face.material < materials, fmt::format("material {}", face.material),
           fmt::format("an index below {}, the number of materials", materials));
 }
@@ -134,7 +135,7 @@ void check_crease(const Crease& crease) {
   require_finite(crease.a, "a crease's first end");
   require_finite(crease.b, "a crease's second end");
   require(length(crease.b - crease.a) > 0,
-          fmt::format("both ends of a crease at {}", show(crease.a)), "ends apart");
+          fmt::format("both ends of a crease at {}", show(crease.a)), "different ends");
 }
 
 bool lies_on_a_face(const Crease& crease, const Room& room) {
@@ -154,7 +155,7 @@ renderer::View check_view(const renderer::View& view) {
   const auto in_range = [](int n) { return n >= 1 && n <= renderer::MAX_SIDE; };
   require(in_range(view.width) && in_range(view.height),
           fmt::format("a picture of {} x {} pixels", view.width, view.height),
-          fmt::format("1 to {} each way", renderer::MAX_SIDE));
+          fmt::format("1 to {} in each direction", renderer::MAX_SIDE));
   return make_image_plane(view);
 }
 
@@ -164,10 +165,10 @@ void check_light(const Room& room) {
                                [&](const Face& f) { return holds(room.materials[f.material]); });
   };
   require(!room.faces.empty(), "no face", "one or more");
-  require(any([](const Material& m) { return !m.mirror; }), "nothing but mirrors",
-          "a face that is none");
+  require(any([](const Material& m) { return !m.mirror; }), "only mirrors",
+          "a face that is not a mirror");
   require(any([](const Material& m) { return max_component(m.emission) > 0; }),
-          "no face that emits", "one or more: without light there is nothing to see");
+          "no face that emits", "one or more, because the room is dark without");
 }
 
 void check(const Room& room) {

@@ -226,14 +226,14 @@ void refine(Room& room, const Mesh& mesh, const std::vector<std::uint32_t>& chos
 base::Field<AdaptParams> adaptive_field() {
   return base::Declare<AdaptParams>::number(
       "adaptive", &AdaptParams::error, 0, 1, "",
-      "halve patches where the illumination varies, until the picture's error (root mean square, "
-      "over that of its light) is estimated to be at most this; 0: patches as they are");
+      "halve patches where the illumination varies until the estimated relative error of the "
+      "picture (root mean square) is at most this; 0: never");
 }
 
 AdaptedMesh adapt_mesh(Room room, const LightParams& params,
                        const ReconstructionParams& reconstruction, const AdaptParams& adapt,
                        const Step& step) {
-  renderer::require(params.solve.mean == Mean::simpson, "adaptive patches and the mean of corners",
+  renderer::require(params.solve.mean == Mean::simpson, "adaptive patches with the mean of corners",
                     "the mean of corners and centres (simpson)");
   renderer::require(adapt.error >= LEAST_ERROR, fmt::format("an error of {}", adapt.error),
                     fmt::format("{} to 1", LEAST_ERROR));

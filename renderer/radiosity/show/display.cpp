@@ -53,10 +53,9 @@ std::string make_exr(const Picture& picture) {
 base::Fields<Display> display_fields() {
   using D = base::Declare<Display>;
   return {D::number("exposure", &Display::exposure, 0, 1e9, "",
-                    "a pixel is 255 * min(1, exposure * radiosity) ^ (1 / gamma); 0: such that 1 % "
-                    "of what does not emit is cut off, in the reference if there is one"),
-          D::number("gamma", &Display::gamma, 0.1, 10, "",
-                    "exponent of a pixel's value: see exposure")};
+                    "a pixel is 255 * min(1, exposure * radiosity) ^ (1 / gamma); 0: chosen so "
+                    "that 1 % of the non-emitting pixels are white (in the reference, if any)"),
+          D::number("gamma", &Display::gamma, 0.1, 10, "", "gamma in the formula of exposure")};
 }
 
 double find_exposure(const Picture& picture, const std::vector<bool>& left_out, double share) {
@@ -118,7 +117,7 @@ void save_png(const std::string& path, const Picture& picture, const Display& di
 }
 
 void save_exr(const std::string& path, const Picture& picture) {
-  renderer::require(!picture.pixels.empty(), "save_exr", "a picture of no pixels", "1 or more");
+  renderer::require(!picture.pixels.empty(), "save_exr", "a picture without pixels", "1 or more");
   base::save_whole(path, make_exr(picture));
 }
 

@@ -43,7 +43,7 @@ std::optional<std::string> check_camera(const Room& room, const Mesh& mesh) {
     }
   if (backs <= fronts) return {};
   return fmt::format(
-      "{:.0f} % of what the camera sees are backs of faces, which are black: are corners "
+      "{:.0f} % of the visible faces show their backs, which are black: are corners "
       "counter-clockwise as seen from the front?",
       100.0 * backs / (fronts + backs));
 }
@@ -76,7 +76,7 @@ std::optional<std::string> check_lamps(const Room& room, const Mesh& mesh) {
   }
   if (turned == 0) return {};
   return fmt::format(
-      "{} lamp(s) shine into a wall or out of the room, and not to their other side: {}{}; are "
+      "{} lamp(s) shine into a wall or out of the room, instead of to their other side: {}{}; are "
       "corners counter-clockwise as seen from the front?",
       turned, fmt::join(names, ", "), turned > MOST_NAMED ? ", ..." : "");
 }

@@ -151,9 +151,9 @@ base::Fields<PictureParams> picture_fields() {
           D::whole("height", &PictureParams::height, 0, renderer::MAX_SIDE, "pixels",
                    "height of pictures; 0: the room's"),
           D::whole("pixel_samples", &PictureParams::samples, 1, 64, "",
-                   "rays of a pixel, along and across"),
+                   "number of rays per pixel in each direction (n means n x n)"),
           D::whole("depth", &PictureParams::depth, 0, 1000, "",
-                   "mirrors that a ray from the eye may meet")};
+                   "largest number of mirrors on the path of a ray from the eye")};
 }
 
 void check(const PictureParams& params) {

@@ -177,18 +177,18 @@ base::Fields<ReconstructionParams> reconstruction_fields() {
   static const base::Names<Twist> TWISTS = {
       {"estimated", Twist::estimated}, {"diagonal", Twist::diagonal}, {"zero", Twist::zero}};
   return {D::choice("reconstruction", &ReconstructionParams::kind, KINDS,
-                    "how illumination is interpolated between vertices"),
+                    "interpolation of illumination between vertices"),
           D::choice("twist", &ReconstructionParams::twist, TWISTS,
                     "the mixed derivatives of bicubic surfaces"),
           D::flag("limited", &ReconstructionParams::limited,
-                  "whether a bicubic surface stays near the illumination around it")};
+                  "true: limit a bicubic surface to values near those at its vertices")};
 }
 
 Illumination reconstruct(const Mesh& mesh, std::span<const Rgb> vertices,
                          const ReconstructionParams& params) {
   renderer::require(vertices.size() == mesh.vertices.size(),
                     fmt::format("{} illuminations", vertices.size()),
-                    fmt::format("one for each of {} vertices", mesh.vertices.size()));
+                    fmt::format("{}, one for each vertex", mesh.vertices.size()));
   if (params.kind == Reconstruction::bicubic)
     return {params.kind, Bicubic(mesh, vertices, params).make()};
   if (params.kind == Reconstruction::bilinear)

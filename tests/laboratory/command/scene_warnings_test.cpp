@@ -10,8 +10,8 @@ const std::string OBJ =
     "mtllib m.mtl\nusemtl red\nv -1 -1 0\nv 1 -1 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\nf 1 2\nl 1 2\n"
     "usemtl None\nf 3 2 1\nf 3 1 2\n";
 const std::string BAD_FACES =
-    "s.obj:7: found '4', expected the number of a readable vertex (v): 1 to 3, or -1 to -3 from "
-    "the last above; left out faces (2)\n";
+    "s.obj:7: found '4', expected the number of a readable vertex (v): 1 to 3, or -1 to -3 counted "
+    "back from this line; left out faces (2)\n";
 const std::string GREY_FACES =
     "s.obj:10: found the material 'None', expected one of the libraries: 'red'; faces in light "
     "grey (2)\n";

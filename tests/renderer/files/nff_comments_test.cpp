@@ -146,19 +146,20 @@ TEST_P(NffCommentsWrong, IsRejectedWithItsLine) {
 INSTANTIATE_TEST_SUITE_P(
     Table, NffCommentsWrong,
     testing::Values(
-        WrongComment{"# lens 1", "9: found the end of the line, expected the distance in focus"},
-        WrongComment{"# lens 1\n2", "9: found the end of the line, expected the distance in focus"},
+        WrongComment{"# lens 1",
+                     "9: found the end of the line, expected the lens's focal distance"},
+        WrongComment{"# lens 1\n2",
+                     "9: found the end of the line, expected the lens's focal distance"},
         WrongComment{"# lens -1 2", "9: found '-1', expected the lens's aperture"},
-        WrongComment{"# lens 1 0", "9: found '0', expected the distance in focus"},
-        WrongComment{"# lens 1 1e-300", "9: found '1e-300', expected the distance in focus"},
+        WrongComment{"# lens 1 0", "9: found '0', expected the lens's focal distance"},
+        WrongComment{"# lens 1 1e-300", "9: found '1e-300', expected the lens's focal distance"},
         WrongComment{"# lens 1 2 3", "9: found '3', expected the end of the line"},
         WrongComment{"# lens 1 2\n\n# lens 1 2",
-                     "11: found a second '# lens', expected one, that of line 9"},
-        WrongComment{"# shutter 1 0.5",
-                     "9: found '0.5', expected the time in frames when it closes (a "
-                     "number from 1 to 1e+06)"},
-        WrongComment{"# shutter -1 0.5",
-                     "9: found '-1', expected the time in frames when it opens"},
+                     "11: found a second '# lens', expected only that of line 9"},
+        WrongComment{
+            "# shutter 1 0.5",
+            "9: found '0.5', expected the closing time in frames (a number from 1 to 1e+06)"},
+        WrongComment{"# shutter -1 0.5", "9: found '-1', expected the opening time in frames"},
         WrongComment{"# shutter 0 1\n# shutter 0 1", "10: found a second '# shutter'"},
         WrongComment{"# move 1 2", "9: found the end of the line, expected a velocity"},
         WrongComment{"# move 3 objects", "9: found 'objects', expected a velocity"},
@@ -178,8 +179,8 @@ INSTANTIATE_TEST_SUITE_P(
                      "9: found the end of the line, expected the light's "
                      "second half edge"},
         WrongComment{"# light rect 1 2 3 1 0 0 -2 0 0",
-                     "9: found a light without area, expected half"},
-        WrongComment{"# light rect 1 2 3 1 0 0 0 0 0", "9: found a light without area"},
+                     "9: found a light with area 0, expected half"},
+        WrongComment{"# light rect 1 2 3 1 0 0 0 0 0", "9: found a light with area 0"},
         WrongComment{"# path no-such.csv", "9: no-such.csv: cannot be read"},
         WrongComment{"# camera no-such.txt", "9: no-such.txt: cannot be read"}));
 
@@ -202,14 +203,14 @@ TEST(NffComments, Paths) {
   };
   EXPECT_EQ(wrong(""), "a.csv:1: found the end of the file, expected a row of numbers");
   EXPECT_EQ(wrong("T X Y Z\n"), "a.csv:1: found the end of the file, expected a row of numbers");
-  EXPECT_EQ(wrong("0 1 2 3\n0 1 2 3"), "a.csv:2: found time 0, expected one after 0");
+  EXPECT_EQ(wrong("0 1 2 3\n0 1 2 3"), "a.csv:2: found the time 0, expected more than 0");
   EXPECT_EQ(wrong("0 1 2\n3"),
             "a.csv:1: found the end of the line, expected a displacement (a "
             "number up to 1e+15 in magnitude)");
   EXPECT_EQ(wrong("0 1 2 3 4"), "a.csv:1: found '4', expected the end of the line");
   EXPECT_EQ(wrong("0 1 2 3 4 5\n", true),
-            "a.csv:1: found the end of the line, expected the point "
-            "looked at (a number up to 1e+15 in magnitude)");
+            "a.csv:1: found the end of the line, expected the point that the camera looks at (a "
+            "number up to 1e+15 in magnitude)");
 }
 
 TEST(NffComments, FilesAreLookedForBesideTheScene) {

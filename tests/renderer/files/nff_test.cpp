@@ -103,12 +103,12 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"p 10000000\n0 0 0\n", "10: found the end of the file, expected a vertex"},
         Wrong{"p 99999999999999999999", "9: found '9999"},
         Wrong{"p 3\n0 0 0\n1 1 1\ns 0 0 0 1", "12: found 's', expected a vertex"},
-        Wrong{"p 3\n0 0 0\n1 1 1\n2 2 2", "9: found a polygon without area"},
-        Wrong{"p 3\n1 1 1\n1 1 1\n1 1 1", "9: found a polygon without area"},
+        Wrong{"p 3\n0 0 0\n1 1 1\n2 2 2", "9: found a polygon with area 0"},
+        Wrong{"p 3\n1 1 1\n1 1 1\n1 1 1", "9: found a polygon with area 0"},
         Wrong{"p 4\n0 0 0\n1 0 0\n1 1 1\n0 1 0", "9: found a polygon that is not flat"},
         Wrong{"pp 3 0 0 0 0 0 1 1 0 0 0 0 1 0 1 0 0 0 0", "9: found a normal of length 0"},
         Wrong{"c 0 0 0 0\n1 1 1 0", "9: found a cone of radii 0 and 0"},
-        Wrong{"c 0 0 0 1\n0 0 0 1", "9: found a cone whose ends coincide"},
+        Wrong{"c 0 0 0 1\n0 0 0 1", "9: found a cone with coinciding ends"},
         Wrong{"c 0 0 0 -1\n0 0 1 1", "9: found '-1', expected the base's radius"},
         Wrong{"f 1 1 1 2 0 0 0 0", "9: found '2', expected Kd (a number from 0 to 1)"},
         Wrong{"f 1 1 1 1 0 0 0.5 0", "9: found an index of refraction of 0"},
@@ -118,7 +118,7 @@ INSTANTIATE_TEST_SUITE_P(
         Wrong{"b 1 -1 1", "9: found '-1', expected the background"},
         Wrong{"l 1 2", "9: found the end of the file, expected the light's position"},
         Wrong{"l 1 2 3 0.5\n", "9: found the end of the file, expected the light's colour"},
-        Wrong{"v from 1 1 1", "9: found a second 'v', expected one, that of line 1"}));
+        Wrong{"v from 1 1 1", "9: found a second 'v', expected only that of line 1"}));
 
 TEST(Nff, WrongFromTheStart) {
   const auto expect = [](const std::string& text, const std::string& error) {

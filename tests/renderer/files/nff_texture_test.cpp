@@ -139,7 +139,7 @@ TEST_F(NffTexture, ErrorsNameTheLine) {
       {mesh + "s 0 0 0 1\n", "s.nff:4: found a sphere without coordinates"},
       {mesh + "c 0 0 0 1 0 0 1 1\n", "s.nff:4: found a cone without coordinates"},
       {mesh + "# uv 0 0 1 0 1 1\n" + SQUARE,
-       "s.nff:5: found 3 texture coordinates for 4 vertices, expected one pair each"},
+       "s.nff:5: found 3 texture coordinates for 4 vertices, expected one pair for each vertex"},
       {mesh + "# uv 0 0 1\n" + SQUARE,
        "s.nff:4: found the end of the line, expected a texture coordinate"},
       {mesh + "# uv 0 0 1 2e6\n" + SQUARE,
@@ -151,7 +151,7 @@ TEST_F(NffTexture, ErrorsNameTheLine) {
   for (const auto& [text, expected] : WRONG)
     EXPECT_EQ(error_of(text).substr(0, expected.size()), expected) << text;
   std::ofstream(path("a.png"), std::ios::binary) << "no picture";
-  EXPECT_TRUE(error_of(mesh).starts_with("s.nff:3: a.png: found what is no whole PNG"))
+  EXPECT_TRUE(error_of(mesh).starts_with("s.nff:3: a.png: found a file that is not a complete PNG"))
       << error_of(mesh);
 }
 

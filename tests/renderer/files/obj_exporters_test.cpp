@@ -131,7 +131,8 @@ class Exporter {
     }
     has_library_ = !habits_.materials.empty() && random_.below(5) > 0;
     if (has_library_) {
-      left_out["highlights without mirror images"] += static_cast<int>(habits_.materials.size());
+      left_out["highlights without mirror reflection"] +=
+          static_cast<int>(habits_.materials.size());
       obj += fmt::format("mtllib{}{}.mtl\n", habits_.blank, stem_);
     } else if (random_.below(2) == 0) {
       obj += "mtllib gone.mtl\n";
@@ -224,7 +225,7 @@ class Exporter {
     to += fmt::format("v{}{} {} {}", habits_.blank, x, print(p.y), print(p.z));
     if (habits_.has_colours) {
       to += " 0.5 0.25 1";
-      ++left_out["colours of corners"];
+      ++left_out["colours of vertices"];
     }
     to += "\n";
     ++vertices_;
@@ -276,7 +277,7 @@ class Exporter {
                    is_bad ? BAD[random_.below(3)] : print(corners[what == 1 ? 0 : i].x));
     }
     if (what == 0) ++left_out["vertices"];
-    if (what == 0 && habits_.has_colours) --left_out["colours of corners"];
+    if (what == 0 && habits_.has_colours) --left_out["colours of vertices"];
     const auto v = vertices_;
     statements += what <= 1   ? fmt::format("f {} {} {}\n", v - 2, v - 1, v)
                   : what == 2 ? fmt::format("f {} {}\n", v - 1, v)

@@ -119,8 +119,8 @@ TEST_F(ObjReading, OneBadFaceNeverRejectsAFile) {
   const std::string unnamed =
       "a.obj:5: found 'f', expected 'usemtl' before it; faces in light grey (1)";
   const std::string number =
-      ", expected the number of a readable vertex (v): 1 to 4, or -1 to -4 from the last above; "
-      "left out faces (1)";
+      ", expected the number of a readable vertex (v): 1 to 4, or -1 to -4 counted back from this "
+      "line; left out faces (1)";
   const std::pair<std::string, std::string> cases[] = {
       {"f 1 2 5", "found '5'" + number},
       {"f 1 2 0", "found '0'" + number},
@@ -133,8 +133,7 @@ TEST_F(ObjReading, OneBadFaceNeverRejectsAFile) {
       {"f", "found 0 different corners, expected 3 or more; left out faces (1)"},
       {"f 1 2 2 1", "found 2 different corners, expected 3 or more; left out faces (1)"},
       {"f 1 2 3 2",
-       "found a polygon without area, expected vertices that are not all on one line; "
-       "left out faces (1)"},
+       "found a polygon with area 0, expected vertices that are not collinear; left out faces (1)"},
       {"f 1 2 4 3 // 1", "found '//'" + number},
       {"v 1,5 0 0",
        "found '1,5', expected a vertex (a number up to 1e+15 in magnitude); left out "
@@ -232,11 +231,11 @@ TEST_F(ObjReading, AFaceWithoutAKnownMaterialIsLightGreyWithOneWarning) {
   save("b.mtl", "newmtl red\nKd 1 0 0\n");
   const std::pair<std::string, std::string> cases[] = {
       {"", "a.obj:5: found 'f', expected 'usemtl' before it"},
-      {"mtllib gone.mtl\n", "a.obj:1: found 'gone.mtl', expected the name of a file that is there"},
+      {"mtllib gone.mtl\n", "a.obj:1: found 'gone.mtl', expected the name of an existing file"},
       {"mtllib\n", "a.obj:1: found 'mtllib' without a name, expected a file"},
       {"usemtl None\n", "a.obj:1: found the material 'None', expected one of the libraries: none"},
       {"mtllib gone.mtl\nusemtl None\n",
-       "a.obj:1: found 'gone.mtl', expected the name of a file that is there"},
+       "a.obj:1: found 'gone.mtl', expected the name of an existing file"},
       {"mtllib b.mtl\nusemtl blue\n",
        "a.obj:2: found the material 'blue', expected one of the libraries: 'red'"},
       {"mtllib b.mtl\nusemtl\n",
@@ -287,7 +286,7 @@ TEST_F(ObjReading, ValuesOfMaterials) {
     save("b.mtl", "newmtl m\n" + values);
     EXPECT_EQ(colour_of("mtllib b.mtl\nusemtl m\n" + POINTS + FACE), colour) << values;
   }
-  EXPECT_EQ(left_out.describe(), "pictures of other things than colours (3)");
+  EXPECT_EQ(left_out.describe(), "pictures for properties other than colour (3)");
 }
 
 TEST_F(ObjReading, PicturesAreTheRestOfTheLineAfterTheirOptions) {

@@ -120,7 +120,7 @@ TEST_F(ObjScene, WhatObjHasNoWordForIsNamed) {
   });
   EXPECT_EQ(left_out_.describe(),
             "cones (1), gloss (1), lenses (1), motions (1), shutters (1), spheres (2), textures "
-            "that are no mesh's (1)");
+            "with another mapping than mesh (1)");
 }
 
 TEST_F(ObjScene, GeneratedScenesAreWritten) {

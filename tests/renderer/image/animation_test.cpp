@@ -94,15 +94,15 @@ TEST(Animation, NamesWhatIsWrong) {
   EXPECT_EQ(complaint({good, {good.bitmap, 1}}), "");
   EXPECT_EQ(complaint({}), "animation: found no frame, expected 1 or more");
   EXPECT_EQ(complaint({good, {{2, 1, {0, 0, 0, 0, 0, 0}}, 10}}),
-            "animation, frame 1: found 2 x 1 pixels, expected 1 x 1 as the first");
+            "animation, frame 1: found 2 x 1 pixels, expected 1 x 1, as in the first frame");
   EXPECT_EQ(complaint({good, {good.bitmap, 0}}),
             "animation, frame 1: found a duration of 0 ms, expected 1..16777215");
   EXPECT_EQ(complaint({{{1, 1, {0, 0}}, 10}}),
-            "animation, frame 0: found 2 bytes, expected 3 for each of 1 x 1 pixels");
+            "animation, frame 0: found 2 bytes, expected 3 bytes for each of 1 x 1 pixels");
   EXPECT_EQ(complaint({{{16383, 1, std::vector<std::uint8_t>(3 * 16383)}, 10}}), "");
   EXPECT_EQ(complaint({{{1, 16383, std::vector<std::uint8_t>(3 * 16383)}, 10}}), "");
   EXPECT_EQ(complaint({{{16384, 1, std::vector<std::uint8_t>(3 * 16384)}, 10}}),
-            "animation: found 16384 x 1 pixels, expected at most 16383 along each side");
+            "animation: found 16384 x 1 pixels, expected at most 16383 on each side");
   EXPECT_EQ(complaint(std::vector<Frame>(129, {good.bitmap, MAX_DURATION_MS})),
             "animation: found 2164260735 ms together, expected at most 2147483647");
 }

@@ -116,7 +116,7 @@ TEST_F(ReadMesh, OnlyPicturesOfColoursAreKept) {
   const auto wooden = std::ranges::find(triangles.materials, "wooden", &MtlMaterial::name);
   ASSERT_NE(wooden, triangles.materials.end());
   EXPECT_EQ(wooden->picture, (folder_.path / "wood.png").string());
-  EXPECT_EQ(left_out_.describe(), "pictures of other things than colours (1)");
+  EXPECT_EQ(left_out_.describe(), "pictures for properties other than colour (1)");
 }
 
 TEST_F(ReadMesh, AMaterialHasItsColoursAndNumbers) {
@@ -184,7 +184,7 @@ TEST_F(ReadMesh, CoordinatesAreKeptUpToAMillion) {
     EXPECT_EQ(kept[i].v, expected[i][1]);
   }
   EXPECT_TRUE(triangles.coordinates[1].empty());
-  EXPECT_EQ(left_out_.describe(), "coordinates beyond a million (3)");
+  EXPECT_EQ(left_out_.describe(), "texture coordinates beyond a million (3)");
 }
 
 TEST_F(ReadMesh, TrianglesWithoutAreaAreCounted) {
@@ -192,7 +192,7 @@ TEST_F(ReadMesh, TrianglesWithoutAreaAreCounted) {
   read_mesh(save("t.ply", fmt::format(fmt::runtime(PLY_HEAD), 5) + LISTS + "3 0 1 1\n"), triangles,
             left_out_);
   EXPECT_EQ(triangles.faces.size(), 4u);
-  EXPECT_EQ(left_out_.describe(), "triangles without an area (1)");
+  EXPECT_EQ(left_out_.describe(), "triangles with area 0 (1)");
 }
 
 TEST_F(ReadMesh, WhatIsReadButHasNoMeshIsRefused) {

@@ -249,7 +249,7 @@ TEST(Preview, NamesWhatIsWrong) {
   const Scene scene = make_random_scene(1, 1);
   EXPECT_EQ(::test::message_of<base::BadInput>(
                 [&] { make_preview(scene, make_params(0, 5, 1), PreviewStep::flat); }),
-            "size: found 0 x 5, expected 1 to 65536 pixels a side");
+            "size: found 0 x 5, expected 1 to 65536 pixels on each side");
 }
 
 // Projects a point onto the image, in pixels.

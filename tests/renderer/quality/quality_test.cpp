@@ -174,7 +174,7 @@ TEST(Quality, NamesWhatIsWrong) {
   for (const Bitmap& other : {make_grey(2, 2, {0, 0, 0, 0}), make_grey(1, 1, {0})})
     EXPECT_NE(::test::message_of<base::BadInput>([&] { ssim(a, other); }), "");
   EXPECT_EQ(::test::message_of<base::BadInput>([&] { ssim({}, {}); }),
-            "ssim: found an image of no pixels, expected 1 or more");
+            "ssim: found an image without pixels, expected 1 or more");
   EXPECT_EQ(::test::message_of<base::BadInput>([&] { border_energy(a, 2); }),
             "border_energy: found cells of 2 pixels, expected 3 or more");
 }

@@ -59,10 +59,10 @@ TEST(Triangulate, CornersOnAnEdgeAndBridgesToHoles) {
 TEST(Triangulate, CrossedEdgesAreRefused) {
   const std::vector<Vec> crossed{{0, 0, 0}, {3, 0, 0}, {0, 3, 0}, {2, 4, 0}};
   EXPECT_EQ(::test::message_of<base::BadInput>([&] { triangulate(crossed); }),
-            "found a polygon whose edges cross, expected edges that do not");
+            "found a polygon with crossing edges, expected edges that do not cross");
   const std::vector<Vec> on_a_line{{0, 0, 0}, {1, 1, 0}, {2, 2, 0}, {1, 1, 0}};
   EXPECT_EQ(::test::message_of<base::BadInput>([&] { triangulate(on_a_line); }),
-            "found a polygon without area, expected vertices that are not all on one line");
+            "found a polygon with area 0, expected vertices that are not collinear");
 }
 
 }  // namespace

@@ -197,8 +197,8 @@ TEST(Motion, AViewThatBecomesImpossibleIsRefused) {
     return "";
   };
   EXPECT_EQ(error_of({0, 0, -10}, {}),
-            "found a view whose 'from' and 'at' meet while the shutter is "
-            "open, expected 'from' and 'at' apart");
+            "found a view whose 'from' and 'at' meet while the shutter is open, expected different "
+            "points 'from' and 'at'");
   EXPECT_EQ(error_of({0, 0, -4.9}, {}), "");
   EXPECT_EQ(error_of({0, 8, -5}, {}).substr(0, 40), "found a view that turns along the up dir");
   EXPECT_EQ(error_of({0, 8, -10}, {}).substr(0, 40), "found a view that turns along the up dir");

@@ -105,10 +105,11 @@ INSTANTIATE_TEST_SUITE_P(
                   "4: found 'nan', expected corner 3 (a number"},
         WrongText{"quad wall 0 0 0 1 0 0 1 1 inf 0 1 0", "4: found 'inf', expected corner 3"},
         WrongText{"quad wall 0 0 0 1 0 0 1 1 0.1 0 1 0",
-                  "4: found corner 1 off the plane of the face by 0.0249, expected a flat face"},
-        WrongText{"\nquad wall 0 0 0 1 0 0 2 0 0 3 0 0", "5: found 4 corners around no area"},
+                  "4: found corner 1 at a distance of 0.0249 from the face's plane, expected a "
+                  "flat face"},
+        WrongText{"\nquad wall 0 0 0 1 0 0 2 0 0 3 0 0", "5: found 4 corners that enclose no area"},
         WrongText{"quad wall 0 0 0 1 0 0 1 1 0 0 1 0 divide 2",
-                  "4: found the end of the line, expected patches across it"},
+                  "4: found the end of the line, expected patches along the second edge"},
         WrongText{"quad wall 0 0 0 1 0 0 1 1 0 0 1 0 divide 2 0", "4: found '0', expected patches"},
         WrongText{"quad wall 0 0 0 1 0 0 1 1 0 0 1 0 divide 2.5 1",
                   "4: found '2.5', expected patches"},
@@ -119,9 +120,9 @@ INSTANTIATE_TEST_SUITE_P(
         WrongText{"polygon wall 0 0 0 4 0 0 1 1 0 0 4 0",
                   "4: found a face that is not convex at corner 3, expected a convex face"},
         WrongText{"box wall 0 0 0 1 1",
-                  "4: found the end of the line, expected the greatest corner"},
+                  "4: found the end of the line, expected the corner with the largest coordinates"},
         WrongText{"box wall 0 0 0 1 -1 1",
-                  "4: found a box from 0 to -1 along y, expected the least corner first"},
+                  "4: found a box from 0 to -1 along y, expected the smaller coordinate first"},
         WrongText{"box wall 0 0 0 1 1 1 inward",
                   "4: found 'inward', expected 'divide', then 'inside'"},
         WrongText{"material red reflect 1 0 0",
@@ -146,7 +147,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongText{"view from 0 0 1 at 0 0 0 up 0 1 0 angle 40 size 4",
                   "4: found the end of the line, expected the picture's height"},
         WrongText{"view from 0 0 1 at 0 0 0 up 0 1 0 angle 40 size 4 4",
-                  "6: found a second view, expected one, that of line 4"}));
+                  "6: found a second view, expected only that of line 4"}));
 
 TEST(RoomFile, WhatIsMissingIsNamed) {
   EXPECT_EQ(get_error([] { read(""); }), "test.room:1: found the end of the file, expected a view");
@@ -157,15 +158,15 @@ TEST(RoomFile, WhatIsMissingIsNamed) {
                   "polygon m 0 0 0 1 0 0 0 1 0\n" +
                   VIEW);
             }),
-            "test.room: found no face that emits, expected one or more: without light there is "
-            "nothing to see");
+            "test.room: found no face that emits, expected one or more, because the room is dark "
+            "without");
   EXPECT_EQ(get_error([] { read("mirror m reflect 1 1 1\npolygon m 0 0 0 1 0 0 0 1 0\n" + VIEW); }),
-            "test.room: found nothing but mirrors, expected a face that is none");
+            "test.room: found only mirrors, expected a face that is not a mirror");
 }
 
 TEST(RoomFile, IsFoundByItsEnding) {
   EXPECT_EQ(get_error([] { load_room("a.txt"); }),
-            "a.txt: found a room's name with another ending, expected .room, .nff or .obj");
+            "a.txt: found another ending in the name of a room, expected .room, .nff or .obj");
   for (const char* path : {"no-such.room", "no-such.nff", "no-such.obj"})
     EXPECT_EQ(get_error([&] { load_room(path); }),
               std::string(path) + ": cannot be read: No such file or directory");
@@ -210,7 +211,8 @@ TEST(ReadRoom, RefusesACreaseOnNoFace) {
     FAIL() << "read";
   } catch (const base::BadInput& error) {
     EXPECT_STREQ(error.what(),
-                 "r.room:4: found a crease on no face, expected both ends in a plane of one");
+                 "r.room:4: found a crease that lies on no face, expected both ends in the plane "
+                 "of one face");
   }
 }
 

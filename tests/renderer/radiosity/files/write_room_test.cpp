@@ -119,8 +119,8 @@ TEST(WriteRoom, WhatARoomHasNoWordForIsNamed) {
       "l 1 2\np 1\n",
       (folder.path / "a.obj").string(), &of_obj);
   EXPECT_EQ(of_obj.describe(),
-            "backgrounds (1), colours of corners (1), highlights without mirror images (1), lights "
-            "(1), lines (1), partial reflections (1), pictures (1), points (1), transparent "
+            "backgrounds (1), colours of vertices (1), highlights without mirror reflection (1), "
+            "lights (1), lines (1), partial reflections (1), pictures (1), points (1), transparent "
             "materials (1)");
 }
 

@@ -39,14 +39,14 @@ INSTANTIATE_TEST_SUITE_P(
                   "a.room:7: found corner 4 at (0, 1, -inf), expected finite numbers"},
         WrongRoom{"Huge", [](Room& r) { corners(r)[3].z = 1e16; },
                   "a.room:7: found corner 4 at (0, 1, 1e+16), expected finite numbers up to 1e+15"},
-        WrongRoom{
-            "NotFlat", [](Room& r) { corners(r)[2].z = 8e-6; },
-            "a.room:7: found corner 1 off the plane of the face by 2e-06, expected a flat face"},
+        WrongRoom{"NotFlat", [](Room& r) { corners(r)[2].z = 8e-6; },
+                  "a.room:7: found corner 1 at a distance of 2e-06 from the face's plane, expected "
+                  "a flat face"},
         WrongRoom{"TwoCorners", [](Room& r) { corners(r).resize(2); },
                   "a.room:7: found 2 corners, expected 3 or more"},
         WrongRoom{"NoCorners", [](Room& r) { corners(r).clear(); }, "a.room:7: found 0 corners"},
         WrongRoom{"RepeatedCorner", [](Room& r) { corners(r)[3] = corners(r)[0]; },
-                  "a.room:7: found corners 4 and 1 both at (0, 0, 0), expected corners apart"},
+                  "a.room:7: found corners 4 and 1 both at (0, 0, 0), expected different corners"},
         WrongRoom{"OnePoint",
                   [](Room& r) {
                     corners(r) = {{1, 1, 1}, {1, 1, 1}, {1, 1, 1}};
@@ -56,9 +56,9 @@ INSTANTIATE_TEST_SUITE_P(
                   [](Room& r) {
                     corners(r) = {{0, 0, 0}, {1, 1, 1}, {3, 3, 3}};
                   },
-                  "a.room:7: found 3 corners around no area, expected a face with an area"},
+                  "a.room:7: found 3 corners that enclose no area, expected a face with an area"},
         WrongRoom{"Crossed", [](Room& r) { std::swap(corners(r)[1], corners(r)[2]); },
-                  "a.room:7: found 4 corners around no area"},
+                  "a.room:7: found 4 corners that enclose no area"},
         WrongRoom{"ThreeOnALine",
                   [](Room& r) {
                     corners(r)[2] = {0.5, 0.5, 0};
@@ -75,14 +75,14 @@ INSTANTIATE_TEST_SUITE_P(
                     for (const int i : {0, 2, 4, 1, 3})
                       corners(r).push_back({std::cos(1.25664 * i), std::sin(1.25664 * i), 0});
                   },
-                  "a.room:7: found a face that goes around more than once before corner"},
+                  "a.room:7: found a face whose corners wind more than once before corner"},
         WrongRoom{"Spiral",
                   [](Room& r) {  // a polygon that winds around more than once, always to the left
                     corners(r) = {{0, 0, 0}};
                     for (int i = 0; i < 11; ++i)
                       corners(r).push_back({std::cos(0.7 * i), std::sin(0.7 * i), 0});
                   },
-                  "a.room:7: found a face that goes around more than once before corner 7"},
+                  "a.room:7: found a face whose corners wind more than once before corner 7"},
         WrongRoom{"Normals",
                   [](Room& r) {
                     r.faces[0].normals.resize(3, Vec{0, 0, 1});
@@ -139,20 +139,21 @@ INSTANTIATE_TEST_SUITE_P(
                   [](Room& r) {
                     r.materials = {{"a", {1, 1, 1}, {}, true}, {"b", {1, 1, 1}, {}, true}};
                   },
-                  "found nothing but mirrors, expected a face that is none"},
+                  "found only mirrors, expected a face that is not a mirror"},
         WrongRoom{"Empty", [](Room& r) { r.faces.clear(); }, "found no face, expected one or more"},
         WrongRoom{"CreaseOfNoLength",
                   [](Room& r) {
                     r.creases = {{{0, 0, 0}, {1, 0, 0}}, {{1, 2, 3}, {1, 2, 3}}};
                   },
-                  "crease 2: found both ends of a crease at (1, 2, 3), expected ends apart"},
+                  "crease 2: found both ends of a crease at (1, 2, 3), expected different ends"},
         WrongRoom{"CreaseNan",
                   [](Room& r) {
                     r.creases = {{{0, 0, 0}, {1, NAN_, 0}}};
                   },
                   "crease 1: found a crease's second end at (1, nan, 0), expected finite numbers"},
         WrongRoom{"ViewFromWhatItSees", [](Room& r) { r.view.from = r.view.at; },
-                  "view: found a view from the point it looks at, expected 'from' and 'at' apart"},
+                  "view: found a view from the point it looks at, expected different points 'from' "
+                  "and 'at'"},
         WrongRoom{"ViewUpAlong",
                   [](Room& r) {
                     r.view.up = {0, 0, 2};

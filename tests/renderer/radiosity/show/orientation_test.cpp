@@ -32,7 +32,7 @@ TEST(Orientation, RoomsAsTheyShouldBeHaveNoWarning) {
 TEST(Orientation, ACameraThatSeesBacksIsTold) {
   const auto found = find_in(make_box(false, true));
   ASSERT_EQ(found.size(), 1u);
-  EXPECT_TRUE(found[0].starts_with("100 % of what the camera sees are backs of faces")) << found[0];
+  EXPECT_TRUE(found[0].starts_with("100 % of the visible faces show their backs")) << found[0];
   auto room = make_box(false, true);
   for (Face& face : room.faces) face.two_sided = true;
   EXPECT_TRUE(find_in(room).empty());
@@ -42,8 +42,8 @@ TEST(Orientation, ALampThatShinesIntoTheCeilingIsTold) {
   const auto found = find_in(make_box(true, false));
   ASSERT_EQ(found.size(), 1u);
   EXPECT_TRUE(
-      found[0].starts_with("1 lamp(s) shine into a wall or out of the room, and not to "
-                           "their other side: box.room:4;"))
+      found[0].starts_with("1 lamp(s) shine into a wall or out of the room, instead of to their "
+                           "other side: box.room:4;"))
       << found[0];
 }
 

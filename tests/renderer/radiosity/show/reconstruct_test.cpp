@@ -256,7 +256,7 @@ TEST(Reconstruct, RefusesIlluminationsOfAnotherMesh) {
     reconstruct(mesh, std::vector<Rgb>(5), BICUBIC);
     FAIL();
   } catch (const base::BadInput& e) {
-    EXPECT_STREQ(e.what(), "found 5 illuminations, expected one for each of 4 vertices");
+    EXPECT_STREQ(e.what(), "found 5 illuminations, expected 4, one for each vertex");
   }
 }
 
