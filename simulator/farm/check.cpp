@@ -23,13 +23,14 @@ void check_block(const Params& params) {
     base::refuse("farm.task", "found a block of {}x{} pixels, expected 1x1 or more", block.width,
                  block.height);
   if (params.stages != std::vector<Limits>(1) || !params.script.empty())
-    base::refuse("farm.task", "found a block, expected ray: stages and orders choose among rays");
+    base::refuse("farm.task",
+                 "found a block, expected \"ray\": stages and orders apply to single rays only");
 }
 
 // The orders of pixels by quadrants and rows have no cells of different sizes.
 void check_order(const Params& params) {
   if (params.pixels == PixelOrder::cells) return;
-  constexpr auto EXPECTED = "found {}, expected {}: image.order is not cells";
+  constexpr auto EXPECTED = "found {}, expected {} unless image.order is \"cells\"";
   if (params.cells == CellLight::smooth && params.pixels == PixelOrder::quadrants)
     base::refuse("farm.cells", EXPECTED, "smooth", "constant or point");
   const auto check_limits = [&](const Limits& limits) {
@@ -50,7 +51,7 @@ void check(const Params& params) {
     base::refuse("farm.max_cell", "found {}, expected a power of two", params.max_cell);
   check_block(params);
   check_order(params);
-  if (params.stages.empty()) base::refuse("stages", "at least one is needed");
+  if (params.stages.empty()) base::refuse("stages", "found none, expected at least one");
   for (const Limits& limits : params.stages) check_area(params.image, limits.area);
   for (const Order& order : params.script)
     if (const auto* limits = std::get_if<Limits>(&order.what))

@@ -115,18 +115,19 @@ class Coordinator {
   void obey(const Command& command) {
     const auto heed = [&](const std::string& why_without_effect, auto action) {
       const bool is_over = mode_ == Mode::aborted;
-      if (!progress_.note_order(is_over ? "the run had been aborted" : why_without_effect)) return;
+      if (!progress_.note_order(is_over ? "the run was already aborted" : why_without_effect))
+        return;
       keep(fmt::format("order{}", progress_.orders));
       action();
     };
     case_of(
         command, [](Begin) {},
         [&](NonInteractive) {
-          heed(is_interactive() ? "" : "the interactive phase was over already",
+          heed(is_interactive() ? "" : "the interactive phase was already over",
                [&] { leave_interactive(); });
         },
         [&](Interactive) {
-          heed(is_interactive() ? "it was the interactive phase already" : "", [&] {
+          heed(is_interactive() ? "the interactive phase was not over" : "", [&] {
             mode_ = Mode::interactive;
             progress_.begin_interactive();
           });
@@ -134,10 +135,10 @@ class Coordinator {
         [&](Abort) {
           heed("", [&] {
             progress_.is_aborted = true;
-            progress_.notes.push_back(fmt::format(
-                "order {} ended the run at {:.4g} s: the picture is as it was when the rays that "
-                "were under way had come",
-                progress_.orders, progress_.since_begun_s()));
+            progress_.notes.push_back(
+                fmt::format("order {} ended the run at {:.4g} s: the picture contains the results "
+                            "of all rays sent before then",
+                            progress_.orders, progress_.since_begun_s()));
             mode_ = Mode::aborted;
             rays_db_is_empty_ = true;
           });
@@ -146,7 +147,7 @@ class Coordinator {
           if (progress_.note_order()) keep(save.name);
         },
         [&](const Limits& limits) {
-          heed(limits == limits_ ? "its limits were set already" : "", [&] {
+          heed(limits == limits_ ? "its limits were already set" : "", [&] {
             set_limits(limits, number_of_order());
             if (mode_ == Mode::null) mode_ = Mode::interactive;
           });

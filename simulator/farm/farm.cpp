@@ -258,9 +258,9 @@ observe::ControlPanel Centre::make_view() {
   const auto& stores = rays_.stores;
   view.gauges = {{"rays", "rays that the picture shows",
                   [this] { return static_cast<double>(visualisation_.rays); }},
-                 {"rays in the database", "waiting, of all its stores",
+                 {"rays in the database", "rays waiting in all stores of the ray database",
                   [&stores] { return static_cast<double>(stores.size()); }},
-                 {"tasks", "handed out to the workers",
+                 {"tasks", "tasks handed out to the workers",
                   [this] { return static_cast<double>(progress_.tasks); }}};
   view.inspections.emplace_back([this, &stores](int processor) {
     if (processor != on_.database.id()) return std::vector<observe::ControlPanel::Reading>{};
@@ -394,7 +394,7 @@ std::vector<std::string> note_given_up(const topologies::Topology& asked,
                          name_of(asked, of.processor, fmt::format("worker{}", of.processor + 1)));
     };
     notes.push_back(fmt::format(
-        "the link from {} to {} is given up: its place is taken by the coordinator's",
+        "the link from {} to {} is omitted: the coordinator's link uses its port",
         end(a.processor == asked.root ? a : b), end(a.processor == asked.root ? b : a)));
   }
   return notes;

@@ -21,35 +21,37 @@ Load load_of_coordination(const observe::Use& use) {
 
 Columns<Result> task_columns() {
   using R = Result;
-  return {column("tasks", &R::tasks, "rays, or blocks, that were handed out"),
-          column("kernel_cycles", &R::kernel_cycles, "cycles that the workers' tasks were charged"),
-          column("interactive_s", &R::interactive_s, "part of time_s in the interactive phase"),
-          column("reorder_pause_s", &R::reorder_pause_s,
-                 "the longest while the ray database classified all rays again, for a stage or an "
-                 "order")};
+  return {
+      column("tasks", &R::tasks, "rays or blocks handed out to workers"),
+      column("kernel_cycles", &R::kernel_cycles, "cycles charged for the workers' tasks"),
+      column("interactive_s", &R::interactive_s, "part of time_s in the interactive phase"),
+      column(
+          "reorder_pause_s", &R::reorder_pause_s,
+          "longest time the ray database needed to reclassify all rays, for a stage or an order")};
 }
 
 Columns<Result> message_columns() {
   using R = Result;
   const auto distance = [](const R& r) { return topologies::eval_mean_distance(r.topology); };
-  return base::join(
-      Columns<R>{column<R>("mean_distance", distance, "links between two workers, on average"),
-                 column("mean_depth", &R::mean_depth,
-                        "links from the coordinator to a worker, on average")},
-      {base::lift_columns<R>(observe::message_columns(), &R::use)});
+  return base::join(Columns<R>{column<R>("mean_distance", distance,
+                                         "mean distance between two workers, in links"),
+                               column("mean_depth", &R::mean_depth,
+                                      "mean distance from the coordinator to a worker, in links")},
+                    {base::lift_columns<R>(observe::message_columns(), &R::use)});
 }
 
 Columns<Result> peak_columns() {
   using Peaks = RayStores::Lengths;
-  return base::join(
-      Columns<Result>{column("tasks_in_farm_max", &Result::peak_tasks_in_farm,
-                             "tasks with the workers at one time, at most")},
-      {base::lift_columns<Result>(
-          Columns<Peaks>{
-              column("database_feelers_max", &Peaks::feelers, "feelers stored, at most"),
-              column("database_heap_max", &Peaks::heap, "rays in the priority queue, at most"),
-              column("database_later_max", &Peaks::later, "rays beyond the limits, at most")},
-          &Result::peaks)});
+  return base::join(Columns<Result>{column("tasks_in_farm_max", &Result::peak_tasks_in_farm,
+                                           "largest number of tasks in the farm at one time")},
+                    {base::lift_columns<Result>(
+                        Columns<Peaks>{column("database_feelers_max", &Peaks::feelers,
+                                              "largest number of stored feelers"),
+                                       column("database_heap_max", &Peaks::heap,
+                                              "largest number of rays in the priority queue"),
+                                       column("database_later_max", &Peaks::later,
+                                              "largest number of stored rays beyond the limits")},
+                        &Result::peaks)});
 }
 
 }  // namespace

@@ -32,8 +32,8 @@ base::Field<Params> task_field() {
   return {
       "task",
       "",
-      "what a worker is given: ray, or a block of pixels, block:8x8",
-      {.kind = base::Domain::Kind::text, .expected = "ray, or a block of pixels, like block:8x8"},
+      "task of a worker: ray, or a block of pixels such as block:8x8",
+      {.kind = base::Domain::Kind::text, .expected = "ray, or a block of pixels such as block:8x8"},
       [](Params& p, const base::Scalar& value) { return set_task(p.block, value); },
       [](const Params& p) -> base::Scalar {
         return p.block ? fmt::format("block:{}x{}", p.block->width, p.block->height) : "ray";
@@ -44,9 +44,9 @@ base::Fields<Params> memory_fields() {
   using D = base::Declare<Params>;
   constexpr double MOST = 0x1p40;
   return {D::whole("worker_memory_bytes", &Params::worker_memory, 1, MOST, "bytes",
-                   "memory of a worker and of the coordinator; else the model's"),
+                   "memory of a worker and of the coordinator; default: the model's"),
           D::whole("database_memory_bytes", &Params::database_memory, 1, MOST, "bytes",
-                   "memory of the ray database and of the display; else the model's")};
+                   "memory of the ray database and of the display; default: the model's")};
 }
 
 // A field for weights, which sets `member` of P.
@@ -91,24 +91,25 @@ base::Fields<Params> cell_fields() {
   return {D::whole("max_cell", &Params::max_cell, 1, 65536, "pixels",
                    "largest image cell, a power of two"),
           D::choice("order", &Params::order, ORDERS,
-                    "order of cells of one size; adaptive: where objects meet first"),
+                    "order of cells of equal size; adaptive: first where neighbouring samples hit "
+                    "different objects"),
           D::choice("cells", &Params::cells, LIGHTS,
-                    "what a sample shows of its cell: constant colour, one point, or a smooth "
-                    "transition to its neighbours"),
+                    "how a sample fills its cell: with a constant colour, as one point, or with a "
+                    "smooth transition to its neighbours"),
           D::choice("preview", &Params::preview, preview_names(),
-                    "picture that the display draws itself before the first ray, by z-buffer"),
+                    "preview that the display draws by z-buffer before the first ray"),
           weights_field<Params>(&Params::weights,
-                                "what a ray's influence, level and cell weigh in its priority; "
-                                "[0, 0, 0]: they are compared one after the other")};
+                                "weights of influence, level and cell size in a ray's priority; "
+                                "[0, 0, 0]: compare them in this order instead")};
 }
 
 base::Fields<Params> farm_fields() {
   using D = base::Declare<Params>;
   return {task_field(),
           D::whole("scene_message_bytes", &Params::scene_message, 0, 1 << 24, "bytes",
-                   "longest message that sends the scene to the workers, in setup_s; 0: they have "
-                   "it"),
-          programs::whole_seed_field<Params>(&Params::seed, "seed of the order of the cells")};
+                   "largest message of the scene's distribution to the workers, timed as setup_s; "
+                   "0: workers already have the scene"),
+          programs::whole_seed_field<Params>(&Params::seed, "seed for the order of the cells")};
 }
 
 base::Fields<ProgramParams> make_fields() {
@@ -131,15 +132,15 @@ base::Fields<ProgramParams> make_fields() {
 base::Fields<Limits> limit_fields() {
   using D = base::Declare<Limits>;
   return {
-      D::number("min_influence", &Limits::min_influence, 0, 1, "", "influence factor, at least"),
+      D::number("min_influence", &Limits::min_influence, 0, 1, "",
+                "smallest influence factor of a ray"),
       D::whole("depth_reflected", &Limits::depth_reflected, 0, 1000, "",
-               "tree level, at most, of rays with only reflections before them"),
+               "deepest tree level of rays whose ancestors were only reflected"),
       D::whole("depth_transmitted", &Limits::depth_transmitted, 0, 1000, "",
-               "tree level, at most, of transmitted rays and their descendants"),
-      D::whole("min_cell", &Limits::min_cell, 1, 65536, "pixels",
-               "size of the image cell, at least"),
+               "deepest tree level of transmitted rays and their descendants"),
+      D::whole("min_cell", &Limits::min_cell, 1, 65536, "pixels", "smallest image cell"),
       base::lift<Limits>(renderer::area_field(), &Limits::area),
-      weights_field<Limits>(&Limits::weights, "as farm.weights, while these limits are set")};
+      weights_field<Limits>(&Limits::weights, "replaces farm.weights while these limits apply")};
 }
 
 std::vector<programs::RecordList> make_lists() {
@@ -173,8 +174,8 @@ void check_program(const Setup& setup, const ProgramParams& params) {
                  "display does not hold the scene");
   if (shares_data(params) && !setup.faults.empty())
     base::refuse("[[fault]]",
-                 "found one, expected none with data.cache_percent: data managers "
-                 "do not go on when something breaks");
+                 "found one, expected none with data.cache_percent: data managers cannot continue "
+                 "after a fault");
   const auto size = size_of(params.scene);
   if (shares_data(params)) check(setup.model, size, make_params(setup, params), *params.data);
 }

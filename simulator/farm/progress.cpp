@@ -23,7 +23,7 @@ bool Progress::note_order(const std::string& why_without_effect) {
   orders_shown.emplace_back(this_process().now(), std::nullopt);
   std::string why = why_without_effect;
   if (phase == Phase::ended)
-    why = fmt::format("it came after the end, at {:.4g} s", (ended - begun).value);
+    why = fmt::format("the program had ended at {:.4g} s", (ended - begun).value);
   if (why.empty()) return true;
   notes.push_back(fmt::format("order {} had no effect: {}", orders, why));
   return false;

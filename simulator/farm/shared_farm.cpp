@@ -48,8 +48,7 @@ void check_farm(const Params& params) {
   check_task(params);
   if (params.scene_message > 0)
     base::refuse("farm.scene_message_bytes",
-                 "found {}, expected 0: workers that read the scene through data managers ([data]) "
-                 "are not sent it",
+                 "found {}, expected 0: with [data], workers read the scene through data managers",
                  params.scene_message);
 }
 
@@ -263,9 +262,9 @@ class SharedFarm {
 
 void check_task(const Params& params) {
   if (!params.block)
-    base::refuse("farm.task",
-                 "found ray, expected a block of pixels, block:8x8: workers that read the scene "
-                 "through data managers ([data]) are given no rays");
+    base::refuse(
+        "farm.task",
+        "found ray, expected a block of pixels such as block:8x8: with [data], tasks are blocks");
 }
 
 void check(const machine::Model& model, const ray_tracing::SceneSize& scene, const Params& farm,

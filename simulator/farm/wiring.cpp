@@ -46,10 +46,10 @@ topologies::Topology free_root_port(topologies::Topology topology) {
     } catch (const base::BadInput&) {
     }
   }
-  throw base::BadInput(fmt::format(
-      "topology {}: the root uses all four ports and needs each of them: found no port for the "
-      "coordinator",
-      topology.name));
+  throw base::BadInput(
+      fmt::format("topology {}: the root uses all four ports, and removing any link disconnects "
+                  "the network: found no port for the coordinator",
+                  topology.name));
 }
 
 Way start_sender(Wires& wires, Processor& on, Channel<Task>& destination) {

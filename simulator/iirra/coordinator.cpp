@@ -231,7 +231,7 @@ void Coordinator::obey_user(std::size_t place) {
   const std::size_t number = place + 1;
   shared_.record.orders_s.emplace_back(shared_.now_s(), std::nullopt);
   if (is_finishing_)
-    return note(number, shared_.record.is_aborted ? "the run had been aborted"
+    return note(number, shared_.record.is_aborted ? "the run was already aborted"
                                                   : "the picture was complete");
   const auto begin_interactive = [&](const Limits& limits) {
     keep_picture(fmt::format("order{}", number));
@@ -241,11 +241,11 @@ void Coordinator::obey_user(std::size_t place) {
   case_of(
       what,
       [&](const Limits& limits) {
-        if (is_last_) return note(number, "the interactive phase was over");
+        if (is_last_) return note(number, "the interactive phase was already over");
         begin_interactive(limits);
       },
       [&](ray_tracing::NonInteractive) {
-        if (is_last_) return note(number, "the interactive phase was over");
+        if (is_last_) return note(number, "the interactive phase was already over");
         keep_picture(fmt::format("order{}", number));
         end_interactive();
       },

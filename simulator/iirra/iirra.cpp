@@ -41,11 +41,11 @@ std::vector<int> find_nearest(const network::Routing& routing, const std::vector
 // By processor: the parent in the tree that carries task requests.
 std::vector<int> find_parents(const topologies::Topology& topology, const Places& places) {
   const auto tree = topologies::make_spanning_tree(topology, places.coordinator);
-  base::require(tree.children[static_cast<std::size_t>(places.display)].empty(), "iirra.balance",
-                "found green, but the display, processor {}, is between the coordinator and other "
-                "workers in the spanning tree of {}: expected another method, or iirra.display = "
-                "\"far\"",
-                describe_processor(topology, places.display), topology.name);
+  base::require(
+      tree.children[static_cast<std::size_t>(places.display)].empty(), "iirra.balance",
+      "found green, but the display (processor {}) separates workers from the coordinator in the "
+      "spanning tree of {}: expected another method, or iirra.display = \"far\"",
+      describe_processor(topology, places.display), topology.name);
   return tree.parent;
 }
 
@@ -143,7 +143,7 @@ class Run {
     view.gauges = {
         {"rays", "rays traced", [&] { return static_cast<double>(record.rays.total()); }},
         {"samples", "samples computed", [&] { return static_cast<double>(record.counts.samples); }},
-        {"tasks moved", "cells that have gone to another worker",
+        {"tasks moved", "cells moved to another worker",
          [&] { return static_cast<double>(record.counts.tasks_moved); }}};
     programs::show(view, *network_);
     if (memory_) shared_memory::show(view, *memory_);
@@ -192,7 +192,7 @@ class Run {
       if (role == Role::display)
         processor.memory().allocate(7 * static_cast<std::uint64_t>(params_.image.width) *
                                         static_cast<std::uint64_t>(params_.image.height),
-                                    "the picture, and how new each pixel is", {});
+                                    "the picture and the age of each pixel", {});
     }
     if (!params_.is_double) return;
     for (const int id : shared_.places.workers) {
@@ -239,7 +239,7 @@ class Run {
           failure.a->id() == 0 ? machine_.processors()[1] : machine_.processors()[0];
       survivor->fail(std::make_exception_ptr(
           machine::Fault(failure.a->name(), failure.at,
-                         fmt::format("{} has stopped at {:.6g} s: its part of the picture is lost",
+                         fmt::format("{} stopped at {:.6g} s: its part of the picture is lost",
                                      failure.a->name(), failure.at.value))));
     });
   }
@@ -293,7 +293,7 @@ bool is_power_of_two(int n) { return n > 0 && std::has_single_bit(static_cast<un
 
 void check_weights(const char* key, const Weights& w) {
   base::require(w.position + w.size + w.samples + w.contrast + w.depth + w.influence > 0, key,
-                "found weights that are all 0, expected one above 0 at least");
+                "found only weights of 0, expected at least one above 0");
 }
 
 // Checks limits. `key` is "stage" or "order".
@@ -308,10 +308,11 @@ void check_limits(const std::string& key, const renderer::Params& image, const L
   const auto computed = get_area(image), asked = get_area(with_area);
   const bool is_met = asked.x < computed.x + computed.width && computed.x < asked.x + asked.width &&
                       asked.y < computed.y + computed.height && computed.y < asked.y + asked.height;
-  base::require(is_met, key + ".area",
-                "found [{}, {}, {}, {}], expected some pixels of image.area, [{}, {}, {}, {}]",
-                asked.x, asked.y, asked.width, asked.height, computed.x, computed.y, computed.width,
-                computed.height);
+  base::require(
+      is_met, key + ".area",
+      "found [{}, {}, {}, {}], expected an area that overlaps image.area, [{}, {}, {}, {}]",
+      asked.x, asked.y, asked.width, asked.height, computed.x, computed.y, computed.width,
+      computed.height);
   if (limits.weights) check_weights((key + ".weights").c_str(), *limits.weights);
 }
 
@@ -328,9 +329,9 @@ void check(const Params& params, const topologies::Topology& topology) {
                  params.max_cell, area.width, area.height);
   check_weights("iirra.weights", params.weights);
   base::require(!params.is_double || params.data, "iirra.node",
-                "found double, but every worker holds the scene: there are no data managers; "
-                "expected single, or data.cache_percent above 0");
-  base::require(!params.stages.empty(), "stage", "found none, expected one at least");
+                "found double, expected single, or data.cache_percent above 0: without data "
+                "managers every worker holds the scene");
+  base::require(!params.stages.empty(), "stage", "found none, expected at least one");
   for (const auto& limits : params.stages) check_limits("stage", params.image, limits);
   for (const auto& order : params.script)
     if (const auto* limits = std::get_if<Limits>(&order.what))

@@ -26,66 +26,70 @@ Columns<Result> sample_columns() {
   };
   return base::join(
       Columns<R>{
-          column<R>("rays_image", of_image, "rays of the image's samples, each once"),
+          column<R>("rays_image", of_image, "rays of the image's samples, each counted once"),
           column<R>("rays_outside", outside,
-                    "rays of samples beyond the image, for interpolation only"),
-          column<R>(
-              "rays_double", twice,
-              "rays of samples that another processor computed too, or measured for its start"),
+                    "rays of samples outside the image, used only for interpolation"),
+          column<R>("rays_double", twice,
+                    "rays of samples computed twice: by a second processor, or to measure times "
+                    "for the start"),
           column<R>("samples_double", samples_twice,
-                    "samples of the image that were computed on another processor too, or measured "
-                    "for its start")},
+                    "samples of the image computed twice: by a second processor, or to measure "
+                    "times for the start")},
       {base::lift_columns<R>(
-          Columns<C>{column("samples", &C::samples, "samples computed, on all processors"),
+          Columns<C>{column("samples", &C::samples, "samples computed by all processors"),
                      column("samples_outside", &C::samples_outside,
-                            "samples beyond the image, for interpolation only"),
+                            "samples outside the image, used only for interpolation"),
                      column("samples_shared", &C::samples_shared,
-                            "samples that a second cell of a processor needed, which were not "
-                            "computed again"),
+                            "samples that a second cell of the same processor reused"),
                      column("cells_divided", &C::cells_divided, "cells divided into four")},
           &R::counts)});
 }
 
 Columns<Counts> task_columns() {
   using C = Counts;
-  return {column<C>("task_messages", &C::task_messages,
-                    "messages for tasks between workers: requests, refusals and tasks"),
-          column("task_requests", &C::requests,
-                 "requests for tasks; one that the coordinator or a ring passes on counts again"),
-          column("task_refusals", &C::refusals, "answers without tasks"),
-          column("task_moves", &C::moves, "messages with tasks"),
-          column("tasks_moved", &C::tasks_moved, "tasks in them"),
-          column("tasks_moved_bytes", &C::bytes_moved, "bytes of them"),
-          column("tasks_max", &C::tasks_most, "the most tasks that a worker held"),
-          column("reports", &C::reports, "messages of workers without tasks to the coordinator"),
-          column("polls", &C::polls, "questions of the display to workers"),
-          column("pictures_sent", &C::pictures, "messages with parts of the picture"),
-          column("picture_blocks", &C::blocks, "cells' pictures in them"),
-          column("picture_bytes", &C::picture_bytes, "bytes of them")};
+  return {
+      column<C>("task_messages", &C::task_messages,
+                "messages between workers about tasks: requests, refusals and tasks"),
+      column("task_requests", &C::requests,
+             "requests for tasks; a request that the coordinator or a ring forwards counts again"),
+      column("task_refusals", &C::refusals, "replies without tasks"),
+      column("task_moves", &C::moves, "messages with tasks"),
+      column("tasks_moved", &C::tasks_moved, "tasks in the messages counted by task_moves"),
+      column("tasks_moved_bytes", &C::bytes_moved, "bytes of the messages counted by task_moves"),
+      column("tasks_max", &C::tasks_most, "largest number of tasks that one worker held"),
+      column("reports", &C::reports, "messages to the coordinator from workers without tasks"),
+      column("polls", &C::polls, "requests of the display for parts of the picture"),
+      column("pictures_sent", &C::pictures, "messages with parts of the picture"),
+      column("picture_blocks", &C::blocks,
+             "pictures of cells in the messages counted by pictures_sent"),
+      column("picture_bytes", &C::picture_bytes, "bytes of the messages counted by pictures_sent")};
 }
 
 Columns<Losses> loss_columns() {
   using L = Losses;
-  return {column("loss_idle", &L::idle,
-                 "share of the workers' time without a task, or waiting for the display"),
-          column("loss_data", &L::data, "share of it spent waiting for the scene's data"),
-          column("loss_repeated", &L::repeated,
-                 "share of it for rays of samples beyond the image, or computed twice"),
-          column("loss_routing", &L::routing, "share of it in routers"),
-          column("loss_managing", &L::managing,
-                 "share of it for tasks, pictures, messages and looking data up"),
-          column("loss_largest", &L::largest, "the largest of these")};
+  return {
+      column("loss_idle", &L::idle,
+             "share of the workers' time without a task or waiting for the display"),
+      column("loss_data", &L::data,
+             "share of the workers' time spent waiting for the scene's data"),
+      column("loss_repeated", &L::repeated,
+             "share of the workers' time for rays of samples outside the image or computed twice"),
+      column("loss_routing", &L::routing, "share of the workers' time in routers"),
+      column("loss_managing", &L::managing,
+             "share of the workers' time for managing tasks, pictures and messages, and for data "
+             "look-ups"),
+      column("loss_largest", &L::largest, "name of the largest loss")};
 }
 
 Columns<Result> run_columns() {
   using R = Result;
-  return {
-      column("kernel_cycles", &R::kernel_cycles, "cycles that rays were charged"),
-      column<R>("interactive_s", &R::interactive_s, "part of time_s in the interactive phase"),
-      column<R>(
-          "drain_s", [](const R& r) { return r.ended_s - r.last_task_s; },
-          "part of time_s after a worker took a task for the last time"),
-      column("mean_depth", &R::mean_depth, "links from the coordinator to a worker, on average")};
+  return {column("kernel_cycles", &R::kernel_cycles, "cycles charged for rays"),
+          column<R>("interactive_s", &R::interactive_s, "part of time_s in the interactive phase"),
+          column<R>(
+              "drain_s", [](const R& r) { return r.ended_s - r.last_task_s; },
+              "part of time_s after the last task was taken"),
+          column("mean_depth", &R::mean_depth,
+                 "mean distance from the coordinator to a worker, in links")};
 }
 
 ray_tracing::Load load_of_coordination(const observe::Use& use) {
@@ -137,7 +141,7 @@ ray_tracing::Loads find_loads(const Result& result) {
   const auto& display = *find_role(use, Role::display);
   loads.push_back({display.name, display.busy_s / use.time_s, "its CPU"});
   loads.push_back({"tasks", (result.ended_s - result.last_task_s) / result.time_s,
-                   "the last task was taken before"});
+                   "the last task was taken earlier"});
   ray_tracing::sort(loads);
   return loads;
 }

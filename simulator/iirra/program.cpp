@@ -54,11 +54,11 @@ base::Fields<Params> cell_fields() {
   return {D::whole("cell", &Params::max_cell, 2, MAX_CELL, "pixels",
                    "side of the first cells, a power of two"),
           D::choice("order", &Params::order, ORDERS,
-                    "order of cells of one importance; adaptive: the greatest contrast first"),
+                    "order of cells of equal importance; adaptive: the greatest contrast first"),
           weights_field<Params>(&Params::weights,
-                                "what position, size, samples, contrast, depth and influence weigh "
+                                "weights of position, size, samples, contrast, depth and influence "
                                 "in a cell's importance"),
-          programs::whole_seed_field<Params>(&Params::seed, "seed of the order of the cells")};
+          programs::whole_seed_field<Params>(&Params::seed, "seed for the order of the cells")};
 }
 
 base::Fields<Params> machine_fields() {
@@ -75,31 +75,30 @@ base::Fields<Params> machine_fields() {
                                                      {"ring", BalanceMethod::ring}};
   return {
       D::choice("start", &Params::start, STARTS,
-                "who has which cells first: scattered over macro-cells, a block each, or by "
-                "the time that a sample of each takes"),
+                "initial distribution of cells: scattered over macro-cells, a block for each "
+                "worker, or balanced by the measured time of one sample per cell"),
       D::choice("balance", &Params::balance, METHODS,
-                "how tasks are shared meanwhile: asked of neighbours, or of all on the way to "
-                "the coordinator; given away (active); both (mixed); down a tree (green); "
-                "asked around a ring"),
+                "how workers share tasks during the run: request from neighbours; request on the "
+                "path to the coordinator; send unasked (active); both (mixed); down a tree "
+                "(green); request around a ring"),
       D::whole("reserve", &Params::reserve, 1, 1000, "",
-               "tasks that a worker does not give away; with fewer it asks for some"),
+               "number of tasks that a worker keeps; with fewer it requests more"),
       D::choice("display", &Params::is_far, base::Names<bool>{{"far", true}, {"near", false}},
-                "the display's processor: the farthest from the coordinator, or beside it"),
+                "processor of the display: the farthest from the coordinator, or a neighbour"),
       D::choice("node", &Params::is_double, base::Names<bool>{{"single", false}, {"double", true}},
-                "a worker: one processor, or two on one memory, of which one has the data "
-                "manager and the router, the other all else"),
+                "processors of a worker: one; or two that share a memory, one of them for the data "
+                "manager and the router"),
       D::choice("refresh", &Params::is_polled, base::Names<bool>{{"polled", true}, {"sent", false}},
-                "the display asks each worker for its part of the picture, or is sent "
-                "everything"),
+                "polled: the display requests each worker's part of the picture; sent: workers "
+                "send every change"),
       D::whole("polls_at_once", &Params::polls, 1, 1000, "",
-               "questions of the display that wait for an answer at once, at most; 1: it asks "
-               "one worker after the other"),
+               "largest number of pending requests of the display; 1: one worker after the other"),
       D::flag("borders", &Params::has_borders,
-              "true: each picture comes once more, with the borders of its cells"),
+              "true: save each picture also with the borders of its cells"),
       D::number("frame_s", &Params::frame_s, 0, 1000, "s",
-                "time of a frame on the screen: the display asks no worker more often"),
+                "time of a frame on the screen: shortest time between two requests to a worker"),
       D::whole("buffers", &Params::buffers, 1, 1e6, "",
-               "messages that a router has room for; else as many as processors, and 64")};
+               "messages that a router has room for; default: the number of processors plus 64")};
 }
 
 base::Fields<ProgramParams> make_fields() {
@@ -110,7 +109,7 @@ base::Fields<ProgramParams> make_fields() {
   const auto memory = [](auto& p) -> auto& { return p.iirra.memory; };
   return base::join(
       base::Fields<P>{D::whole("machine.worker_memory_bytes", memory, 1, 0x1p40, "bytes",
-                               "memory of a worker; else the model's")},
+                               "memory of a worker; default: the model's")},
       {base::lift_all<P>(ray_tracing::scene_fields(), &P::scene),
        base::lift_all<P>(renderer::param_fields(), image, "image."),
        base::lift_all<P>(cell_fields(), &P::iirra, "iirra."),
@@ -124,18 +123,20 @@ base::Fields<ProgramParams> make_fields() {
 
 base::Fields<Limits> limit_fields() {
   using D = base::Declare<Limits>;
-  return {D::number("min_influence", &Limits::min_influence, 0, 1, "",
-                    "influence factor of rays, at least"),
-          D::whole("depth_reflected", &Limits::depth_reflected, 0, 1000, "",
-                   "tree level, at most, of rays with only reflections before them"),
-          D::whole("depth_transmitted", &Limits::depth_transmitted, 0, 1000, "",
-                   "tree level, at most, of transmitted rays and their descendants"),
-          D::whole("min_cell", &Limits::min_cell, 1, MAX_CELL, "pixels", "side of cells, at least"),
-          D::whole("max_samples", &Limits::max_samples, 5, 13, "", "samples of a cell, at most"),
-          D::number("min_contrast", &Limits::min_contrast, 0, 1, "",
-                    "contrast of cells that are divided, at least (Eq 4.7)"),
-          base::lift<Limits>(renderer::area_field(), &Limits::area),
-          weights_field<Limits>(&Limits::weights, "as iirra.weights, while these limits are set")};
+  return {
+      D::number("min_influence", &Limits::min_influence, 0, 1, "",
+                "smallest influence factor of a ray"),
+      D::whole("depth_reflected", &Limits::depth_reflected, 0, 1000, "",
+               "deepest tree level of rays whose ancestors were only reflected"),
+      D::whole("depth_transmitted", &Limits::depth_transmitted, 0, 1000, "",
+               "deepest tree level of transmitted rays and their descendants"),
+      D::whole("min_cell", &Limits::min_cell, 1, MAX_CELL, "pixels", "smallest side of a cell"),
+      D::whole("max_samples", &Limits::max_samples, 5, 13, "",
+               "largest number of samples of a cell"),
+      D::number("min_contrast", &Limits::min_contrast, 0, 1, "",
+                "smallest contrast of cells to divide (Eq 4.7)"),
+      base::lift<Limits>(renderer::area_field(), &Limits::area),
+      weights_field<Limits>(&Limits::weights, "replaces iirra.weights while these limits apply")};
 }
 
 bool shares_data(const ProgramParams& params) {

@@ -88,7 +88,7 @@ void Sampler::trace(Sample& sample, const Ray& ray, bool is_outside) {
     if (child.kind == renderer::RayKind::shadow) {
       keep(child, shoot(sample, child, is_outside));
     } else {
-      allocate(sizes_.ray, "rays that wait");
+      allocate(sizes_.ray, "waiting rays");
       sample.waiting.push_back(child);
     }
 }
@@ -102,7 +102,7 @@ void Sampler::extend(Sample& sample, const Point& p) {
   if (is_primary_waiting) return;
   const int wanted = is_adaptive(sampling) ? find_wanted(sample, p) : sampling.pixel_samples;
   if (sample.begun >= wanted) return;
-  allocate(sizes_.ray, "rays that wait");
+  allocate(sizes_.ray, "waiting rays");
   sample.waiting.push_back(make_primary(shared_.scene.view, params_.image, p.x, p.y, sample.begun));
 }
 

@@ -23,9 +23,10 @@ std::uint64_t place_on_curve(int column, int row) {
 
 Places find_places(const topologies::Topology& topology, bool is_far) {
   const int n = topology.processors;
-  base::require(n >= SERVICES + 1, "network.topology",
-                "found {} processor{}, expected at least {}: a coordinator, a display and a worker",
-                n, n == 1 ? "" : "s", SERVICES + 1);
+  base::require(
+      n >= SERVICES + 1, "network.topology",
+      "found {} processor{}, expected at least {} (a coordinator, a display and a worker)", n,
+      n == 1 ? "" : "s", SERVICES + 1);
   Places places;
   places.coordinator = topology.root;
   const auto tree = topologies::make_spanning_tree(topology, topology.root);

@@ -91,7 +91,7 @@ void Worker::divide_cell(const TaskCell& cell) {
     if (tasks_.pixels_of(daughter) == 0) continue;
     for (const Point& p : points_of(daughter))
       if (!sampler_.samples().has(p))
-        throw base::InvariantBroken("a sample that a divided cell has not");
+        throw base::InvariantBroken("a sample that does not belong to the divided cell");
     tasks_.put({daughter, cell.paintings, 0});
   }
   balance_->created();

@@ -47,9 +47,10 @@ std::vector<std::string> note_short(const std::vector<KernelUse>& uses) {
   for (const auto& use : uses)
     if (use.is_short)
       notes.push_back(fmt::format(
-          "timed: the kernel \"{}\", {} calls of {:.3g} us, is too short for the host's clock: the "
-          "longest batch of calls took {:.3g} us, a measure needs {:.3g} us ({:.2g} us a reading); "
-          "calls were repeated on their own inputs, which may take up to a third less",
+          "timed: the kernel \"{0}\" ({1} calls of {2:.3g} us) is too short for the host's clock "
+          "(resolution {5:.2g} us): found {3:.3g} us for the longest batch of calls, expected "
+          "{4:.3g} us; each call was repeated with its inputs, so its cost may be up to a third "
+          "too low",
           use.name, use.calls, 1e6 * use.host_s / static_cast<double>(use.calls),
           1e6 * use.longest_batch_s, KernelTimer::LEAST_INTERVALS * interval_us, interval_us));
   return notes;

@@ -63,7 +63,7 @@ std::vector<CpuDiary::Span> CpuDiary::untold(Seconds now) const {
 void Cpu::make_ready(Process& process, Seconds at) {
   if (process.state_ != Process::State::blocked)
     throw base::InvariantBroken(
-        fmt::format("{} was made ready but is not waiting", process.name()));
+        fmt::format("{} was made ready, but it was not waiting", process.name()));
   if (stopped()) return;
   process.state_ = Process::State::ready;
   process.ready_at_ = at;
@@ -131,8 +131,8 @@ void Cpu::execute(Process& process) {
   } else {
     if (!done) return compute(process, {time.value * speed_});
     if (time.value > 0)
-      throw base::InvariantBroken(process.name() +
-                                  " left the CPU at low priority with unpaid cycles");
+      throw base::InvariantBroken(
+          process.name() + " left the CPU at low priority before it had used all its cycles");
     release(process, now());
   }
 }

@@ -10,8 +10,8 @@ std::string LinkDirection::name() const {
 void LinkDirection::carry(const std::string& channel) {
   if (carries_)
     throw Misuse(from_.name(), engine_.now(),
-                 fmt::format("channel {} is placed on link {}, which carries channel {}: each "
-                             "direction of a link carries one",
+                 fmt::format("channel {} is placed on link {}, which already carries channel {}: "
+                             "expected one channel for each direction of a link",
                              channel, name(), *carries_));
   carries_ = channel;
 }
@@ -43,7 +43,7 @@ void LinkDirection::expect_no_more(Side side, Process& process) {
 void LinkDirection::transfer(std::uint64_t bytes, const std::string& channel,
                              Engine::Callback arrived) {
   if (std::exchange(busy_, true))
-    throw base::InvariantBroken("two messages at once on link " + name());
+    throw base::InvariantBroken("two simultaneous messages on link " + name());
   since_ = engine_.now();
   bytes_ = bytes;
   channel_ = &channel;

@@ -85,9 +85,9 @@ std::string describe_wait(const Process& process, const std::vector<ProcessId>& 
                   process.wait() ? process.wait()->describe() : "its start");
   std::string names;
   for (ProcessId partner : partners)
-    names +=
-        fmt::format("{}{}", names.empty() ? "" : ", ",
-                    blocked.contains(partner) ? blocked.at(partner)->name() : "one that has ended");
+    names += fmt::format(
+        "{}{}", names.empty() ? "" : ", ",
+        blocked.contains(partner) ? blocked.at(partner)->name() : "a process that has ended");
   return names.empty() ? text : fmt::format("{} (from {})", text, names);
 }
 
@@ -167,9 +167,9 @@ Processor& Machine::add_processor(std::string name, std::uint64_t memory, std::s
 
 Processor& Machine::add_companion(Processor& of, std::string name, std::string role) {
   if (of.companion())
-    throw Misuse(
-        of.name(), now(),
-        fmt::format("{} would have two companions: {} is one", of.name(), of.companion()->name()));
+    throw Misuse(of.name(), now(),
+                 fmt::format("{} already has a companion, {}: expected at most one", of.name(),
+                             of.companion()->name()));
   Engine& engine = parts_.add_processor(name, &of.engine());
   Processor& companion =
       add(std::move(name), of.share_memory(), std::move(role), of.share_model(), engine);
@@ -188,7 +188,7 @@ Processor& Machine::add(std::string name, std::shared_ptr<Memory> memory, std::s
 }
 
 void Machine::connect(Processor& a, Processor& b, int switches) {
-  if (&a == &b) throw Misuse(a.name(), now(), a.name() + " would be joined to itself by a link");
+  if (&a == &b) throw Misuse(a.name(), now(), a.name() + " would have a link to itself");
   for (const Processor* p : {&a, &b})
     if (ports_.at(p->id()) >= MAX_LINKS)
       throw Misuse(p->name(), now(), p->name() + " would have more than four links");
@@ -214,9 +214,10 @@ LinkDirection& Machine::link(const Processor& from, const Processor& to, std::si
   const auto count = found == links_of_.end() ? 0 : found->second.size();
   if (number < count) return *found->second[number];
   throw Misuse(from.name(), now(),
-               count == 0 ? fmt::format("no link joins {} and {}", from.name(), to.name())
-                          : fmt::format("{} of the links that join {} and {}: found {}", number,
-                                        from.name(), to.name(), count));
+               count == 0
+                   ? fmt::format("no link joins {} and {}", from.name(), to.name())
+                   : fmt::format("found no link {} between {} and {}, expected numbers below {}",
+                                 number, from.name(), to.name(), count));
 }
 
 void Machine::set_observer(Observer* observer) {
@@ -256,7 +257,7 @@ End Machine::run(Seconds until) {
   for (const auto& link : links_) link->flush_observer();
   if (cut) return why == Engine::End::until ? End::limit : End::interrupt;
   for (const auto& link : links_)
-    base::check_equal("bytes out of a link", link->use().bytes + link->use().bytes_cut,
+    base::check_equal("bytes that left a link", link->use().bytes + link->use().bytes_cut,
                       link->use().bytes_sent);
   throw_if_deadlocked(*this);
   return End::done;
@@ -276,7 +277,8 @@ void Machine::on_failure(std::function<void(const Failure&)> observer) {
 void Machine::plan(const Failure& failure) {
   if (!(failure.at >= now()))
     throw base::InvariantBroken(
-        fmt::format("a failure at {} s was asked for at {} s", failure.at.value, now().value));
+        fmt::format("found a failure planned for {} s at {} s, expected a later time",
+                    failure.at.value, now().value));
   if (runs_until_) return expect(failure);
   planned_.push_back(failure);
 }

@@ -192,7 +192,7 @@ EntryValue read_value(const Entry& entry, const toml::node* node) {
   if (const auto number = node ? node->value<double>() : std::nullopt) return *number;
   if (const auto text = node ? node->value_exact<std::string>() : std::nullopt) return *text;
   base::refuse(entry.where,
-               "\"value\" must be a number, or a formula in quotes over other entries");
+               "\"value\": expected a number, or in quotes a formula over other entries");
 }
 
 // Reads a fraction of the entry's value, such as "80 %".
@@ -210,22 +210,24 @@ std::optional<Range> read_range(const Entry& entry, const toml::table& table) {
   const auto *low = table.get("low"), *high = table.get("high"), *why = table.get("why");
   if (!low && !high && !why) return {};
   base::require(low && high && why && why->value_exact<std::string>(), entry.where,
-                "expected low, high and why together, why in quotes");
+                "expected low, high and why together, with a text in quotes as why");
   const auto low_share = read_share(*low), high_share = read_share(*high);
   Range range{0, 0, low_share && high_share, *why->value_exact<std::string>()};
   const auto low_number = range.is_share ? low_share : low->value<double>();
   const auto high_number = range.is_share ? high_share : high->value<double>();
-  base::require(low_number && high_number, entry.where,
-                "low and high: expected two numbers, or two shares of the value as in \"80 %\"");
+  base::require(
+      low_number && high_number, entry.where,
+      "low and high: expected two numbers, or two percentages of the value such as \"80 %\"");
   range.low = *low_number;
   range.high = *high_number;
   base::require(range.low < range.high && range.high <= LARGEST && range.low >= 0, entry.where,
-                "low and high: found {} and {}, expected numbers from 0 to {}, the lower first",
+                "low and high: found {} and {}, expected numbers from 0 to {}, with low below high",
                 range.low, range.high, LARGEST);
   base::require(range.is_share || entry.formula.empty(), entry.where,
-                "low and high: found numbers, expected shares of the value, which is a formula");
+                "low and high: found numbers, expected percentages such as \"80 %\", because the "
+                "value is a formula");
   base::require(!range.is_share || range.low > 0, entry.where,
-                "low: found 0 %, expected a share above 0");
+                "low: found 0 %, expected a percentage above 0");
   return range;
 }
 
@@ -235,7 +237,7 @@ Entry read_entry(const std::string& key, const toml::node& node, const std::stri
                 "expected {{ value = ..., unit = ..., provenance = ..., source = ... }}");
   auto text = [&](const char* part) {
     auto value = (*table)[part].value<std::string>();
-    base::require(value.has_value(), where, "\"{}\" is missing or not a text", part);
+    base::require(value.has_value(), where, "\"{}\": expected a text in quotes", part);
     return *value;
   };
   constexpr std::string_view PARTS[] = {"value", "unit", "provenance", "source",
@@ -249,7 +251,7 @@ Entry read_entry(const std::string& key, const toml::node& node, const std::stri
   entry.range = read_range(entry, *table);
   if (table->contains("holds")) {
     base::require(entry.provenance == Provenance::calibrated, where,
-                  "holds: found it at an entry that is {}, expected calibrated",
+                  "holds: found it in an entry with provenance \"{}\", expected calibrated",
                   to_string(entry.provenance));
     base::Formula(entry.holds = text("holds"), where + ": holds");
   }
@@ -312,7 +314,8 @@ void eval_formulas(Model& model) {
   }
   const auto order = base::sort_by_needs(needs);
   if (!order.circle.empty())
-    base::refuse(formulas.at(order.circle[0]).place(), "depends on itself");
+    base::refuse(formulas.at(order.circle[0]).place(),
+                 "expected a formula that does not depend on itself");
   for (const auto i : order.sorted) {
     const auto formula = formulas.find(i);
     if (formula == formulas.end()) continue;
@@ -347,7 +350,8 @@ Model parse(std::string_view text, std::string_view origin, const std::filesyste
   const toml::table file = base::parse_toml(text, origin);
   Model model;
   const auto base_name = read_text(file, "base", origin);
-  base::require(!base_name || inside <= 8, origin, "base: a chain without end");
+  base::require(!base_name || inside <= 8, origin,
+                "base: found a chain of bases without end, expected one that ends");
   if (base_name)
     model = load(*base_name, folder, inside + 1,
                  place_of(origin, file.get("base")->source()) + ": base: ");
@@ -360,7 +364,7 @@ Model parse(std::string_view text, std::string_view origin, const std::filesyste
     base::require(content.is_table(), place_of(origin, content.source()), "{}: expected a section",
                   section.str());
     base::require(entries.size() + content.as_table()->size() <= MOST_ENTRIES, origin,
-                  "found more than {} entries, expected at most so many", MOST_ENTRIES);
+                  "found more than {0} entries, expected at most {0}", MOST_ENTRIES);
     for (auto&& [name, node] : *content.as_table()) {
       const auto key = fmt::format("{}.{}", section.str(), name.str());
       Entry entry = read_entry(key, node, place_of(origin, node.source()) + ": " + key);

@@ -26,11 +26,10 @@ Moment just_after(Moment moment) {
 Parts::Parts(EngineParams params) : part_of_(std::exchange(params.parts, {})) {
   const int parts = part_of_.empty() ? 1 : *std::ranges::max_element(part_of_) + 1;
   if (parts > 1 && params.links != Links::direct)
-    throw base::InvariantBroken(
-        fmt::format("SimGrid runs a machine in one part, found {} parts", parts));
+    throw base::InvariantBroken(fmt::format("found {} parts with SimGrid, expected one", parts));
   if (!part_of_.empty() && std::ranges::min(part_of_) < 0)
     throw base::InvariantBroken(
-        fmt::format("found part {}, expected numbers from 0", std::ranges::min(part_of_)));
+        fmt::format("found part {}, expected 0 or more", std::ranges::min(part_of_)));
   for (int part = 0; part < parts; ++part) engines_.push_back(std::make_unique<Engine>(params));
   if (!is_one()) between_ = std::make_unique<Engine>(params);
 }
@@ -48,8 +47,8 @@ Engine& Parts::add_processor(const std::string& name, const Engine* beside) {
 
 Engine& Parts::only(const char* asked) {
   if (is_one()) return *engines_.front();
-  throw base::InvariantBroken(
-      fmt::format("{} was asked of a machine in {} parts, expected one", asked, engines_.size()));
+  throw base::InvariantBroken(fmt::format(
+      "found {} called for a machine in {} parts, expected one part", asked, engines_.size()));
 }
 
 Engine::End Parts::run(Seconds until, Seconds lookahead) {
@@ -58,7 +57,9 @@ Engine::End Parts::run(Seconds until, Seconds lookahead) {
 
 Engine::End Parts::run_windows(Seconds until, Seconds lookahead) {
   if (!(lookahead.value > 0))
-    throw base::InvariantBroken("a machine whose operations on links cost nothing has one part");
+    throw base::InvariantBroken(
+        "found operations on links that cost nothing in a machine of several parts, expected one "
+        "part");
   for (const auto& engine : engines_) engine->events().set_until(until.value);
   between_->events().set_until(until.value);
   engines_.front()->at({}, [] {});  // as in Engine::run

@@ -89,7 +89,7 @@ bool Process::go_on_in_operation() {
 }
 
 void Process::throw_without_stack() const {
-  throw base::InvariantBroken(name_ + " has no stack to wait on: a Proc waits by co_await");
+  throw base::InvariantBroken(name_ + " has no stack to wait on: expected co_await in a Proc");
 }
 
 void Process::suspend() {
@@ -164,7 +164,7 @@ void Process::sync_if_much() {
 Seconds Process::now() {
   if (executing != this)
     throw Misuse(name_, processor_.now(),
-                 fmt::format("now() of {} on {} was not called by itself at {:.6f} s", name_,
+                 fmt::format("now() of {} on {} was called outside this process at {:.6f} s", name_,
                              processor_.name(), processor_.now().value));
   sync();
   return processor_.now();

@@ -35,7 +35,7 @@ Process& Processor::start(std::unique_ptr<Process> process) {
 
 void Processor::remove(const Process& process) {
   if (process.state() != Process::State::ended)
-    throw base::InvariantBroken(process.name() + " was removed but has not ended");
+    throw base::InvariantBroken(process.name() + " was removed before it ended");
   const auto last = std::find_if(processes_.rbegin(), processes_.rend(),
                                  [&](const auto& p) { return p.get() == &process; });
   const auto place = std::next(last).base();

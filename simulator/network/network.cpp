@@ -24,9 +24,9 @@ void Network::make_node(int id, machine::Processor& processor, const Params& par
   auto& memory = processor.memory();
   if (const auto left = memory.left(); bytes > left || params.longest > left)
     base::refuse(processor.name(),
-                 "its router's buffers, {} messages of {} bytes and their identification, take {} "
-                 "bytes: found a memory with {} bytes left, expected shorter messages, more memory "
-                 "or, where the program has that key, fewer buffers",
+                 "found {3} bytes of memory left, expected {2} for the router's buffers ({0} "
+                 "messages of {1} bytes and their identification): give shorter messages, more "
+                 "memory or, if the program has that key, fewer buffers",
                  params.buffers, params.longest, bytes, left);
   memory.allocate(bytes, "the router's buffers", {});
   Node& node = nodes_.emplace_back();

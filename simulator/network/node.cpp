@@ -6,7 +6,7 @@ namespace network {
 
 std::string_view to_string(Returned reason) {
   constexpr std::string_view names[] = {"delivered", "no such processor", "no such process there",
-                                        "no way is left"};
+                                        "no path is left"};
   return names[static_cast<int>(reason)];
 }
 
@@ -183,9 +183,10 @@ void Node::charge_step(const Message& message) const {
 void Node::hold(const Message& message) {
   charge_step(message);
   if (++held > buffers)
-    throw Overflow(processor->name(), occam::this_process().own_time(),
-                   fmt::format("the router of {} has no room for another message: it holds {}",
-                               processor->name(), buffers));
+    throw Overflow(
+        processor->name(), occam::this_process().own_time(),
+        fmt::format("the router of {} has no free buffer for another message: all {} are in use",
+                    processor->name(), buffers));
   use.most_held = std::max(use.most_held, held);
 }
 

@@ -19,9 +19,9 @@ void check_times(const char* what, const Item& item, std::size_t lane, std::vect
   constexpr double hair_s = 1e-9;
   check_index(what, lane, ends.size());
   if (!(item.from_s >= ends[lane] - hair_s && item.to_s >= item.from_s))
-    throw base::InvariantBroken(
-        fmt::format("trace: {} {} is at something from {} to {} s, but before that until {} s",
-                    what, lane, item.from_s, item.to_s, ends[lane]));
+    throw base::InvariantBroken(fmt::format(
+        "trace: {} {} has an item from {} to {} s, which overlaps the previous one, until {} s",
+        what, lane, item.from_s, item.to_s, ends[lane]));
   ends[lane] = item.to_s;
 }
 

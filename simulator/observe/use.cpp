@@ -110,7 +110,7 @@ std::uint64_t total_bytes(const Use& use) {
 
 base::Columns<Use> message_columns() {
   return {base::column<Use>("messages_sent", &total_messages,
-                            "messages over links, counted on each link that they pass"),
+                            "messages over links; each counts on every link it passes"),
           base::column<Use>("bytes_sent", &total_bytes, "bytes of these messages")};
 }
 

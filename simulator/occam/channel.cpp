@@ -23,10 +23,10 @@ ChannelBase::ChannelBase(std::string name, const machine::Processor& from,
                          const machine::Processor& to)
     : joins_cpus_(&from != &to), name_(std::move(name)) {
   if (&from != &to && from.companion() != &to)
-    throw machine::Misuse(from.name(), from.now(),
-                          fmt::format("channel {} would join {} and {}, which have neither a link "
-                                      "nor one memory",
-                                      name_, from.name(), to.name()));
+    throw machine::Misuse(
+        from.name(), from.now(),
+        fmt::format("channel {} would join {} and {}, which share neither a link nor a memory",
+                    name_, from.name(), to.name()));
   end_of(writer).place = &from;
   end_of(reader).place = &to;
 }
@@ -44,16 +44,15 @@ void ChannelBase::check_may_take(Side side, Process& self) {
   if (is_here && is_free()) return;
   std::string why;
   if (is_here)
-    why = fmt::format("while {} on {} does: a channel has one writer and one reader",
+    why = fmt::format("which {} on {} already uses: expected one writer and one reader",
                       end.taken_by->name(), here.name());
   else if (hard())
-    why = fmt::format("which is on link {}: only processes on {} do", link_->name(),
+    why = fmt::format("which is on link {}: expected a process on {}", link_->name(),
                       end.place->name());
   else if (joins_cpus())
-    why = fmt::format("whose end there is on {}", end.place->name());
+    why = fmt::format("whose end for that is on {}: expected a process there", end.place->name());
   else
-    why = fmt::format("which is not on a link and has been used on {}: it leads nowhere else",
-                      end.place->name());
+    why = fmt::format("which is a soft channel of {}: expected a process there", end.place->name());
   throw machine::Misuse(
       self.name(), at,
       fmt::format("{} on {} {} channel {} at {:.6f} s, {}", self.name(), here.name(),

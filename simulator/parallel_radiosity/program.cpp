@@ -24,18 +24,20 @@ base::Fields<Params> machine_fields() {
                                                           {"work", Distribution::work}};
   static const base::Names<bool> BORDERS = {{"exchanged", true}, {"repeated", false}};
   return {D::choice("distribution", &Params::distribution, DISTRIBUTIONS,
-                    "which processor has which patches: of every face an equal share; equal counts "
-                    "of consecutive ones; consecutive ones of equal estimated work"),
+                    "distribution of patches over processors: an equal share of every face "
+                    "(tiles); equal numbers of consecutive patches (blocks); consecutive patches "
+                    "of equal estimated work (work)"),
           D::choice("borders", &Params::exchange, BORDERS,
-                    "vertices between processors: found by one, that tells the others, or by each"),
+                    "vertices on borders between processors: computed by one and sent to the "
+                    "others, or computed by each"),
           D::choice("method", &Params::method, programs::METHODS,
-                    "how routers avoid deadlock; acyclic takes the network's routes only if they "
-                    "close no cycle"),
+                    "how routers avoid deadlock; acyclic uses the network's routes if they have no "
+                    "cycle, else its own"),
           D::whole("show_every", &Params::show_every, 0, 1e9, "",
-                   "shots between two pictures on the way; 0: none"),
+                   "shots between two intermediate pictures; 0: none"),
           D::number("cache_percent", &Params::cache_percent, 0, 100, "%",
-                    "share of the geometry that a processor's data manager has room for; 0: all "
-                    "have all of it")};
+                    "share of the geometry that a data manager's cache has room for; 0: every "
+                    "processor has the whole geometry")};
 }
 
 base::Fields<ProgramParams> make_fields() {
@@ -53,10 +55,13 @@ base::Fields<ProgramParams> make_fields() {
        of_room(reconstruction),
        of_room(view_fields()),
        of_room(reference_fields()),
-       {D::number("amplify", &P::amplify, 0, 1e6, "", "factor of the difference image"),
+       {D::number("amplify", &P::amplify, 0, 1e6, "",
+                  "factor that multiplies the difference image"),
         D::number("peak_from", &P::peak_from, 0, 1, "",
-                  "share of the width from which the line's largest value is looked for"),
-        D::number("peak_to", &P::peak_to, 0, 1, "", "share of the width up to which it is")}});
+                  "left end of the range in which the line's largest value is "
+                  "searched, as a share of the width"),
+        D::number("peak_to", &P::peak_to, 0, 1, "",
+                  "right end of the range from peak_from, as a share of the width")}});
 }
 
 struct Measured {
@@ -89,30 +94,31 @@ Columns<Measured> size_columns() {
   return {
       column<M>(
           "time_s", [](const M& m) { return m.result.time_s; },
-          "until the last shot is done everywhere"),
+          "time until every processor has finished the last shot"),
       base::empty_column<M>("speedup", "time_s on one processor over time_s"),
       base::empty_column<M>("efficiency", "speedup over processors"),
       column("patches", &M::patches, "patches of the mesh"),
       column("vertices", &M::vertices, "vertices of the mesh"),
-      column("creases_left_out", &M::left_out,
-             "creases that the patches do not keep, or not everywhere"),
+      column("creases_left_out", &M::left_out, "creases left out of the mesh, at least in part"),
       column<M>(
-          "shots", [](const M& m) { return m.result.shots; }, "times a patch sent its light"),
+          "shots", [](const M& m) { return m.result.shots; },
+          "shots: number of times that a patch sent its light"),
       column<M>(
           "unshot",
           [](const M& m) { return m.result.frames.empty() ? 1 : m.result.frames.back().unshot; },
-          "share of the emitted power that is not sent"),
+          "share of the emitted power that is still unsent"),
       column<M>(
           "total_s", [](const M& m) { return m.result.total_s; },
-          "until the display has the last picture")};
+          "time until the display has the last picture")};
 }
 
 Columns<Loss> loss_columns() {
-  return {column("useful", &Loss::useful, "share of the processors' time in kernels"),
-          column("repeated", &Loss::repeated, "share spent on vertices that are found twice"),
-          column("unequal", &Loss::unequal,
-                 "share spent waiting for the processor with most to do in a shot"),
-          column("messages", &Loss::messages, "share of messages and all else")};
+  return {
+      column("useful", &Loss::useful, "share of the processors' time in kernels"),
+      column("repeated", &Loss::repeated, "share spent on vertices that two processors compute"),
+      column("unequal", &Loss::unequal,
+             "share spent waiting for the processor with the most work in a shot"),
+      column("messages", &Loss::messages, "share spent on messages and everything else")};
 }
 
 Columns<Result> work_columns() {
@@ -125,8 +131,8 @@ Columns<Result> work_columns() {
               },
               "rays over time_s"),
           column("vertices_max", &R::vertices_done_max,
-                 "vertices that a processor finds in a shot, at most"),
-          column("kernel_cycles", &R::kernel_cycles, "cycles that kernels were charged")};
+                 "largest number of vertices that a processor computes in a shot"),
+          column("kernel_cycles", &R::kernel_cycles, "cycles charged for kernels")};
 }
 
 Columns<observe::Use> load_columns() {
@@ -135,7 +141,7 @@ Columns<observe::Use> load_columns() {
           column<U>("message_bytes", &observe::total_bytes, "bytes of these messages"),
           observe::link_busy_column(),
           column<U>("cpu_busy_mean", &eval_cpu_mean, "share of time_s, mean of the processors"),
-          column<U>("memory_bytes", &find_memory, "the most memory that a processor used")};
+          column<U>("memory_bytes", &find_memory, "largest memory that a processor used")};
 }
 
 Columns<Measured> picture_columns() {
@@ -146,17 +152,20 @@ Columns<Measured> picture_columns() {
     return base::lift_columns<Measured>(columns, &Measured::shown);
   };
   const Columns<E> errors = {
-      column("image_error", &E::image, "root mean square of the difference over the reference's"),
-      column("line_error", &E::line, "the same of the central line's displayed red"),
+      column("image_error", &E::image,
+             "root mean square of the difference over that of the reference"),
+      column("line_error", &E::line, "image_error for the displayed red of the central line"),
       column("peak_error", &E::line_peak,
-             "difference of that line's largest values, over the reference's"),
-      column("line_error_linear", &E::line_linear, "line_error of the radiosity"),
-      column("peak_error_linear", &E::line_peak_linear, "peak_error of the radiosity"),
+             "difference of the largest values on the central line, over the reference's"),
+      column("line_error_linear", &E::line_linear,
+             "line_error for radiosity instead of displayed values"),
+      column("peak_error_linear", &E::line_peak_linear,
+             "peak_error for radiosity instead of displayed values"),
       column("peak_shift", &E::peak_shift,
              "pixels from the reference's largest value to the picture's")};
   return base::join(
-      of_shown(
-          {column("radiosity_mean", &PictureSummary::radiosity_mean, "mean radiosity by area")}),
+      of_shown({column("radiosity_mean", &PictureSummary::radiosity_mean,
+                       "mean radiosity, weighted by area")}),
       {base::only_if(has_reference,
                      of_shown({column("reference_mean", &PictureSummary::reference_mean,
                                       "mean radiosity of the reference")})),
@@ -182,10 +191,10 @@ Columns<Measured> make_columns() {
 // Makes a sentence such as "81.0 % of the time is useful; the largest loss: 9.0 % waiting for ...".
 std::string describe_loss(const Loss& loss, bool has_data) {
   const std::pair<double, const char*> losses[] = {
-      {loss.repeated, "finding vertices that another processor finds too"},
-      {loss.unequal, "waiting for the processor with most to do in a shot"},
-      {loss.messages, has_data ? "data managers' accesses, and messages"
-                               : "finding the brightest patch and telling others: messages"}};
+      {loss.repeated, "computing vertices that another processor also computes"},
+      {loss.unequal, "waiting for the processor with the most work in a shot"},
+      {loss.messages, has_data ? "accesses of data managers, and messages"
+                               : "messages, including the search for the brightest patch"}};
   if (loss.useful > 0.9995) return "all of the time is useful";
   const auto [share, what] =
       *std::ranges::max_element(losses, {}, [](const auto& of) { return of.first; });
@@ -216,7 +225,7 @@ Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
   if (result.end != machine::End::done)
     throw programs::Unfinished(
         "machine", {result.total_s},
-        fmt::format("the run was ended at {:.6f} s ({})", result.total_s, to_string(result.end)));
+        fmt::format("the run ended early at {:.6f} s ({})", result.total_s, to_string(result.end)));
   auto shown = show(params, room.view, mesh, result.frames);
   const bool has_data = params.machine.cache_percent > 0;
   const auto note = describe_loss(result.loss, has_data);
@@ -234,7 +243,7 @@ Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
 void check_program(const Setup&, const ProgramParams& params) {
   check(params.room);
   if (params.peak_from >= params.peak_to)
-    base::refuse("program.peak_to", "found {}, expected above peak_from, {}", params.peak_to,
+    base::refuse("program.peak_to", "found {}, expected more than peak_from, {}", params.peak_to,
                  params.peak_from);
 }
 
@@ -243,9 +252,8 @@ void check_program(const Setup&, const ProgramParams& params) {
 programs::Program make_radiosity() {
   auto program = programs::make_program<ProgramParams, Measured>(
       {.name = "radiosity",
-       .help =
-           "progressive radiosity as in AMP: the brightest patch is found by a reduction, sent to "
-           "all, and received where the patches are; pictures of it",
+       .help = "progressive radiosity as in AMP: a reduction finds the brightest patch, every "
+               "processor receives it and lights its own patches; renders pictures",
        .uses = {.network = true, .timed = true, .others = true},
        .fields = make_fields(),
        .columns = make_columns(),

@@ -127,10 +127,10 @@ class Amp {
  private:
   observe::ControlPanel make_view() {
     observe::ControlPanel view;
-    view.gauges = {
-        {"shots", "done", [this] { return static_cast<double>(root_->shots()); }},
-        {"unshot", "share of the light that has not been sent, in the last picture",
-         [this] { return root_->frames().empty() ? 1 : root_->frames().back().unshot; }}};
+    view.gauges = {{"shots", "done", [this] { return static_cast<double>(root_->shots()); }},
+                   {"unshot", "share of unsent light in the last picture", [this] {
+                      return root_->frames().empty() ? 1 : root_->frames().back().unshot;
+                    }}};
     programs::show(view, *network_);
     if (memory_) shared_memory::show(view, *memory_);
     if (!params_.look) return view;
@@ -174,11 +174,11 @@ class Amp {
     };
     room(node.share.patches.size(), "radiosity_patch", "its patches");
     if (params_.solve.sends == radiosity::Sends::corners)
-      room(4 * node.share.patches.size(), "colour", "what its patches' corners have not sent");
+      room(4 * node.share.patches.size(), "colour", "unsent light at the corners of its patches");
     room(node.share.vertices.size(), "radiosity_vertex", "its vertices");
     std::size_t told = 0;
     for (const Border& border : node.share.in) told += border.vertices.size();
-    room(told, "colour", "what others tell it of theirs");
+    room(told, "colour", "what other processors send about their patches");
     if (!memory_)
       memory.allocate(geometry_bytes(model, mesh_), "the faces and their hierarchy", {});
     if (node.id == common_.root) room(mesh_.vertices.size(), "colour", "the display's vertices");
@@ -246,7 +246,7 @@ class Amp {
 void check(const machine::Model& model, const Mesh& mesh, int processors, const Params& params) {
   check(params.solve.factor);
   base::require(mesh.patches.size() >= static_cast<std::size_t>(processors), "network",
-                "found {} processors, expected at most as many as the room has patches, {}",
+                "found {} processors, expected at most {}, the number of patches of the room",
                 processors, mesh.patches.size());
   if (params.cache_percent == 0) return;
   constexpr auto key = "program.cache_percent";
@@ -255,8 +255,8 @@ void check(const machine::Model& model, const Mesh& mesh, int processors, const 
   const auto largest = std::max(get_bytes(model, "object"), get_bytes(model, "box"));
   const auto bytes = data_params(model, mesh, params, 0).cache_bytes;
   base::require(bytes >= largest, key,
-                "found {} % of a geometry of {} bytes, a cache of {}, expected at least the {} "
-                "bytes of its largest record",
+                "found a cache of {2} bytes ({0} % of a geometry of {1} bytes), expected at least "
+                "{3} bytes, its largest record",
                 params.cache_percent, geometry_bytes(model, mesh), bytes, largest);
 }
 

@@ -13,7 +13,7 @@ base::Fields<R> solution_fields() {
   const auto mesh = [](auto& r) -> auto& { return r.light.mesh; };
   const auto solve = [](auto& r) -> auto& { return r.light.solve; };
   return base::join(
-      base::Fields<R>{D::file("scene", &R::scene, "the room: .room, .nff or .obj", true)},
+      base::Fields<R>{D::file("scene", &R::scene, "file of the room: .room, .nff or .obj", true)},
       {base::lift_all<R>(radiosity::mesh_fields(), mesh),
        {base::lift<R>(radiosity::creases_field(), &R::creases)},
        base::lift_all<R>(radiosity::solve_fields(), solve)});
@@ -27,7 +27,8 @@ base::Fields<R> view_fields() {
       base::select(radiosity::picture_fields(), {"width", "height", "pixel_samples"});
   return base::join(
       base::lift_all<R>(twist, &R::reconstruction),
-      {{D::choice("ambient", ambient, AMBIENT, "what the unsent light will yet give")},
+      {{D::choice("ambient", ambient, AMBIENT,
+                  "an estimate of the light that is still unsent: added or left out")},
        base::lift_all<R>(picture, &R::picture),
        base::lift_all<R>(radiosity::display_fields(), &R::display)});
 }
@@ -36,16 +37,16 @@ base::Fields<R> reference_fields() {
   auto shown =
       base::lift_all<R>(base::select(radiosity::reconstruction_fields(), {"reconstruction"}),
                         &R::shown_reference, "reference_");
-  shown[0].help = "how the reference's illumination is interpolated";
+  shown[0].help = "interpolation of the reference's illumination";
   return base::join(
       base::Fields<R>{
           D::file("reference", &R::reference, "a room to compare with; none: the scene itself"),
-          D::whole(
-              "reference_refine", &R::reference_refine, 0, 1000, "",
-              "its `refine`; 0: the scene's if a reference is named, else nothing is compared"),
+          D::whole("reference_refine", &R::reference_refine, 0, 1000, "",
+                   "`refine` of the reference; 0: that of the scene if a reference is named, else "
+                   "no comparison"),
           D::whole("reference_senders", &R::reference_senders, 0, 1000, "",
-                   "the `refine` of the patches that send its light to the vertices of the finer "
-                   "ones; 0: all of its patches send")},
+                   "`refine` of the reference's coarser patches that send light to the vertices of "
+                   "the finer ones; 0: the finer patches send it")},
       {shown});
 }
 

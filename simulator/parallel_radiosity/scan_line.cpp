@@ -102,11 +102,12 @@ base::Columns<Pixel> make_line_columns() {
     for (std::size_t i = 0; i < PICTURES.size(); ++i)
       all.push_back(base::column<Pixel>(
           PICTURES[i] + suffix, [=](const Pixel& p) { return (p.*values)[i]; },
-          what + (i < 2 ? " by that interpolation" : " of the reference")));
+          what + (i < 2 ? " with this interpolation" : " of the reference")));
   };
   add(&Pixel::displayed, "", "displayed value, 0 to 255,");
   add(&Pixel::linear, "_linear", "radiosity");
-  all.push_back(base::column("emits", &Pixel::emits, "1 where the pixel shows what emits"));
+  all.push_back(
+      base::column("emits", &Pixel::emits, "1 if the pixel shows a light source, else 0"));
   return all;
 }
 
@@ -115,8 +116,8 @@ base::Columns<Pixel> make_line_columns() {
 programs::Program make_scan_line() {
   return programs::make_program<LineParams, Pixel>(
       {.name = "scan_line",
-       .help = "a line of a room's picture, without a machine, by bilinear and by bicubic "
-               "interpolation and of a reference",
+       .help = "a scan line of a room by bilinear and bicubic interpolation, and of a reference; "
+               "nothing is simulated",
        .fields = make_line_fields(),
        .columns = make_line_columns(),
        .parts = {"x"},

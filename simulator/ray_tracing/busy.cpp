@@ -91,11 +91,10 @@ void check_label(const topologies::Topology& topology, int id) {
   const auto label = name_of(topology, id, "");
   for (const char* own : {Role::coordinator, Role::database, Role::display})
     if (label == own)
-      base::refuse(
-          "network.topology",
-          "{} has a processor called \"{}\", as the program calls one of its own; expected "
-          "another name",
-          topology.name, label);
+      base::refuse("network.topology",
+                   "found a processor called \"{1}\" in {0}, expected another name: the program "
+                   "uses this one",
+                   topology.name, label);
 }
 
 Busy make_busy(const observe::Use& use) {
@@ -128,21 +127,23 @@ Columns<Busy> busy_columns() {
           column("cpu_busy_coordinator", &B::coordinator, "share of time_s of the coordinator"),
           column("cpu_busy_database", &B::database, "share of time_s of the ray database"),
           column("cpu_busy_display", &B::display, "share of time_s of the display"),
-          column("cpu_busiest", &B::cpu_busiest, "processor that was busy for longest"),
+          column("cpu_busiest", &B::cpu_busiest, "busiest processor"),
           column("cpu_busy_max", &B::cpu_max, "share of time_s of the busiest processor"),
-          column("cpu_busiest_high", &B::cpu_high, "its processes of high priority, as a share"),
+          column("cpu_busiest_high", &B::cpu_high,
+                 "share of time_s of the busiest processor in high-priority processes"),
           column("link_busy_max", &B::link_max, "share of time_s of the busiest link direction"),
-          column("link_busiest", &B::link_busiest, "link direction that was busy for longest"),
-          column("link_busiest_messages", &B::link_messages, "messages that it carried"),
-          column("link_busiest_bytes", &B::link_bytes, "bytes that it carried"),
-          column("worker_memory_bytes", &B::worker_memory, "the most memory that a worker used")};
+          column("link_busiest", &B::link_busiest, "busiest link direction"),
+          column("link_busiest_messages", &B::link_messages,
+                 "messages over the busiest link direction"),
+          column("link_busiest_bytes", &B::link_bytes, "bytes over the busiest link direction"),
+          column("worker_memory_bytes", &B::worker_memory, "largest memory that a worker used")};
 }
 
 Columns<Busy> router_columns() {
   return base::only_if(
       [](const Busy& busy) { return busy.router_mean.has_value(); },
       Columns<Busy>{column("cpu_busy_router_mean", &Busy::router_mean,
-                           "share of time_s, mean of the processors that route for workers")});
+                           "share of time_s, mean of the routing processors of workers")});
 }
 
 Columns<Loads> bottleneck_columns() {
@@ -157,12 +158,12 @@ Columns<Loads> bottleneck_columns() {
   const auto bottleneck = [](const M& m) {
     return m.empty() || m[0].busy < SATURATED ? "none" : m[0].resource;
   };
-  return {
-      column<M>("bottleneck", bottleneck, "what limits the program: `busiest`, if it is saturated"),
-      load("busiest", 0, &Load::resource, "resource that was busy for longest"),
-      load("busiest_busy", 0, &Load::busy, "its share of time_s"),
-      load("next_busiest", 1, &Load::resource, "resource that was busy for longest but one"),
-      load("next_busy", 1, &Load::busy, "its share of time_s")};
+  return {column<M>("bottleneck", bottleneck,
+                    "resource that limits the program: `busiest` if it is saturated, else none"),
+          load("busiest", 0, &Load::resource, "resource that was busy for longest"),
+          load("busiest_busy", 0, &Load::busy, "share of time_s in which `busiest` was busy"),
+          load("next_busiest", 1, &Load::resource, "second busiest resource"),
+          load("next_busy", 1, &Load::busy, "share of time_s in which `next_busiest` was busy")};
 }
 
 Loads find_loads(const observe::Use& use) {
@@ -208,7 +209,7 @@ Columns<observe::Use> model_columns() {
       },
       Columns<observe::Use>{column<observe::Use>(
           "other_models_tasks", share,
-          "share of the tasks that workers of other models than the coordinator's did")});
+          "share of the tasks done by workers of other models than the coordinator's")});
 }
 
 void sort(Loads& loads) { std::ranges::stable_sort(loads, std::ranges::greater{}, &Load::busy); }

@@ -25,11 +25,11 @@ struct SceneBytes {
 void check_percent(const char* key, double percent, const SceneBytes& scene,
                    std::uint64_t largest) {
   if (!(percent > 0 && percent <= 100))
-    base::refuse(key, "found {}, expected more than 0, 100 at most", percent);
+    base::refuse(key, "found {}, expected more than 0 and at most 100", percent);
   if (const auto bytes = scene.percent(percent); bytes < largest)
     base::refuse(key,
-                 "found {} % of a scene of {} bytes, a cache of {}, expected at least the {} bytes "
-                 "of its largest record",
+                 "found a cache of {2} bytes ({0} % of a scene of {1} bytes), expected at least "
+                 "{3} bytes, its largest record",
                  percent, scene.all, bytes, largest);
 }
 
@@ -40,12 +40,13 @@ base::Columns<SharedUse> shared_columns() {
     return observe::eval_mean(u.data.waited.value, u.workers_s);
   };
   return base::join(
-      base::Columns<U>{column("cache_bytes", &U::cache_bytes, "cache of a worker")},
+      base::Columns<U>{column("cache_bytes", &U::cache_bytes, "size of a worker's cache")},
       {base::lift_columns<U>(shared_memory::data_columns(), &U::data),
-       {column<U>("data_wait_share", wait_share, "share of the workers' time spent waiting"),
+       {column<U>("data_wait_share", wait_share,
+                  "share of the workers' time spent waiting for data"),
         column<U>(
             "most_held", [](const U& u) { return u.routers.most_held; },
-            "most messages that one router held at once")}});
+            "largest number of messages held by one router")}});
 }
 
 }  // namespace
@@ -58,15 +59,19 @@ base::Fields<SharedParams> data_fields() {
   std::erase(methods, std::pair(std::string("naive"), network::Method::naive));
   return {
       D::number("data.cache_percent", &SharedParams::cache_percent, 0, 100, "%",
-                "cache of a worker, share of the scene's bytes; 0: it holds the scene"),
-      D::number("data.server_cache_percent", &SharedParams::server_cache_percent, 0, 100, "%",
-                "cache of the coordinator, share of the scene's bytes, with items"),
+                "cache of a worker, as a share of the scene's bytes; 0: each worker holds the "
+                "whole scene"),
+      D::number(
+          "data.server_cache_percent", &SharedParams::server_cache_percent, 0, 100, "%",
+          "cache of the coordinator, as a share of the scene's bytes, for scheme = \"items\""),
       D::choice("data.scheme", &SharedParams::scheme, SCHEMES,
-                "items, cached on the way to the coordinator; or pages, spread over the workers"),
+                "items: caches on the path to the coordinator supply them; pages: spread over the "
+                "workers"),
       D::flag("data.in_path", &SharedParams::in_path,
-              "true: requests are offered to all on the way"),
-      D::flag("data.waiting_queue", &SharedParams::waiting_queue,
-              "true: a processor that waits for an item shares it with those that ask for it"),
+              "true: requests are offered to every processor on the path"),
+      D::flag(
+          "data.waiting_queue", &SharedParams::waiting_queue,
+          "true: a processor that waits for an item forwards it to others that request it (WRQu)"),
       D::whole("data.page_items", &SharedParams::page_items, 1, 1e6, "", "items in a page"),
       D::choice("data.method", &SharedParams::method, methods,
                 "how routers avoid deadlock: green, chalmers or acyclic")};
@@ -74,7 +79,8 @@ base::Fields<SharedParams> data_fields() {
 
 void check_data(const machine::Model& model, const SceneSize& size, const SharedParams& data) {
   const SceneBytes scene(model, size);
-  if (scene.all == 0) base::refuse("scene.source", "found no objects, expected some ([data])");
+  if (scene.all == 0)
+    base::refuse("scene.source", "found no objects, expected at least one for [data]");
   std::uint64_t largest = size.boxes > 0 ? std::max(scene.box, scene.object) : scene.object;
   if (data.scheme == shared_memory::Scheme::pages)
     largest *= static_cast<std::uint64_t>(data.page_items);

@@ -42,9 +42,11 @@ class Orders {
   double take(const OrderRecord<Limits>& record, machine::Seconds after,
               const std::function<void(const std::vector<Order>&)>& check) {
     if (!user_ || !is_open_)
-      throw base::BadInput(user_ ? "[[order]]: found one after the picture was complete"
-                                 : "[[order]]: found one before the first task was at hand");
-    if (has_left()) throw base::BadInput("[[order]]: found one after the user had left");
+      throw base::BadInput(
+          user_ ? "[[order]]: found one after the picture was complete, expected it earlier"
+                : "[[order]]: found one before the first task, expected it later");
+    if (has_left())
+      throw base::BadInput("[[order]]: found one after the user had left, expected it earlier");
     const double tick_s = occam::date_of(*user_, 1).value;
     // The user's process may be ahead of the clock. It has then already decided that no order comes
     // before its own time.

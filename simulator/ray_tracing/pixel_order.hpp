@@ -17,8 +17,8 @@ base::Field<P> pixel_order_field(PixelOrder P::*member) {
                                                  {"quadrants", PixelOrder::quadrants}};
   return base::Declare<P>::choice(
       "order", member, ORDERS,
-      "order of the pixels: cells (of the program's own order), scan (row by row), or quadrants "
-      "(a queue of quadrants, each divided into four)");
+      "order of the pixels: cells (the program's own order), scan (row by row), or quadrants "
+      "(progressive refinement by a queue of quadrants)");
 }
 
 }  // namespace ray_tracing

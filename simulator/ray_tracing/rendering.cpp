@@ -80,7 +80,7 @@ Columns<Rendering> speed_columns() {
   const auto time_per_ray_ms = [](const R& r) {
     return r.time_s / static_cast<double>(r.rays.total()) * 1e3;
   };
-  return {column("time_s", &R::time_s, "from the first task to the last ray shown to be complete"),
+  return {column("time_s", &R::time_s, "time from the first task until the picture is complete"),
           column<R>("time_per_ray_ms", time_per_ray_ms, "time_s over rays"),
           empty_column<R>("speedup", "time_s with one worker over time_s"),
           empty_column<R>("efficiency", "speedup over workers"),
@@ -91,34 +91,35 @@ Columns<Rendering> speed_columns() {
 Columns<Rendering> ray_columns() {
   using R = renderer::RayCounts;
   return base::lift_columns<Rendering>(
-      Columns<R>{column<R>("rays", &R::total, "rays intersected, of all kinds"),
+      Columns<R>{column<R>("rays", &R::total, "rays of all kinds, intersected with the scene"),
                  column("rays_primary", &R::primary, "rays from the eye"),
                  column("rays_reflected", &R::reflected, "rays reflected by a surface"),
                  column("rays_transmitted", &R::transmitted, "rays transmitted by a surface"),
-                 column("rays_shadow", &R::shadow, "feelers to the lights")},
+                 column("rays_shadow", &R::shadow, "shadow feelers to the lights")},
       &Rendering::rays);
 }
 
 Columns<Rendering> time_columns() {
   using R = Rendering;
-  return {column("order_to_pixel_s", &R::order_to_pixel_s,
-                 "the longest from an order with limits to the first pixel changed by a ray it let "
-                 "in"),
-          column("setup_s", &R::setup_s, "time before time_s: scene sent, first rays deposited"),
-          column<R>(
-              "total_s", [](const R& r) { return r.setup_s + r.time_s; }, "setup_s and time_s")};
+  return {
+      column("order_to_pixel_s", &R::order_to_pixel_s,
+             "longest time from an order with limits to the first pixel changed by a ray that it "
+             "admitted"),
+      column("setup_s", &R::setup_s,
+             "time before time_s, in which the scene is distributed and the first rays are stored"),
+      column<R>(
+          "total_s", [](const R& r) { return r.setup_s + r.time_s; }, "setup_s plus time_s")};
 }
 
 Columns<Rendering> stage_columns() {
   using R = Rendering;
-  return {{"stage{}_s",
-           "when the limits of a stage were reached, counted as time_s from the first task",
-           &stage_cells, true},
-          column<R>(
-              "aborted", [](const R& r) { return r.is_aborted ? 1 : 0; },
-              "1: the user has ended the run before its picture was complete"),
-          {"stage{}_lit", "share of the pixels that are not black in the key image of a stage",
-           &lit_cells, true}};
+  return {
+      {"stage{}_s", "time from the first task until the limits of a stage were reached",
+       &stage_cells, true},
+      column<R>(
+          "aborted", [](const R& r) { return r.is_aborted ? 1 : 0; },
+          "1 if the user ended the run before the picture was complete, else 0"),
+      {"stage{}_lit", "share of non-black pixels in the key image of a stage", &lit_cells, true}};
 }
 
 Given make_given(const programs::Setup& setup, const SceneChoice& scene,

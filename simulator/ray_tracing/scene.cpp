@@ -18,11 +18,11 @@ bool has_own_objects(const SceneChoice& scene) { return scene.source.text != "sp
 
 base::Fields<SceneChoice> scene_fields() {
   using D = base::Declare<SceneChoice>;
-  return {
-      D::source(
-          "scene.source", &SceneChoice::source,
-          "spheres, as many as scene.objects; spheres:200 or hills:20000; or an .nff or .obj file"),
-      D::whole("scene.objects", &SceneChoice::objects, 1, 1e9, "", "spheres in a generated scene")};
+  return {D::source("scene.source", &SceneChoice::source,
+                    "spheres (as many as scene.objects), spheres:200 or hills:20000, or an .nff or "
+                    ".obj file"),
+          D::whole("scene.objects", &SceneChoice::objects, 1, 1e9, "",
+                   "number of spheres in a generated scene")};
 }
 
 std::string scene_source(const SceneChoice& scene) {

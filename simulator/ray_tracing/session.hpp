@@ -47,8 +47,9 @@ void check_script(const std::vector<Order<Limits>>& script) {
   check_saved_names(names);
   for (std::size_t i = 1; i < script.size(); ++i)
     if (script[i].at < script[i - 1].at)
-      throw base::BadInput(fmt::format("order {}: its time, {} s, is before the last one's", i + 1,
-                                       script[i].at.value));
+      throw base::BadInput(
+          fmt::format("order {}: found the time {} s, expected at least that of the previous order",
+                      i + 1, script[i].at.value));
   for (std::size_t i = 1; i < script.size(); ++i)
     if (std::holds_alternative<Leave>(script[i - 1].what))
       throw base::BadInput(
@@ -69,20 +70,19 @@ base::Fields<OrderRecord<Limits>> order_fields(const base::Fields<Limits>& limit
   };
   return base::join(
       base::Fields<Record>{
-          D::number("at_s", &Record::at_s, 0, 1e9, "s",
-                    "when the user orders it, counted as time_s from the first task"),
+          D::number("at_s", &Record::at_s, 0, 1e9, "s", "time of the order, from the first task"),
           D::flag("non_interactive", &Record::non_interactive,
                   "true: the user leaves the interactive phase"),
           D::flag("interactive", &Record::interactive,
-                  "true: the user comes back from the non-interactive phase"),
+                  "true: the user returns to the interactive phase"),
           D::flag("abort", &Record::abort,
-                  "true: the user has had enough; rays that are under way end"),
+                  "true: the user aborts the run; only rays already sent are completed"),
           D::flag("leave", &Record::leave,
-                  "true: the user leaves, which is else with the last order; what is left to do is "
-                  "done without limits"),
+                  "true: the user leaves and the rest is computed without limits; default: after "
+                  "the last order"),
           {"save",
            "",
-           "the picture as it is then is saved, with this in its name",
+           "saves the current picture, with this text in the file's name",
            {.kind = base::Domain::Kind::text, .expected = "up to 40 letters, digits and dashes"},
            set_save,
            [](const Record& r) -> base::Scalar { return r.save; }}},
@@ -105,7 +105,7 @@ Order<Limits> make_order(const OrderRecord<Limits>& record) {
     throw base::BadInput(
         fmt::format("[[order]] at {} s: found {}, expected one of: limits, non_interactive = true, "
                     "interactive = true, abort = true, leave = true, save = \"name\"",
-                    record.at_s, orders.empty() ? "nothing to do" : "several things to do"));
+                    record.at_s, orders.empty() ? "no order" : "several orders"));
   return orders[0];
 }
 
@@ -133,9 +133,10 @@ programs::RecordList make_list(const std::string& key, const std::string& help,
 template <class P, class Limits, class Stages, class Script>
 std::vector<programs::RecordList> make_lists(const base::Fields<Limits>& limit_fields,
                                              Stages stages, Script script) {
-  return {make_list<P>("stage", "limits of the interactive phase, one set after the other",
+  return {make_list<P>("stage",
+                       "limits of the interactive phase; each [[stage]] replaces the previous one",
                        limit_fields, stages, [](const Limits& limits) { return limits; }),
-          make_list<P>("order", "what the user orders, at_s seconds after the first task",
+          make_list<P>("order", "an order of the user, at_s seconds after the first task",
                        order_fields(limit_fields), script, &make_order<Limits>)};
 }
 

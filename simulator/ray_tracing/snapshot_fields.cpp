@@ -21,16 +21,15 @@ base::Fields<snapshots::Schedule> snapshot_fields() {
   using D = base::Declare<Schedule>;
   return {{"show_at_s",
            "s",
-           "pictures at these times, counted as time_s",
-           {.kind = base::Domain::Kind::list,
-            .expected = "times in s, 0 or more, each after the one before"},
+           "times from the first task at which pictures are saved",
+           {.kind = base::Domain::Kind::list, .expected = "increasing times in s, 0 or more"},
            &set_show_at,
            [](const Schedule& snapshot_times) -> base::Scalar { return snapshot_times.at_s; }},
           D::number("show_every_s", &Schedule::every_s, 0, 1e9, "s",
-                    "and at each multiple of this, a thousand times at most; 0: at none"),
+                    "also at each multiple of this time, at most a thousand times; 0: never"),
           D::whole("growth", &Schedule::growth, 0, 1000, "",
-                   "times, at least, at which the picture is compared with the last one, for "
-                   "growth.csv and the moving picture; 0: never")};
+                   "smallest number of intermediate pictures compared with the final one, for "
+                   "growth.csv and the animation; 0: none")};
 }
 
 void check_snapshots(const std::string& section, const snapshots::Schedule& snapshot_times,
@@ -39,8 +38,8 @@ void check_snapshots(const std::string& section, const snapshots::Schedule& snap
   const std::string key = section + ".growth";
   const double bytes = 6.0 * snapshot_times.growth * image.width * image.height;
   if (snapshot_times.growth > 0 && std::max(image.width, image.height) > renderer::MAX_WEBP_SIDE)
-    base::refuse(key, "found an image of {} x {} pixels, expected at most {} a side", image.width,
-                 image.height, renderer::MAX_WEBP_SIDE);
+    base::refuse(key, "found an image of {} x {} pixels, expected at most {} pixels on each side",
+                 image.width, image.height, renderer::MAX_WEBP_SIDE);
   if (bytes > MOST_BYTES)
     base::refuse(key, "found {} pictures of {} x {} pixels, expected at most {:.0f}",
                  snapshot_times.growth, image.width, image.height,

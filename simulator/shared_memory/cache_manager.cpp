@@ -90,11 +90,13 @@ void CompanionManager::note_first() {
 
 void CompanionManager::handle_request(const network::Message& /*message*/,
                                       const DataRequest& /*request*/) {
-  throw base::InvariantBroken("a request for data at the client of an application");
+  throw base::InvariantBroken(
+      "a request for data at the client of an application, which serves none");
 }
 
 void CompanionManager::handle_reply(const DataReply& /*reply*/) {
-  throw base::InvariantBroken("a reply with data at the client of an application");
+  throw base::InvariantBroken(
+      "a reply with data at the client of an application, which made no request");
 }
 
 }  // namespace shared_memory

@@ -58,10 +58,10 @@ base::Columns<DataUse> data_columns() {
       base::column<DataUse>("accesses_made", &DataUse::accesses, "accesses to items"),
       level_column("local", Level::local, "in the processor's own memory"),
       level_column("on_path", Level::path,
-                   "in the cache of a processor on the way to the coordinator; with pages, with "
-                   "the keeper of the page"),
+                   "in the cache of a processor on the path to the coordinator; with pages, at the "
+                   "owner of the page"),
       level_column("by_queue", Level::queue,
-                   "with the reply to a processor that had asked before (WRQu)"),
+                   "in the reply to an earlier request of another processor (WRQu)"),
       level_column("at_coordinator", Level::coordinator, "in the coordinator's cache"),
       level_column("on_disk", Level::disk, "on the disk"),
       base::column("requests", &DataUse::requests, "requests sent to other processors"),
@@ -70,11 +70,11 @@ base::Columns<DataUse> data_columns() {
           [](const DataUse& use) {
             return share(static_cast<double>(use.request_links), use.requests);
           },
-          "links that a request passes up to the processor that answers, on average"),
+          "mean number of links from a requesting processor to the answering one"),
       base::column("spared_by_path", &DataUse::spared_by_path,
-                   "links that requests were spared by caches on their way"),
+                   "links that requests saved because caches on their path answered"),
       base::column("spared_by_queue", &DataUse::spared_by_queue,
-                   "links that requests were spared by queues on their way (WRQu)"),
+                   "links that requests saved because of queues on their path (WRQu)"),
       base::column<DataUse>(
           "wait_per_request_s",
           [](const DataUse& use) { return share(use.waited.value, use.requests); },
@@ -96,7 +96,7 @@ void DataManager::take(Message message) {
   if (message.returned != network::Returned::no)
     throw machine::Fault(
         this_process().name(), this_process().own_time(),
-        fmt::format("a request for data of {} came back: {}", this_process().processor().name(),
+        fmt::format("a request for data of {} was returned: {}", this_process().processor().name(),
                     to_string(message.returned)));
   occam::case_of(
       static_cast<const DataMessage&>(*message.contents),

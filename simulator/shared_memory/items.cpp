@@ -20,7 +20,8 @@ std::size_t Catalogue::place(Item item) const {
   const auto n = static_cast<std::size_t>(item.number);
   if (item.of_class < 0 || item.number < 0 || c + 1 >= first_.size() ||
       n >= first_[c + 1] - first_[c])
-    throw base::InvariantBroken(fmt::format("no item {} of class {}", item.number, item.of_class));
+    throw base::InvariantBroken(fmt::format("found item {} of class {}, expected an existing one",
+                                            item.number, item.of_class));
   return first_[c] + n;
 }
 

@@ -14,8 +14,7 @@ LruCache::LruCache(std::vector<std::uint64_t> bytes, std::uint64_t capacity, con
   next_.back() = previous_.back() = bytes_.size();
   const auto largest = bytes_.empty() ? 0 : *std::ranges::max_element(bytes_);
   if (largest > capacity)
-    base::refuse(key,
-                 "found a cache of {} bytes, expected at least the {} bytes of its largest record",
+    base::refuse(key, "found a cache of {} bytes, expected at least {} bytes, its largest record",
                  capacity, largest);
 }
 

@@ -46,7 +46,7 @@ class ItemManager : public CacheManager {
   }
 
   void handle_reply(const DataReply& reply) override {
-    base::check_equal("the record that came", asked_ == reply.record, true);
+    base::check_equal("the received record", asked_ == reply.record, true);
     const auto bytes = catalogue_.bytes().at(reply.record);
     for (const Waiting& waiting : std::exchange(waiting_, {}))
       this->reply(waiting.who, reply.record, bytes, Level::queue, waiting.links);
@@ -112,7 +112,7 @@ class ItemServer : public DataManager {
   }
 
   void handle_reply(const DataReply& /*reply*/) override {
-    throw base::InvariantBroken("a reply for the coordinator, which asks nobody");
+    throw base::InvariantBroken("a reply to the coordinator, which makes no requests");
   }
 
   const Catalogue& catalogue_;
@@ -178,10 +178,10 @@ class WholeManager : public DataManager {
 
  private:
   void handle_request(const Message& /*message*/, const DataRequest& /*request*/) override {
-    throw base::InvariantBroken("a request for data that every processor has");
+    throw base::InvariantBroken("a request for data, although every processor has all data");
   }
   void handle_reply(const DataReply& /*reply*/) override {
-    throw base::InvariantBroken("a reply for a processor that has all data");
+    throw base::InvariantBroken("a reply with data, although every processor has all data");
   }
 };
 
@@ -193,8 +193,8 @@ void check_range(const char* key, int found, int low, int high) {
 void allocate(machine::Processor& processor, const std::string& key, std::uint64_t bytes) {
   auto& memory = processor.memory();
   if (const auto left = memory.left(); bytes > left)
-    base::refuse(key, "found {} bytes, expected at most the {} that are left of the memory of {}",
-                 bytes, left, processor.name());
+    base::refuse(key, "found {} bytes, expected at most {}, the free memory of {}", bytes, left,
+                 processor.name());
   memory.allocate(bytes, key, {});
 }
 
@@ -268,10 +268,9 @@ void show(observe::ControlPanel& view, const VirtualMemory& memory, int first) {
     return accesses == 0 ? 0
                          : 1 - static_cast<double>(use.requests) / static_cast<double>(accesses);
   };
-  view.gauges.push_back({"accesses", "to records of the scene",
+  view.gauges.push_back({"accesses", "accesses to records of the scene",
                          [&memory] { return static_cast<double>(memory.use().accesses()); }});
-  view.gauges.push_back({"share found at home",
-                         "of the accesses, those that asked no other processor",
+  view.gauges.push_back({"share found at home", "share of accesses that need no other processor",
                          [&memory, share_found] { return share_found(memory.use()); }});
   view.inspections.emplace_back([&memory, share_found, first](int processor) {
     const int id = processor - first;

@@ -25,10 +25,13 @@ base::Cell make_cell(const std::optional<std::uint64_t>& count) {
 base::Columns<Figures> figure_columns() {
   using base::column;
   return {column("growth_mean", &Figures::area,
-                 "structural similarity of the picture with the last one, mean over time_s"),
-          column("growth_50_s", &Figures::to_50_s, "from when on it was at least 50 % of the last"),
-          column("growth_90_s", &Figures::to_90_s, "the same, 90 %"),
-          column("growth_99_s", &Figures::to_99_s, "the same, 99 %")};
+                 "mean structural similarity of the picture to the final one, over time_s"),
+          column("growth_50_s", &Figures::to_50_s,
+                 "time after which the similarity stays at least 50 %"),
+          column("growth_90_s", &Figures::to_90_s,
+                 "time after which the similarity stays at least 90 %"),
+          column("growth_99_s", &Figures::to_99_s,
+                 "time after which the similarity stays at least 99 %")};
 }
 
 QualityCurve make_quality_curve(const std::vector<Snapshot>& pictures, int width, int max_cell) {

@@ -15,7 +15,7 @@ class NoBalance : public Balance {
  public:
   using Balance::Balance;
   void requested(const Message& /*message*/, const TaskRequest& /*request*/) override {
-    throw base::InvariantBroken("a request for tasks that are not shared");
+    throw base::InvariantBroken("a request for tasks, although tasks are not shared");
   }
 };
 
@@ -148,7 +148,7 @@ class Active : public Balance {
       : Balance(giver, peers), distribution_(giver, peers) {}
   void created() override { distribution_.distribute(); }
   void requested(const Message& /*message*/, const TaskRequest& /*request*/) override {
-    throw base::InvariantBroken("a request for tasks, which come unasked");
+    throw base::InvariantBroken("a request for tasks, although tasks are sent unasked");
   }
   void received(int from, std::size_t load) override { distribution_.note(from, load); }
 
@@ -227,7 +227,7 @@ std::unique_ptr<Balance> make_balance(BalanceMethod method, TaskGiver& giver, Pe
     case BalanceMethod::none:
       return std::make_unique<NoBalance>(giver, std::move(peers));
   }
-  throw base::InvariantBroken("a method of balancing that is not there");
+  throw base::InvariantBroken("an unknown method of balancing");
 }
 
 }  // namespace iirra

@@ -46,11 +46,12 @@ void request_stop() { stop_requested = true; }
 
 Callback* Events::ask(double date, std::uint64_t order) {
   if (order >> (64 - PLACE_BITS) != 0)
-    throw base::InvariantBroken(fmt::format("{} events asked for: too many to tell apart", order));
+    throw base::InvariantBroken(fmt::format(
+        "found {} events scheduled so far, expected fewer: order numbers are exhausted", order));
   if (free_.empty()) {
     if (callbacks_.size() >> PLACE_BITS != 0)
       throw base::InvariantBroken(
-          fmt::format("{} events to come, which is the most", callbacks_.size()));
+          fmt::format("found {} pending events, expected fewer", callbacks_.size()));
     free_.push_back(static_cast<std::uint32_t>(callbacks_.size()));
     callbacks_.emplace_back();
   }

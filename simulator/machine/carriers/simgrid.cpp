@@ -198,7 +198,8 @@ class OnSimGrid final : public Carrier {
 
  private:
   [[noreturn]] static void throw_in_parts() {
-    throw base::InvariantBroken("SimGrid runs a machine in one part, expected the direct engine");
+    throw base::InvariantBroken(
+        "found SimGrid for a machine in several parts, expected the direct engine");
   }
   // One direction of a link. Its index is also used in the forecast and as the data of SimGrid's
   // communications.

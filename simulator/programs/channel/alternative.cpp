@@ -42,12 +42,12 @@ Program make_alternative() {
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "alternative",
-       .help = "an ALT that waits over several guards, and an output to one of them",
+       .help = "an ALT that waits on several guards, and an output to one of them",
        .fields = {bytes_field<Params>(&Params::bytes),
                   D::whole("guards", &Params::guards, 1, 1000, "",
                            "channels that the ALT waits on"),
                   D::whole("writer", &Params::writer, 0, 999, "",
-                           "the guard that becomes ready, from 0; the last where it has no such")},
+                           "number of the guard that becomes ready, from 0; at most the last one")},
        .columns = {column("latency_s", &Measured::latency,
                           "from the start of out to the end of in"),
                    column("busy_s", &Measured::busy, "time that the CPU worked")},

@@ -50,8 +50,8 @@ Program make_both_ways() {
        .help = "messages over one link, in one direction or in both at once",
        .fields = {bytes_field<Params>(&Params::bytes),
                   D::whole("messages", &Params::messages, 1, 1e7, "", "messages in each direction"),
-                  D::flag("both", &Params::both, "whether messages go in both directions")},
-       .columns = {column("time_s", &Measured::time, "time until all have been received"),
+                  D::flag("both", &Params::both, "true: messages go in both directions")},
+       .columns = {column("time_s", &Measured::time, "time until all messages have been received"),
                    column("rate_Bps", &Measured::rate_Bps,
                           "bytes a second of both directions together")},
        .run = &run});

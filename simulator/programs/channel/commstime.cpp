@@ -92,9 +92,9 @@ Program make_commstime() {
       {.name = "commstime",
        .help = "the Commstime benchmark on one processor",
        .fields = {base::Declare<Params>::whole("loops", &Params::loops, 1, 1e9, "",
-                                               "turns of the cycle of processes")},
-       .columns = {column("loop_us", &Measured::loop_us, "time of a turn"),
-                   column("loop_cycles", &Measured::loop_cycles, "time of a turn")},
+                                               "iterations of the loop")},
+       .columns = {column("loop_us", &Measured::loop_us, "time of an iteration"),
+                   column("loop_cycles", &Measured::loop_cycles, "time of an iteration")},
        .run = &run});
 }
 

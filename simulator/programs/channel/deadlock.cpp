@@ -44,11 +44,12 @@ Program make_deadlock() {
   using namespace deadlock;
   return make_program<Params, Measured>(
       {.name = "deadlock",
-       .help = "a ring whose processes all output first, to show what is said of a deadlock",
+       .help = "a ring whose processes all output first, to show the report of a deadlock",
        .fields = {bytes_field<Params>(&Params::bytes),
                   base::Declare<Params>::whole("stations", &Params::stations, 3, 1000, "",
                                                "processors in the ring")},
-       .columns = {column("time_s", &Measured::time, "never known, as the run has no end")},
+       .columns = {column("time_s", &Measured::time,
+                          "always empty, because the run does not complete")},
        .run = &run});
 }
 

@@ -30,7 +30,7 @@ Program make_flops() {
   using namespace flops;
   return make_program<Params, Measured>(
       {.name = "flops",
-       .help = "additions of 32-bit reals, operands in registers",
+       .help = "additions of 32-bit reals with operands in registers",
        .fields = {base::Declare<Params>::whole("operations", &Params::operations, 1, 1e9, "",
                                                "additions")},
        .columns = {column("mflops", &Measured::mflops, "million additions a second")},

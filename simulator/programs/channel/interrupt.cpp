@@ -60,7 +60,7 @@ Program make_interrupt() {
        .fields = {bytes_field<Params>(&Params::bytes),
                   D::whole("messages", &Params::messages, 1, 1e6, "",
                            "messages, one after the other"),
-                  D::flag("busy", &Params::busy, "whether the router's processor computes")},
+                  D::flag("busy", &Params::busy, "true: the router's processor also computes")},
        .columns = {column("latency_s", &Measured::latency_s,
                           "mean time of a message over the two links")},
        .run = &run});

@@ -41,7 +41,7 @@ Program make_message() {
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "message",
-       .help = "one message over one link, its receiver waiting",
+       .help = "one message over one link to a waiting receiver",
        .fields = {bytes_field<Params>(&Params::bytes, 0),
                   D::whole("switches", &Params::switches, 0, 16, "",
                            "C004 link switches between the two processors")},

@@ -49,14 +49,15 @@ Program make_pipeline() {
        .help = "a saturated pipeline of stages that input, compute and output",
        .fields = {bytes_field<Params>(&Params::bytes),
                   D::whole("stages", &Params::stages, 3, 1000, "", "processors in a line"),
-                  D::whole("messages", &Params::messages, 4, 1e7, "", "messages that pass"),
+                  D::whole("messages", &Params::messages, 4, 1e7, "",
+                           "messages through the pipeline"),
                   D::whole("stage_cycles", &Params::stage_cycles, 0, 1e9, "cycles",
-                           "computation of each stage for each message")},
+                           "computation of a stage for a message")},
        .columns = {column("period_s", &Measured::period_s, "mean time between two messages"),
                    column<Measured>(
                        "throughput_per_s", [](const Measured& m) { return 1 / m.period_s; },
                        "messages a second"),
-                   column("time_s", &Measured::time, "time until all have passed")},
+                   column("time_s", &Measured::time, "time until all messages have passed")},
        .run = &run});
 }
 

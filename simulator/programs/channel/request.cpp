@@ -50,12 +50,12 @@ Program make_request() {
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "request",
-       .help = "requests between neighbours, each with its reply",
+       .help = "requests to a neighbour, each with a reply",
        .fields = {bytes_field<Params>(&Params::bytes),
                   D::whole("reply_bytes", &Params::reply_bytes, 1, 1e9, "bytes",
                            "length of the reply"),
                   D::whole("service_cycles", &Params::service_cycles, 0, 1e9, "cycles",
-                           "computation of the server for each request"),
+                           "computation of the server for a request"),
                   D::whole("rounds", &Params::rounds, 1, 1e7, "", "requests, one after the other")},
        .columns = {column("round_trip_s", &Measured::round_trip_s,
                           "mean time from a request to the end of its reply")},

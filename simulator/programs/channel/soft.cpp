@@ -44,14 +44,14 @@ Program make_soft() {
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "soft",
-       .help = "one message between two processes of a processor",
+       .help = "one message between two processes on one processor",
        .fields = {bytes_field<Params>(&Params::bytes),
                   D::flag("reader_first", &Params::reader_first,
-                          "whether the reader comes first, or the writer"),
+                          "true: the reader arrives first; false: the writer"),
                   D::flag("high", &Params::high,
-                          "whether both processes have high priority, or low")},
+                          "true: both processes have high priority; false: low")},
        .columns = {column("latency_s", &Measured::latency,
-                          "time that the second process to come is in its in or out"),
+                          "time that the process arriving second spends in its in or out"),
                    column("busy_s", &Measured::busy, "time that the CPU worked")},
        .run = &run});
 }

@@ -73,8 +73,8 @@ Program make_sources() {
        .columns = {column("period_s", &Measured::period_s,
                           "mean time between two messages at the sink"),
                    column("period_of_a_source_s", &Measured::period_of_a_source_s,
-                          "the same of messages of one source"),
-                   column("time_s", &Measured::time, "time until all have arrived")},
+                          "mean time between two messages of one source at the sink"),
+                   column("time_s", &Measured::time, "time until all messages have arrived")},
        .run = &run});
 }
 

@@ -188,13 +188,15 @@ Outcome<DataPass> run(const Setup& setup, const Params& params) {
 
 base::Fields<DataLoad> load_fields() {
   using D = base::Declare<DataLoad>;
-  return {D::whole("items", &DataLoad::items, 1, 1e6, "", "number of items"),
-          D::whole("item_bytes", &DataLoad::item_bytes, 1, 1e6, "bytes", "size of an item"),
-          D::whole("accesses", &DataLoad::accesses, 1, 1e7, "",
-                   "accesses of each processor in each pass"),
-          D::whole("passes", &DataLoad::passes, 1, 1000, "", "passes, one after the other"),
-          D::number("zipf", &DataLoad::zipf, 0, 10, "",
-                    "Zipf's exponent: item k is wanted in proportion to 1 / k^zipf; 0: all alike")};
+  return {
+      D::whole("items", &DataLoad::items, 1, 1e6, "", "number of items"),
+      D::whole("item_bytes", &DataLoad::item_bytes, 1, 1e6, "bytes", "size of an item"),
+      D::whole("accesses", &DataLoad::accesses, 1, 1e7, "",
+               "accesses of each processor in each pass"),
+      D::whole("passes", &DataLoad::passes, 1, 1000, "", "passes, one after the other"),
+      D::number(
+          "zipf", &DataLoad::zipf, 0, 10, "",
+          "Zipf's exponent: item k is accessed in proportion to 1 / k^zipf; 0: all items equally")};
 }
 
 base::Fields<Params> make_fields() {
@@ -203,40 +205,40 @@ base::Fields<Params> make_fields() {
       base::lift_all<Params>(router_fields(), &Params::routers),
       {base::lift_all<Params>(load_fields(), &Params::load),
        {D::number("cache_percent", &Params::cache_percent, 0, 100, "%",
-                  "items that a cache has room for"),
+                  "size of a cache, as a share of all items"),
         D::number("server_cache_percent", &Params::server_cache_percent, 0, 100, "%",
-                  "items that the coordinator's cache has room for; 0: as many as the others"),
+                  "size of the coordinator's cache, as a share of all items; 0: cache_percent"),
         D::whole(
             "page_items", [](auto& p) -> auto& { return p.load.data.page_items; }, 1, 1e6, "",
-            "items of a page, where there are pages"),
+            "items in a page, for scheme = \"pages\""),
         D::whole("coordinator", &Params::coordinator, -1, 1e6, "",
-                 "a processor; -1: the network's root"),
+                 "number of the coordinator's processor; -1: the network's root"),
         D::choice("scheme", &Params::scheme, SCHEMES,
-                  "requests are offered to all on the way to the coordinator, without WRQu, go to "
-                  "it directly; or there are fixed pages without a coordinator"),
+                  "in-path: requests are offered to every processor on the path to the "
+                  "coordinator; no-queue: likewise, without WRQu; direct: they go directly to it; "
+                  "pages: fixed pages without a coordinator"),
         D::choice(
             "between_passes", [](auto& p) -> auto& { return p.load.together; }, BETWEEN_PASSES,
-            "all wait for the last one, or each goes on"),
+            "wait: every processor waits for the last one; go-on: each continues at once"),
         D::choice(
             "coordinator_is", [](auto& p) -> auto& { return p.load.coordinator_too; },
-            COORDINATOR_IS,
-            "working: it makes accesses as the others do, which it always does with pages"),
+            COORDINATOR_IS, "working: it makes accesses like the others (always with pages)"),
         seed_field<Params>(
-            [](auto& p) -> auto& { return p.load.seed; }, "seed of the accesses")}});
+            [](auto& p) -> auto& { return p.load.seed; }, "seed for the accesses")}});
 }
 
 // Inserts requests_at_coordinator after requests.
 base::Columns<DataPass> make_columns() {
   auto data = base::lift_columns<DataPass>(shared_memory::data_columns(), &DataPass::use);
-  data.insert(std::ranges::find(data, "requests", &base::Column<DataPass>::name) + 1,
-              column("requests_at_coordinator", &DataPass::server_seen,
-                     "requests that came to the coordinator; empty where passes are not waited "
-                     "for"));
+  data.insert(
+      std::ranges::find(data, "requests", &base::Column<DataPass>::name) + 1,
+      column("requests_at_coordinator", &DataPass::server_seen,
+             "requests that reached the coordinator; empty with between_passes = \"go-on\""));
   return base::join<base::Column<DataPass>>(
       {column("pass", &DataPass::number, "number of the pass, from 1"),
        column("time_s", &DataPass::time_s,
-              "time from the end of the pass before until the last processor has finished"),
-       column("time_mean_s", &DataPass::mean_s, "time that a processor was at it, on average")},
+              "time from the end of the previous pass until the last processor finishes"),
+       column("time_mean_s", &DataPass::mean_s, "mean time of a processor in the pass")},
       {std::move(data)});
 }
 

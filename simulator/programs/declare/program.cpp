@@ -7,7 +7,7 @@ namespace {
 [[noreturn]] void throw_unfinished(const machine::Machine& machine, machine::End end) {
   throw Unfinished(
       "machine", machine.now(),
-      fmt::format("the run was ended at {:.6f} s ({})", machine.now().value, to_string(end)));
+      fmt::format("the run ended early at {:.6f} s ({})", machine.now().value, to_string(end)));
 }
 
 }  // namespace

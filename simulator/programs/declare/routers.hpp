@@ -23,13 +23,14 @@ struct RouterParams {
 inline base::Fields<RouterParams> router_fields() {
   using D = base::Declare<RouterParams>;
   static const base::Names<bool> WITHIN = {{"pointers", true}, {"copies", false}};
-  return {D::choice("method", &RouterParams::method, METHODS,
-                    "how routers avoid deadlock; acyclic takes the network's routes only if they "
-                    "close no cycle"),
-          D::choice("within", &RouterParams::pointers, WITHIN,
-                    "how a message is passed within a processor: by pointer, or copied"),
-          D::whole("buffers", &RouterParams::buffers, 1, 1e6, "",
-                   "messages that a router has room for")};
+  return {
+      D::choice("method", &RouterParams::method, METHODS,
+                "how routers avoid deadlock; acyclic uses the network's routes if they have no "
+                "cycle, else its own"),
+      D::choice("within", &RouterParams::pointers, WITHIN,
+                "how a processor passes messages between its processes: as pointers or as copies"),
+      D::whole("buffers", &RouterParams::buffers, 1, 1e6, "",
+               "messages that a router has room for")};
 }
 
 /// The fields of the routers followed by `others`.
@@ -42,25 +43,26 @@ base::Fields<P> with_routers(const base::Fields<P>& others) {
 template <class P, class Access>
 base::Field<P> message_bytes_field(Access access) {
   return base::Declare<P>::whole("message_bytes", access, 0, 1e9, "bytes",
-                                 "contents of a message; the identification is 20 more");
+                                 "contents of a message; its identification adds 20 bytes");
 }
 
 /// The column "most_held": maximum number of messages held by one router.
 template <class R>
 base::Column<R> most_held_column(std::size_t R::*most_held) {
-  return base::column("most_held", most_held, "most messages that one router held at once");
+  return base::column("most_held", most_held, "largest number of messages held by one router");
 }
 
 /// Adds counts and queue lengths of the routers to the view. The network's processors have the ids
 /// `first`, `first` + 1, ... in the machine.
 inline void show(observe::ControlPanel& view, const network::Network& network, int first = 0) {
   const int count = network.routing().processors();
-  view.gauges.push_back({"messages in queues", "of all routers", [&network, count] {
-                           std::size_t held = 0;
-                           for (int id = 0; id < count; ++id) held += network.held(id);
-                           return static_cast<double>(held);
-                         }});
-  view.gauges.push_back({"messages delivered", "by routers to processes",
+  view.gauges.push_back(
+      {"messages in queues", "messages in the queues of all routers", [&network, count] {
+         std::size_t held = 0;
+         for (int id = 0; id < count; ++id) held += network.held(id);
+         return static_cast<double>(held);
+       }});
+  view.gauges.push_back({"messages delivered", "messages that routers delivered to processes",
                          [&network] { return static_cast<double>(network.use().delivered); }});
   view.inspections.emplace_back([&network, count, first](int processor) {
     const int id = processor - first;
@@ -68,7 +70,7 @@ inline void show(observe::ControlPanel& view, const network::Network& network, i
     const auto& use = network.use(id);
     return std::vector<observe::ControlPanel::Reading>{
         {"messages in the router's queues", static_cast<double>(network.held(id))},
-        {"at most so far", static_cast<double>(use.most_held)},
+        {"largest number so far", static_cast<double>(use.most_held)},
         {"taken from processes", static_cast<double>(use.taken)},
         {"passed on", static_cast<double>(use.passed)},
         {"delivered", static_cast<double>(use.delivered)}};

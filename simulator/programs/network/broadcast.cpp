@@ -68,17 +68,17 @@ Program make_broadcast() {
   using namespace broadcast;
   return make_program<Params, Measured>(
       {.name = "broadcast",
-       .help = "a message from the root to all along the spanning tree",
+       .help = "a message from the root to all processors along the spanning tree",
        .uses = {.network = true, .others = true, .threads = true},
        .fields = {bytes_field<Params>(&Params::bytes),
                   base::Declare<Params>::flag(
                       "in_parallel", &Params::in_parallel,
-                      "whether a processor outputs to its children in PAR, or in SEQ")},
+                      "true: a processor outputs to its children in PAR; false: in SEQ")},
        .columns = {column("latency_s", &Measured::latency,
                           "time until the last processor has the message"),
                    column("depth", &Measured::depth, "links from the root to the last leaf"),
                    column("fan_out", &Measured::fan_out,
-                          "most children of a processor in the tree")},
+                          "largest number of children of a processor in the tree")},
        .run = &run});
 }
 

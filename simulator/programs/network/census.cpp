@@ -55,7 +55,7 @@ std::vector<std::string> describe_busiest(const topologies::Topology& topology,
   const auto most = std::ranges::max_element(passed.through);
   if (*most == 0) return {};
   const auto id = static_cast<int>(most - passed.through.begin());
-  return {fmt::format("{} is on the way of most routes, {} of {}",
+  return {fmt::format("most routes pass through {}: {} of {}",
                       name_of(topology, id, fmt::format("p{}", id)), *most, passed.pairs)};
 }
 
@@ -78,14 +78,14 @@ Program make_census() {
   using namespace census;
   return make_program<Params, Measured>(
       {.name = "census",
-       .help = "what each processor of a network has to do for others; nothing runs",
+       .help = "how many routes pass through each processor of a network; nothing is simulated",
        .uses = {.network = true, .routes = true},
        .fields = {base::Declare<Params>::choice(
            "pairs", &Params::pairs, PAIRS,
-           "who speaks with whom: all with all, or the root with all")},
+           "pairs that communicate: all pairs, or the root with every other processor")},
        .columns = {column("processor", &Measured::processor, "number or label"),
                    column("routes_through", &Measured::routes_through,
-                          "ordered pairs of others whose route passes through it"),
+                          "ordered pairs of other processors whose route passes through this one"),
                    column("lower_neighbours", &Measured::lower_neighbours,
                           "neighbours with a lower number")},
        .parts = {"processor"},

@@ -60,18 +60,19 @@ Program make_law() {
       {.name = "law",
        .help = "a program with a serial fraction on a network",
        .uses = {.network = true, .threads = true},
-       .fields = {D::number("serial_fraction", &Params::serial_fraction, 0, 1, "",
-                            "serial share of the work; where scaled, of one processor's work"),
+       .fields = {D::number(
+                      "serial_fraction", &Params::serial_fraction, 0, 1, "",
+                      "serial share of the work; with scaled = true, of one processor's work"),
                   D::number("work_cycles", &Params::work_cycles, 1, 1e11, "cycles",
-                            "the work; where scaled, that of one processor"),
+                            "the work; with scaled = true, that of one processor"),
                   D::flag("scaled", &Params::scaled,
-                          "whether the parallel part grows with the machine")},
-       .columns = {column("time_s", &Measured::time, "time until all is done"),
+                          "true: the parallel part grows with the machine")},
+       .columns = {column("time_s", &Measured::time, "time until all processors have finished"),
                    column("speedup", &Measured::speedup,
                           "time of the same work on one processor, over time_s"),
                    column("efficiency", &Measured::efficiency, "speedup over processors"),
                    column("serial_measured", &Measured::serial_measured,
-                          "serial fraction that this speedup tells (thesis, Eq 4.29)")},
+                          "serial fraction computed from the speedup (thesis, Eq 4.29)")},
        .run = &run});
 }
 

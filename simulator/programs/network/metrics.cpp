@@ -40,24 +40,24 @@ Program make_metrics() {
   using M = Measured;
   return make_program<Params, M>(
       {.name = "metrics",
-       .help = "distances of a network, to be compared with what books say; nothing runs",
+       .help = "distances of a network, for comparison with the literature; nothing is simulated",
        .uses = {.network = true, .routes = true},
-       .columns = {column<M>("processors", &M::processors, "processors"),
-                   column<M>("rows", &M::rows, "rows of a mesh or torus; else 1"),
-                   column<M>("columns", &M::columns,
-                             "columns of a mesh or torus; else the number of processors"),
-                   column<M>("links", &M::links, "links"),
-                   column<M>("degree_max", &M::degree_max, "most links of a processor"),
-                   column<M>("diameter", &M::diameter, "links between the farthest two"),
-                   column<M>("mean_distance", &M::mean_distance,
-                             "links between two processors, on average over all ordered pairs, "
-                             "by the routes"),
-                   column<M>(
-                       "busiest_link", [](const M& m) { return m.all_to_all.messages; },
-                       "messages over the busiest direction of a link when each processor "
-                       "sends one to each other, by the routes"),
-                   column<M>("bisection", &M::bisection_width,
-                             "fewest links between two halves; empty where it is not known")},
+       .columns =
+           {column<M>("processors", &M::processors, "processors"),
+            column<M>("rows", &M::rows, "rows of a mesh or torus; 1 for other networks"),
+            column<M>("columns", &M::columns,
+                      "columns of a mesh or torus; the number of processors for other networks"),
+            column<M>("links", &M::links, "links"),
+            column<M>("degree_max", &M::degree_max, "largest number of links of a processor"),
+            column<M>("diameter", &M::diameter, "links between the two farthest processors"),
+            column<M>("mean_distance", &M::mean_distance,
+                      "mean number of links on a route, over all ordered pairs of processors"),
+            column<M>(
+                "busiest_link", [](const M& m) { return m.all_to_all.messages; },
+                "messages over the busiest link direction if each processor sends one message to "
+                "each other along the routes"),
+            column<M>("bisection", &M::bisection_width,
+                      "smallest number of links between two halves; empty if unknown")},
        .run = &run});
 }
 

@@ -93,7 +93,9 @@ std::vector<Arrival> make_arrivals(const Setup& setup, const Params& params) {
                  "found {:.3g} packets, expected at most {:.3g}", packets, MOST_PACKETS);
   auto arrivals =
       make_uniform_traffic(n, params.load * rate / bytes, params.window_s * 1e6, params.seed);
-  if (arrivals.empty()) base::refuse("program.window_s", "so short that no packet is sent");
+  if (arrivals.empty())
+    base::refuse("program.window_s",
+                 "found a time in which no packet is sent, expected a longer one");
   return arrivals;
 }
 
@@ -127,25 +129,26 @@ Program make_traffic() {
        .help = "uniform random traffic over store-and-forward routers",
        .uses = {.network = true, .threads = true},
        .fields = {bytes_field<Params>(&Params::bytes),
-                  D::number("load", &Params::load, 1e-6, 100, "",
-                            "bytes that each processor offers, over what a link direction carries"),
+                  D::number(
+                      "load", &Params::load, 1e-6, 100, "",
+                      "bytes that each processor offers, over the capacity of a link direction"),
                   D::number("window_s", &Params::window_s, 1e-4, 1e4, "s",
-                            "how long packets are offered"),
-                  seed_field<Params>(&Params::seed, "seed of times and destinations")},
+                            "time during which packets are offered"),
+                  seed_field<Params>(&Params::seed, "seed for times and destinations")},
        .columns =
-           {column(
-                "latency_s", &Measured::latency_s,
-                "mean time of a packet, of those sent in the second half; empty if there are none"),
+           {column("latency_s", &Measured::latency_s,
+                   "mean time of the packets sent in the second half of the window; empty if there "
+                   "are none"),
             column("packets", &Measured::packets, "packets sent"),
-            column("links_mean", &Measured::links_mean, "links that a packet passes, on average"),
+            column("links_mean", &Measured::links_mean,
+                   "mean number of links that a packet passes"),
             column("inside_mean", &Measured::inside_mean,
-                   "packets in the network, on average over the last quarter"),
+                   "mean number of packets in the network, over the last quarter of the window"),
             column("longest_queue", &Measured::longest_queue,
-                   "most packets that waited for one link at once"),
+                   "largest number of packets that waited for one link"),
             column("link_busy_max", &Measured::link_busy_max,
                    "share of the time that the busiest direction of a link was busy"),
-            column("saturated", &Measured::is_saturated,
-                   "1 where queues grow without bound, else 0")},
+            column("saturated", &Measured::is_saturated, "1 if queues grow without bound, else 0")},
        .run = &run});
 }
 

@@ -22,7 +22,8 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   int to = 0;
   while (to < setup.topology.processors && network.routes().distance(0, to) != params.hops) ++to;
   if (to == setup.topology.processors)
-    base::refuse("program.hops", "found {}, but no processor of {} is so far from the first",
+    base::refuse("program.hops",
+                 "found {}, expected a distance that some processor of {} has from the first",
                  params.hops, setup.topology.name);
   Seconds received;
   machine[0].start("client", Priority::high, [&] {
@@ -51,7 +52,7 @@ Program make_unicast() {
        .columns = {column("latency_s", &Measured::latency,
                           "from the start of out to the end of in"),
                    column("guards", &Measured::guards,
-                          "guards of all ALTs that the packet passes")},
+                          "guards in all ALTs that the packet passes")},
        .run = &run});
 }
 

@@ -96,25 +96,25 @@ base::Fields<Params> make_fields() {
   return base::join<base::Field<Params>>(
       {D::source("scene", &Params::scene, "room:27, spheres:200, hills:20000 or an NFF file"),
        D::whole("reference", &Params::reference, 1, renderer::MAX_PIXEL_SAMPLES, "",
-                "samples of a pixel of the image that the others are compared with")},
+                "samples per pixel of the reference image")},
       {base::lift_all<Params>(renderer::param_fields(), &Params::image)});
 }
 
 base::Columns<Measured> make_columns() {
   return {column("samples", &Measured::samples,
-                 "samples of a pixel: 1, 4, 16 ... pixel_samples; with adaptive, 64 everywhere and "
-                 "at the most pixel_samples"),
+                 "samples per pixel: 1, 4, 16 ... pixel_samples; with adaptive, 64 for all pixels "
+                 "and at most pixel_samples"),
           column<Measured>(
               "rays", [](const Measured& m) { return m.rays.total(); }, "rays of all kinds"),
           column("rmse", &Measured::rmse,
-                 "root mean square of the differences from the reference, components from 0 to 1"),
+                 "root mean square of the differences from the reference; components are 0 to 1"),
           column("exponent", &Measured::exponent,
-                 "power of the number of samples with which rmse has grown since the row before: "
-                 "-0.5 for random samples"),
+                 "exponent of the number of samples in rmse since the previous row; -0.5 for "
+                 "random samples"),
           column("rays_share", &Measured::rays_share,
-                 "of adaptive samples, rays over those of 64 samples everywhere"),
+                 "rays with adaptive samples over those with 64 samples for all pixels"),
           column("rmse_share", &Measured::rmse_share,
-                 "of adaptive samples, rmse over that of 64 samples everywhere")};
+                 "rmse with adaptive samples over that with 64 samples for all pixels")};
 }
 
 void check_program(const Setup&, const Params& params) { check(params.image); }
@@ -125,7 +125,7 @@ Program make_noise() {
   using namespace noise;
   return make_program<Params, Measured>(
       {.name = "noise",
-       .help = "the noise of distributed rays against the number of samples, without a machine",
+       .help = "noise of distributed rays for increasing numbers of samples; nothing is simulated",
        .fields = make_fields(),
        .columns = make_columns(),
        .parts = {"samples"},

@@ -102,34 +102,36 @@ base::Columns<Measured> make_columns() {
   return {
       column("step", &M::number, "number of the step, from 1"),
       column<M>(
-          "cell", [](const M& m) { return m.step.min_cell; }, "side of its smallest cells, pixels"),
+          "cell", [](const M& m) { return m.step.min_cell; },
+          "side of the smallest cells of the step, in pixels"),
       column<M>(
-          "level", [](const M& m) { return m.step.depth; }, "levels of its shading trees"),
-      column("time_s", &M::time, "time at its end, of tracing rays alone"),
+          "level", [](const M& m) { return m.step.depth; },
+          "levels of the shading trees in the step"),
+      column("time_s", &M::time, "time at the end of the step, for tracing rays only"),
       count("samples", &StepCounts::samples, "new samples"),
-      count("deepened", &StepCounts::deepened, "samples whose trees were made deeper"),
+      count("deepened", &StepCounts::deepened, "samples whose shading trees were deepened"),
       column<M>(
           "new_rays", [](const M& m) { return m.counts.rays.fresh.total(); },
-          "rays that the samples needed"),
-      rays("new_reflected", &renderer::RayCounts::reflected, "of these: reflected"),
-      rays("new_transmitted", &renderer::RayCounts::transmitted, "of these: transmitted"),
+          "rays that the samples of the step needed"),
+      rays("new_reflected", &renderer::RayCounts::reflected, "reflected rays among new_rays"),
+      rays("new_transmitted", &renderer::RayCounts::transmitted, "transmitted rays among new_rays"),
       column<M>(
           "repeated_rays", [](const M& m) { return m.counts.rays.repeated; },
-          "rays traced again to find the deeper ones"),
+          "rays traced again to reach the new levels"),
       column<M>(
           "repeated_percent",
           [](const M& m) { return renderer::progressive::get_repeated_percent(m.counts.rays); },
-          "repeated_rays over new_rays"),
+          "repeated_rays over new_rays, in percent"),
       count("cells", &StepCounts::cells, "cells of the image after the step"),
       count("divided_by_contrast", &StepCounts::by_contrast,
             "cells divided because of their contrast"),
       count("divided_by_pyramid", &StepCounts::by_pyramid,
-            "cells divided because they might hide an object")};
+            "cells divided because they may hide an object")};
 }
 
 void check_program(const Setup&, const Params& params) {
   if (params.image.sampling.pixel_samples > 1)
-    base::refuse("pixel_samples", "found {}, expected 1: cells have one sample each",
+    base::refuse("pixel_samples", "found {}, expected 1 (each cell has one sample)",
                  params.image.sampling.pixel_samples);
   renderer::progressive::check(last_step(params), params.image, params.max_cell);
 }
@@ -140,7 +142,7 @@ Program make_progressive() {
   using namespace progressive;
   return make_program<Params, Measured>(
       {.name = "progressive",
-       .help = "the sequential ray tracer with increasing realism, on one processor",
+       .help = "the sequential ray tracer with increasing realism on one processor",
        .fields = make_fields(),
        .columns = make_columns(),
        .parts = {"step"},

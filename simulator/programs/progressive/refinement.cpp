@@ -85,14 +85,16 @@ base::Fields<Params> make_fields() {
 
 base::Columns<Measured> make_columns() {
   using M = Measured;
-  return {column("percent", &M::percent, "part of all samples that has been taken"),
-          column("samples", &M::samples, "samples taken"),
-          column("rays", &M::rays, "rays of these samples"),
-          column("sampled", &M::sampled, "share of the pixels that have a sample"),
-          column("queue", &M::queue, "quadrants in the queue; the second pass begins anew"),
-          column("queue_peak", &M::queue_peak, "most quadrants in the queue, in this pass"),
-          column("ssim", &M::ssim, "structural similarity to the last picture, 1: equal"),
-          column("rmse", &M::rmse, "difference from the last picture, levels of 0..255")};
+  return {
+      column("percent", &M::percent, "samples taken so far, in percent of all samples"),
+      column("samples", &M::samples, "samples taken"),
+      column("rays", &M::rays, "rays of the samples taken so far"),
+      column("sampled", &M::sampled, "share of the pixels that have at least one sample"),
+      column("queue", &M::queue, "quadrants in the queue; the second pass starts with a new queue"),
+      column("queue_peak", &M::queue_peak, "largest number of quadrants in the queue in this pass"),
+      column("ssim", &M::ssim, "structural similarity to the final picture; 1: equal"),
+      column("rmse", &M::rmse,
+             "root mean square difference from the final picture, in levels of 0 to 255")};
 }
 
 struct Size {
@@ -117,7 +119,8 @@ Program make_refinement() {
   using namespace refinement;
   return make_program<Params, Measured>(
       {.name = "refinement",
-       .help = "how a picture grows in two passes, first one sample a pixel; nothing is simulated",
+       .help = "how a picture grows in two passes, of which the first takes one sample per pixel; "
+               "nothing is simulated",
        .fields = make_fields(),
        .columns = make_columns(),
        .parts = {"percent"},
@@ -135,8 +138,9 @@ Program make_quadrants() {
                            "width of the image"),
                   D::whole("height", &Size::height, 1, renderer::MAX_SIDE, "pixels",
                            "height of the image")},
-       .columns = {column("pixels", &Length::pixels, "pixels, each of which left the queue once"),
-                   column("queue_peak", &Length::peak, "most quadrants in the queue")},
+       .columns = {column("pixels", &Length::pixels,
+                          "pixels of the image; each leaves the queue once"),
+                   column("queue_peak", &Length::peak, "largest number of quadrants in the queue")},
        .run = &measure_queue});
 }
 

@@ -85,19 +85,21 @@ Program make_global() {
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "global",
-       .help = "GLOBAL messages from the root, until every other processor has answered",
+       .help = "GLOBAL messages from the root to all other processors, which answer",
        .uses = {.network = true, .routes = true, .others = true, .threads = true},
        .fields = with_routers<Params>(
            {message_bytes_field<Params>(&Params::bytes),
             D::whole("messages", &Params::messages, 1, 1e7, "", "messages that the root sends"),
             D::choice("answers", &Params::answers, ANSWERS,
-                      "the others answer each message; or once, when they have the last: then no "
-                      "message waits for an answer, and routers need as many buffers"),
-            D::whole("window", &Params::window, 1, 1e6, "",
-                     "where each is answered: messages that may be unanswered before the next")}),
+                      "each: the other processors answer every message; last: they answer only the "
+                      "last, so routers need a buffer for every message"),
+            D::whole(
+                "window", &Params::window, 1, 1e6, "",
+                "with answers = \"each\": largest number of messages without a complete answer")}),
        .columns = {column("time_s_per_10000", &Measured::time_s_per_10000,
-                          "time of ten thousand messages at this rate"),
-                   column("time_s", &Measured::time, "time until all have been answered"),
+                          "time for 10,000 messages at this rate"),
+                   column("time_s", &Measured::time,
+                          "time until the root has received all answers"),
                    most_held_column(&Measured::most_held),
                    column("cpu_busy_root", &Measured::cpu_busy_root,
                           "share of the time that the root's CPU worked")},

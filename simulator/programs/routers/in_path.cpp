@@ -81,19 +81,21 @@ Program make_in_path() {
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "in_path",
-       .help = "InPathTo requests from one end of a line to the other, which each processor on the "
-               "way may answer",
+       .help = "InPathTo requests from one end of a line to the other; each processor on the path "
+               "may answer",
        .fields = with_routers<Params>(
            {D::whole("n", &Params::links, 1, 1000, "", "links from end to end"),
             D::number("s_p", &Params::probability, 0, 1, "",
-                      "probability that a processor on the way answers"),
-            D::whole("requests", &Params::requests, 1, 1e8, "", "requests, one after the other"),
-            seed_field<Params>(&Params::seed, "seed of who answers")}),
+                      "probability that a processor on the path answers"),
+            D::whole("requests", &Params::requests, 1, 1e8, "",
+                     "number of requests, one after the other"),
+            seed_field<Params>(&Params::seed, "seed for the decisions to answer")}),
        .columns = {column("distance_mean", &Measured::distance_mean,
-                          "links that a request passes, on average"),
+                          "mean number of links that a request passes"),
                    column("distance_error", &Measured::distance_error,
                           "standard error of distance_mean"),
-                   column("saved", &Measured::saved, "share of all links that is spared"),
+                   column("saved", &Measured::saved,
+                          "share of the path's links that requests save"),
                    column("round_trip_s", &Measured::round_trip_s,
                           "mean time from a request to the end of its reply")},
        .run = &run});

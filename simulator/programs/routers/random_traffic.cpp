@@ -69,25 +69,24 @@ Program make_random_traffic() {
   using D = base::Declare<Params>;
   return make_program<Params, Measured>(
       {.name = "random_traffic",
-       .help = "messages of all processors to all others, at random",
+       .help = "random messages of all processors to all others",
        .uses = {.network = true, .routes = true, .others = true, .threads = true},
        .fields = with_routers<Params>(
            {message_bytes_field<Params>(&Params::bytes),
             D::number("pause_s", &Params::pause_s, 1e-6, 1e6, "s",
-                      "time from a message to the next of its sender, on average"),
-            D::number("window_s", &Params::window_s, 1e-3, 1e5, "s", "time that is simulated"),
-            seed_field<Params>(&Params::seed, "seed of pauses and destinations")}),
+                      "mean time between two messages of a sender"),
+            D::number("window_s", &Params::window_s, 1e-3, 1e5, "s", "simulated time"),
+            seed_field<Params>(&Params::seed, "seed for pauses and destinations")}),
        .columns = {column("processor", &Measured::processor, "number or label"),
                    column("cpu_percent", &Measured::cpu_percent,
-                          "percent of its CPU that its router, the application that makes "
-                          "messages and the DMA of its links took: what a monitoring process "
-                          "would not get"),
+                          "percentage of the CPU's time used by the router, the application that "
+                          "sends messages, and the DMA of links"),
                    column("sent_per_s", &Measured::sent_per_s,
-                          "messages a second that its application sent"),
+                          "messages per second that its application sent"),
                    column("received_per_s", &Measured::received_per_s,
-                          "messages a second that its application received"),
+                          "messages per second that its application received"),
                    column("passed_per_s", &Measured::passed_per_s,
-                          "messages a second that passed from one of its links to another"),
+                          "messages per second that it forwarded from one link to another"),
                    most_held_column(&Measured::most_held)},
        .parts = {"processor"},
        .run = &run});

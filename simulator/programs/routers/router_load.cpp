@@ -143,7 +143,8 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
     outcome.notes.push_back(fmt::format("{}, at {:.6f} s", overflow.what(), overflow.when.value));
   }
   const Seen all = add_up(seen);
-  if (all.count == 0) outcome.notes.push_back("no message of the window was received");
+  if (all.count == 0)
+    outcome.notes.push_back("found no received message of the window, expected at least one");
   outcome.rows.push_back(measure(offers, on, all, has_overflowed));
   outcome.is_saturated = outcome.rows[0].is_saturated;
   return outcome;
@@ -154,42 +155,44 @@ base::Fields<Params> make_fields() {
   return with_routers<Params>(
       {message_bytes_field<Params>(&Params::bytes),
        D::number("load", &Params::load, 1e-6, 100, "",
-                 "bytes that each processor offers, over what a link direction carries"),
-       D::number("warm_up_s", &Params::warm_up_s, 0, 1e4, "s", "time before anything is measured"),
+                 "bytes that each processor offers, over the capacity of a link direction"),
+       D::number("warm_up_s", &Params::warm_up_s, 0, 1e4, "s",
+                 "time before the measurement starts"),
        D::number("window_s", &Params::window_s, 1e-4, 1e4, "s",
-                 "how long messages are offered then"),
-       seed_field<Params>(&Params::seed, "seed of times and destinations")});
+                 "time of the measurement, during which messages are offered"),
+       seed_field<Params>(&Params::seed, "seed for times and destinations")});
 }
 
 base::Columns<Measured> make_columns() {
-  return {column("offered_per_s", &Measured::offered_per_s,
-                 "messages a second that each processor offers"),
-          column("accepted_per_s", &Measured::accepted_per_s,
-                 "messages a second of the window that each processor received"),
-          column("latency_s", &Measured::latency_s,
-                 "mean time of a message; empty where a router overflowed"),
-          column("links_mean", &Measured::links_mean, "links that a message passes, on average"),
-          most_held_column(&Measured::most_held),
-          column("cpu_busy_max", &Measured::cpu_busy_max,
-                 "share of the time that the busiest CPU worked"),
-          column("link_busy_max", &Measured::link_busy_max,
-                 "share of the time that the busiest direction of a link was busy"),
-          column("overflowed", &Measured::has_overflowed,
-                 "1 where a router ran out of buffers, else 0"),
-          column("saturated", &Measured::is_saturated,
-                 "1 where queues grow without bound or a router overflowed, else 0")};
+  return {
+      column("offered_per_s", &Measured::offered_per_s,
+             "messages per second that each processor offers"),
+      column("accepted_per_s", &Measured::accepted_per_s,
+             "messages per second that each processor received during the window"),
+      column("latency_s", &Measured::latency_s,
+             "mean time of a message; empty if a router overflowed"),
+      column("links_mean", &Measured::links_mean, "mean number of links that a message passes"),
+      most_held_column(&Measured::most_held),
+      column("cpu_busy_max", &Measured::cpu_busy_max,
+             "share of the time that the busiest CPU worked"),
+      column("link_busy_max", &Measured::link_busy_max,
+             "share of the time that the busiest direction of a link was busy"),
+      column("overflowed", &Measured::has_overflowed, "1 if a router ran out of buffers, else 0"),
+      column("saturated", &Measured::is_saturated,
+             "1 if queues grow without bound or a router overflowed, else 0")};
 }
 
 }  // namespace router_load
 
 Program make_router_load() {
   using namespace router_load;
-  return make_program<Params, Measured>({.name = "router_load",
-                                         .help = "random messages at a rate, up to saturation",
-                                         .uses = {.network = true, .routes = true, .others = true},
-                                         .fields = make_fields(),
-                                         .columns = make_columns(),
-                                         .run = &run});
+  return make_program<Params, Measured>(
+      {.name = "router_load",
+       .help = "random messages at a constant rate, up to saturation",
+       .uses = {.network = true, .routes = true, .others = true},
+       .fields = make_fields(),
+       .columns = make_columns(),
+       .run = &run});
 }
 
 }  // namespace programs

@@ -208,31 +208,32 @@ base::Fields<Params> make_fields() {
   using D = base::Declare<Params>;
   return with_routers<Params>(
       {D::whole("message_bytes", &Params::longest, 0, 1e9, "bytes",
-                "contents of the longest message; others have any length up to it"),
+                "contents of the longest message; lengths are random up to this"),
        D::whole("messages", &Params::messages, 1, 1e7, "",
-                "messages that all processors send together"),
+                "total number of messages of all processors"),
        D::number("pause_s", &Params::pause_s, 1e-6, 1e3, "s",
-                 "time between two messages of one sender, on average"),
+                 "mean time between two messages of a sender"),
        D::number("global_share", &Params::global, 0, 1, "", "share of messages to all"),
        D::number("in_path_share", &Params::in_path, 0, 1, "",
-                 "share of messages that are offered to all on their way; the others are unicast"),
-       seed_field<Params>(&Params::seed, "seed of all that is random")});
+                 "share of messages that are offered to every processor on their path; the rest "
+                 "are unicast"),
+       seed_field<Params>(&Params::seed, "seed for all random choices")});
 }
 
 base::Columns<Measured> make_columns() {
-  return {column("time_s", &Measured::time, "time until nothing moves any more"),
-          column("sent", &Measured::sent, "messages sent"),
-          column("expected", &Measured::expected, "deliveries that they ask for"),
-          column("delivered", &Measured::delivered, "the right deliveries, each once"),
-          column("returned", &Measured::returned,
-                 "messages that came back to their senders, with a reason"),
-          column("lost", &Measured::lost, "deliveries that neither happened nor came back"),
-          column("duplicated", &Measured::duplicated, "deliveries of what had come before"),
-          column("misdelivered", &Measured::misdelivered, "deliveries at a wrong processor"),
-          column("reordered", &Measured::reordered,
-                 "deliveries after a later message of the same sender, receiver and mode"),
-          column("links_mean", &Measured::links_mean, "links that a message passes, on average"),
-          most_held_column(&Measured::most_held)};
+  return {
+      column("time_s", &Measured::time, "time until the network is empty"),
+      column("sent", &Measured::sent, "messages sent"),
+      column("expected", &Measured::expected, "expected number of deliveries"),
+      column("delivered", &Measured::delivered, "correct deliveries, each counted once"),
+      column("returned", &Measured::returned, "messages returned to their senders with a reason"),
+      column("lost", &Measured::lost, "expected deliveries neither made nor returned"),
+      column("duplicated", &Measured::duplicated, "repeated deliveries of a message"),
+      column("misdelivered", &Measured::misdelivered, "deliveries to a wrong processor"),
+      column("reordered", &Measured::reordered,
+             "deliveries after a later message of the same sender, receiver and mode"),
+      column("links_mean", &Measured::links_mean, "mean number of links that a message passes"),
+      most_held_column(&Measured::most_held)};
 }
 
 }  // namespace soak
@@ -241,7 +242,8 @@ Program make_soak() {
   using namespace soak;
   return make_program<Params, Measured>(
       {.name = "soak",
-       .help = "random messages of every kind between all processors: what becomes of them",
+       .help = "random messages of every kind between all processors, with counts of deliveries "
+               "and losses",
        .uses = {.network = true, .routes = true, .faults = true, .others = true},
        .fields = make_fields(),
        .columns = make_columns(),

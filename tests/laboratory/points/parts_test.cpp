@@ -75,8 +75,7 @@ TEST_F(Parts, RowsFollowTheAxesOfTheirPoint) {
   const auto record = ordered_json::parse(read_file(folder.path / "r/run.json"));
   EXPECT_EQ(record["points"].size(), 4u);
   EXPECT_EQ(record["points"][1]["at"], (ordered_json{{"pairs", "all"}, {"topology", "ring:3"}}));
-  EXPECT_EQ(record["points"][0]["notes"],
-            (ordered_json{"p1 is on the way of most routes, 2 of 6"}));
+  EXPECT_EQ(record["points"][0]["notes"], (ordered_json{"most routes pass through p1: 2 of 6"}));
 }
 
 TEST_F(Parts, PointsOneByOneGiveTheSameResults) {
@@ -95,16 +94,14 @@ TEST_F(Parts, PointsOneByOneGiveTheSameResults) {
 
 TEST_F(Parts, NotesNameTheirPoint) {
   const auto done = run({"-o", "r"});
-  EXPECT_TRUE(
-      contains(done.out,
-               "note: pairs = 'root', topology = 'line:3': p1 is on the way of most routes, "
-               "2 of 4\n"))
+  EXPECT_TRUE(contains(
+      done.out, "note: pairs = 'root', topology = 'line:3': most routes pass through p1: 2 of 4\n"))
       << done.out;
-  EXPECT_TRUE(contains(read_file(folder.path / "r/report.html"),
-                       "p1 is on the way of most routes, 2 of 4"));
+  EXPECT_TRUE(
+      contains(read_file(folder.path / "r/report.html"), "most routes pass through p1: 2 of 4"));
   const auto one =
       run({"-o", "one", "--set", "sweep.pairs=[\"all\"]", "--set", "sweep.topology=[\"line:3\"]"});
-  EXPECT_TRUE(contains(one.out, "note: p1 is on the way of most routes, 2 of 6\n")) << one.out;
+  EXPECT_TRUE(contains(one.out, "note: most routes pass through p1: 2 of 6\n")) << one.out;
   std::string many;
   for (int n = 2; n < 24; ++n) many += fmt::format("{}, ", n);
   const auto all = run({"-o", "all", "--set", "sweep={workers=[" + many + "24]}", "--set",

@@ -113,10 +113,10 @@ TEST(Farm, OrdersWithoutAnEffectAreNamed) {
     const auto r = run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:3"),
                             make_glass_scene(), params);
     ASSERT_EQ(r.notes.size(), 3u);
-    EXPECT_EQ(r.notes[0], "order 1 had no effect: its limits were set already");
-    EXPECT_EQ(r.notes[1], "order 3 had no effect: the interactive phase was over already");
+    EXPECT_EQ(r.notes[0], "order 1 had no effect: its limits were already set");
+    EXPECT_EQ(r.notes[1], "order 3 had no effect: the interactive phase was already over");
     EXPECT_EQ(r.notes[2],
-              fmt::format("order 4 had no effect: it came after the end, at {:.4g} s", r.time_s));
+              fmt::format("order 4 had no effect: the program had ended at {:.4g} s", r.time_s));
   });
 }
 

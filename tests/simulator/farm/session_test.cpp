@@ -190,8 +190,8 @@ TEST(Session, TheUserComesBackFromTheNonInteractivePhase) {
                        result.interactive_s);
   });
   EXPECT_EQ(told,
-            "order 2 had no effect: the interactive phase was over already order 4 had no effect: "
-            "it was the interactive phase already 3.0");
+            "order 2 had no effect: the interactive phase was already over order 4 had no effect: "
+            "the interactive phase was not over 3.0");
 }
 
 TEST(Session, AnAbortEndsWithThePictureAsItIs) {
@@ -205,7 +205,7 @@ TEST(Session, AnAbortEndsWithThePictureAsItIs) {
                        result.notes.at(1));
   });
   EXPECT_TRUE(
-      told.starts_with("first order2 true true order 3 had no effect: it came after the end"))
+      told.starts_with("first order2 true true order 3 had no effect: the program had ended"))
       << told;
 }
 
@@ -233,8 +233,8 @@ TEST(Session, NothingIsOrderedAfterAnAbort) {
                        result.notes.size());
   });
   EXPECT_EQ(told,
-            "true order 2 had no effect: the run had been aborted order 3 had no effect: the run "
-            "had been aborted 3");
+            "true order 2 had no effect: the run was already aborted order 3 had no effect: the "
+            "run was already aborted 3");
 }
 
 // Every classification is a pause that grows with the number of rays.

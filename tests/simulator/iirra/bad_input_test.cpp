@@ -50,15 +50,15 @@ TEST(IirraInput, SomethingHasToWeigh) {
   const Weights none{0, 0, 0, 0, 0, 0};
   auto params = small_params();
   params.weights = none;
-  expect_error("iirra.weights: found weights that are all 0", params);
+  expect_error("iirra.weights: found only weights of 0", params);
   params = small_params();
   params.stages[0].weights = none;
-  expect_error("stage.weights: found weights that are all 0", params);
+  expect_error("stage.weights: found only weights of 0", params);
   params = small_params();
   Limits ordered;
   ordered.weights = none;
   params.script = {{{1}, {ordered}}};
-  expect_error("order.weights: found weights that are all 0", params);
+  expect_error("order.weights: found only weights of 0", params);
   ordered.weights = Weights{0, 0, 0, 0, 0, 1};
   params.script = {{{1}, {ordered}}};
   EXPECT_EQ(error_of(params), "");
@@ -73,7 +73,7 @@ TEST(IirraInput, StagesAndOrdersAreLookedAt) {
   EXPECT_NE(error_of(params).find("area"), std::string::npos) << error_of(params);
   params = small_params();
   params.script = {{{2}, {ray_tracing::Abort{}}}, {{1}, {ray_tracing::Abort{}}}};
-  expect_error("order 2: its time", params);
+  expect_error("order 2: found the time", params);
   params.script = {{{1}, {ray_tracing::Save{"a"}}}, {{2}, {ray_tracing::Save{"a"}}}};
   EXPECT_NE(error_of(params).find("\"a\""), std::string::npos) << error_of(params);
 }
@@ -83,8 +83,8 @@ TEST(IirraInput, GreensTreeGoesRoundTheDisplay) {
   auto params = small_params();
   params.balance = BalanceMethod::green;
   params.is_far = false;
-  expect_error("iirra.balance: found green, but the display, processor 1, is between ", params,
-               "line:5");
+  expect_error("iirra.balance: found green, but the display (processor 1) separates workers ",
+               params, "line:5");
   params.is_far = true;
   EXPECT_EQ(error_of(params, "line:5"), "");
   EXPECT_EQ(error_of(params, "tree:5"), "");

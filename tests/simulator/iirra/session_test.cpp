@@ -92,8 +92,8 @@ TEST(IirraSession, TheUserComesBackFromTheNonInteractivePhase) {
                      {{3}, {ray_tracing::NonInteractive{}}}};
     const auto result = run(params);
     EXPECT_EQ(notes(result),
-              "order 2 had no effect: the interactive phase was over; "
-              "order 4 had no effect: the interactive phase was not over; ");
+              "order 2 had no effect: the interactive phase was already over; order 4 had no "
+              "effect: the interactive phase was not over; ");
     EXPECT_NEAR(result.interactive_s, 2.96, 0.03);
     EXPECT_EQ(result.rgb8, make_rgb8(render(make_glass_scene(), params.image).samples));
   });
@@ -166,7 +166,7 @@ TEST(IirraSession, AnAbortEndsWithThePictureAsItIs) {
       EXPECT_GE(result.time_s, 0.2);
       EXPECT_LT(result.time_s, 0.4);
       EXPECT_LE(result.last_task_s, result.ended_s);
-      EXPECT_EQ(notes(result), "order 3 had no effect: the run had been aborted; ");
+      EXPECT_EQ(notes(result), "order 3 had no effect: the run was already aborted; ");
       const auto finished = std::ranges::count(result.finished, true);
       EXPECT_GT(finished, 0);
       EXPECT_LT(finished, 24 * 18);

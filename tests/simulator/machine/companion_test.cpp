@@ -202,21 +202,22 @@ TEST(Companion, TheyHaveOneMemory) {
 
 TEST(Companion, OthersHaveNoChannelWithoutALink) {
   expect_failure("Misuse of cpu 0 at 0",
-                 {"x would join cpu 0 and cpu 1, which have neither a link"}, [](Lab& lab) {
+                 {"x would join cpu 0 and cpu 1, which share neither a link"}, [](Lab& lab) {
                    auto &a = lab.cpu(), &b = lab.cpu();
                    lab.channels.emplace_back("x", a, b);
                  });
-  expect_failure("Misuse of cpu 0 at 0", {"cpu 0 would have two companions: second is one"},
-                 [](Lab& lab) {
+  expect_failure("Misuse of cpu 0 at 0",
+                 {"cpu 0 already has a companion, second: expected at most one"}, [](Lab& lab) {
                    Pair pair(lab);
                    lab.machine.add_companion(pair.first, "third");
                  });
-  expect_failure(
-      "Misuse of reads at 0",
-      {"reads on cpu 0 inputs from channel there", "whose end there is on second"}, [](Lab& lab) {
-        Pair pair(lab);
-        pair.first.start("reads", Priority::low, [&there = pair.to_second] { there.in(); });
-      });
+  expect_failure("Misuse of reads at 0",
+                 {"reads on cpu 0 inputs from channel there", "whose end for that is on second"},
+                 [](Lab& lab) {
+                   Pair pair(lab);
+                   pair.first.start("reads", Priority::low,
+                                    [&there = pair.to_second] { there.in(); });
+                 });
 }
 
 }  // namespace

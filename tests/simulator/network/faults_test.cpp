@@ -53,7 +53,7 @@ TEST(Failure, OfAProcessEndsTheSimulationAndIsThrownAgain) {
 }
 
 TEST(Invariant, OfTheMachineIsChecked) {
-  expect_failure("base::InvariantBroken", {"Alice was made ready but is not waiting"},
+  expect_failure("base::InvariantBroken", {"Alice was made ready, but it was not waiting"},
                  [](Lab& lab) {
                    auto& cpu = lab.cpu();
                    cpu.make_ready(cpu.start("Alice", Priority::low, [] {}), {});

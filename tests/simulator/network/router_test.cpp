@@ -143,7 +143,9 @@ TEST(Router, NoRoomIsAFaultThatNamesTheRouter) {
       }
       return std::string("no fault");
     });
-    EXPECT_NE(text.find(" has no room for another message: it holds 3"), std::string::npos) << text;
+    EXPECT_NE(text.find(" has no free buffer for another message: all 3 are in use"),
+              std::string::npos)
+        << text;
   }
 }
 
@@ -159,7 +161,7 @@ TEST(Router, BuffersAndMessagesMustFitTheMemory) {
     return std::string("accepted");
   });
   EXPECT_NE(text.find("64 messages of 1048576 bytes"), std::string::npos) << text;
-  EXPECT_NE(text.find("4194304 bytes left"), std::string::npos) << text;
+  EXPECT_NE(text.find("found 4194304 bytes of memory left"), std::string::npos) << text;
 }
 
 // In ring:4, the route from 0 to 2 passes 1 or 3; without link 0-1 it passes 3. Without 0-3 as

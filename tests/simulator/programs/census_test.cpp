@@ -46,7 +46,7 @@ TEST(ProgramsCensus, EveryLinkOfEveryRouteIsCounted) {
 
 TEST(ProgramsCensus, NotesSayWhoIsPassedMost) {
   const auto rows = run_census(topologies::make_topology("line:3"), "all");
-  EXPECT_EQ(rows.notes, std::vector<std::string>{"p1 is on the way of most routes, 2 of 6"});
+  EXPECT_EQ(rows.notes, std::vector<std::string>{"most routes pass through p1: 2 of 6"});
   EXPECT_TRUE(run_census(topologies::make_topology("ring:3"), "all").notes.empty());
 }
 

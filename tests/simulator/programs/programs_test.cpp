@@ -134,7 +134,7 @@ TEST(Programs, WithoutAnEndRunUpToTheirDateOrTheUsersLimit) {
     });
   };
   EXPECT_EQ(run_until(0.02), "4 rows, limit 0.02");
-  EXPECT_NE(run_until(0.005).find("the run was ended at 0.005"), std::string::npos)
+  EXPECT_NE(run_until(0.005).find("the run ended early at 0.005"), std::string::npos)
       << run_until(0.005);
 }
 

@@ -205,7 +205,7 @@ TEST(DataManagers, BadInputIsNamed) {
   EXPECT_NE(refusal(server).find("server_cache_percent"), std::string::npos);
   auto large = make_load(10, 1, 1);
   large.data.cache_bytes = 1ULL << 40;
-  EXPECT_NE(refusal(large).find("are left of the memory of p1"), std::string::npos);
+  EXPECT_NE(refusal(large).find("the free memory of p1"), std::string::npos);
   auto nobody = make_load(10, 1, 1);
   nobody.data.coordinator = 3;
   EXPECT_NE(refusal(nobody).find("data.coordinator: found 3, expected 0 to 2"), std::string::npos);

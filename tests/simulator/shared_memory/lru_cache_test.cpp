@@ -66,7 +66,7 @@ TEST(LruCache, ARecordThatDoesNotFitIsBadInput) {
     LruCache({3, 8}, 7, "data.cache");
     FAIL();
   } catch (const base::BadInput& error) {
-    for (const char* part : {"data.cache", "found a cache of 7 bytes", "expected at least the 8"})
+    for (const char* part : {"data.cache", "found a cache of 7 bytes", "expected at least 8"})
       EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
   }
 }

@@ -129,7 +129,8 @@ TEST(Deadlock, FollowsTheGuardsOfAnAlt) {
 TEST(Deadlock, SaysThatThePartnerHasEnded) {
   const Model model = make_exact_model();
   expect_failure(deadlock_at(2 * model.channel.blocked + Cycles{soft_cost(model, 4)}),
-                 {"Alice on cpu 0 waits for in on soft 0 (from one that has ended)"}, [](Lab& lab) {
+                 {"Alice on cpu 0 waits for in on soft 0 (from a process that has ended)"},
+                 [](Lab& lab) {
                    auto& channel = lab.soft();
                    auto& cpu = lab.cpu();
                    cpu.start("Alice", Priority::low, [&] { channel.in(), channel.in(); });
@@ -154,7 +155,7 @@ TEST(Deadlock, OfAPar) {
              {"own", Priority::low, [] {}}});
     });
   });
-  EXPECT_NE(report.find("reader on cpu 0 waits for in on soft 0 (from one that has ended)"),
+  EXPECT_NE(report.find("reader on cpu 0 waits for in on soft 0 (from a process that has ended)"),
             std::string::npos)
       << report;
   EXPECT_NE(report.find("parent on cpu 0 waits for the end of its PAR branches (from stuck)"),

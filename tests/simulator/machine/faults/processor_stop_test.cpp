@@ -223,7 +223,7 @@ TEST(ProcessorStop, EndsWhatDmaHasDelayed) {
 }
 
 TEST(ProcessorStop, BadDatesAndLinksAreRefused) {
-  expect_failure("base::InvariantBroken", {"a failure at -1 s was asked for at 0 s"},
+  expect_failure("base::InvariantBroken", {"found a failure planned for -1 s at 0 s"},
                  [](Lab& lab) { lab.machine.stop_processor(lab.cpu(), {-1}); });
   expect_failure("Misuse of cpu 0 at 0", {"no link joins cpu 0 and cpu 1"}, [](Lab& lab) {
     Processor& a = lab.cpu();
