@@ -238,12 +238,12 @@ class GraphsTest(unittest.TestCase):
         word.edges[0, 1]["port_a"], half.edges[0, 1]["port_b"] = "left", 1.5
         for graph, message in [
                 (word, "network: edge \"0\" to \"1\": found port 'left', expected 0 to 3"), (half, "found port '1.5'"),
-                (networkx.Graph(), "the graph is empty"), (networkx.star_graph(5), "processor 0 has 5 links"),
-                (networkx.Graph([(0, 0)]), "linked to itself"), (networkx.Graph([(0, 1), (2, 3)]), "processor 2 cannot be reached from the root 0"),
-                (networkx.Graph([(1, "1")]), "found two nodes that read '1'"), (two_roots, "designated as root"),
+                (networkx.Graph(), "found an empty graph"), (networkx.star_graph(5), "found 5 links of processor 0"),
+                (networkx.Graph([(0, 0)]), "to itself"), (networkx.Graph([(0, 1), (2, 3)]), "found no path from the root 0 to processor 2"),
+                (networkx.Graph([(1, "1")]), "found two nodes called '1'"), (two_roots, "found two roots"),
                 (one_port, "port 2"), (no_port, "found port '4', expected 0 to 3"),
-                (networkx.Graph([(0, 1)], root=7), 'root "7" is not a vertex'),
-                (marked, "vertex \"1\": root is 'yes', expected true or false")]:
+                (networkx.Graph([(0, 1)], root=7), 'found root "7", expected a vertex'),
+                (marked, "vertex \"1\": found root = 'yes', expected true or false")]:
             with self.subTest(message), self.assertRaisesRegex(tlab.BadInput, message):
                 tlab.from_networkx(graph)
         with self.assertRaisesRegex(tlab.BadInput, 'did you mean "torus"'):

@@ -41,7 +41,7 @@ class Done:
             return None
         message = "\n".join(line.removeprefix("tlab: ") for line in self.errors.strip().splitlines())
         kind = OF_EXIT_CODE.get(self.exit_code, Error)
-        return kind(message or f"tlab has ended with {self.exit_code}", self.exit_code, result)
+        return kind(message or f"tlab ended with exit code {self.exit_code}", self.exit_code, result)
 
 
 def start(arguments):
@@ -57,8 +57,8 @@ def start(arguments):
         if error.errno != errno.E2BIG:
             raise
         longest = max(map(str, words), key=len)
-        raise BadInput(f"{longest[:40]}...: found {len(longest)} bytes, which the host does not give to a program; "
-                       "expected it in the experiment's file or dict") from None
+        raise BadInput(f"{longest[:40]}...: found {len(longest)} bytes, more than the host allows in an argument; "
+                       "expected the value in the experiment's file or dict") from None
     try:
         output, errors = process.communicate()
     except BaseException:

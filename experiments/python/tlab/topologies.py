@@ -220,7 +220,7 @@ def from_networkx(graph, name=None):
     names = [str(node) for node in nodes]
     if len(set(names)) < len(names):
         twice = next(n for n, count in collections.Counter(names).items() if count > 1)
-        raise BadInput(f"{name}: found two nodes that read {twice!r}, expected different ones")
+        raise BadInput(f"{name}: found two nodes called {twice!r}, expected different ones")
     roots = [_spell(graph.nodes[node], "root") for node in nodes]
     edges = [(index[a], index[b], *(_spell(edge, key) for key in ("port_a", "port_b", "tailport", "headport")))
              for a, b, edge in graph.edges(data=True)]
