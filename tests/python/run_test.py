@@ -124,7 +124,7 @@ class ResultsTest(FolderTest):
     def test_a_folder_is_kept_and_a_temporary_one_is_not(self):
         result = tlab.run(FARM, folder=self.folder / "results")
         again = tlab.run(FARM, folder=self.folder / "results")
-        self.assertIn("4 of 4 points were there", again.output)
+        self.assertIn("4 of 4 points were already recorded", again.output)
         pandas.testing.assert_frame_equal(again.table, result.table)
         pandas.testing.assert_frame_equal(tlab.load(self.folder / "results").table, result.table)
         with self.assertRaisesRegex(tlab.BadInput, "expected a folder of results"):

@@ -311,7 +311,8 @@ void add_options(CLI::App& app, Options& o) {
   laboratory::bind_options(app, solve_fields(), o.light.solve,
                            {{"max_shots", "shots"}, {"reflections", "mirrors"}});
   laboratory::bind_options(app, {senders_field()}, o.light);
-  app.add_flag("--ambient,!--no-ambient", o.light.ambient, "an estimate of what is unshot [yes]");
+  app.add_flag("--ambient,!--no-ambient", o.light.ambient,
+               "add an estimate of the unsent light [yes]");
 }
 
 }  // namespace

@@ -49,7 +49,8 @@ void check_experiment(const CalibrationTask& task, const Texts& columns) {
   const auto file = load_experiment(task.experiment, {});
   for (const auto& axis : file.axes())
     require(std::ranges::find(columns, axis.name) != columns.end(), task.measurements,
-            "found no column {}, which is an axis of {}", axis.name, task.experiment);
+            "found no column {}, expected one, because it is an axis of {}", axis.name,
+            task.experiment);
   for (const auto& point : file.points)
     require(point.experiment.model.entries.empty() && point.experiment.others.empty(),
             task.experiment, "found [model] or [[processor]], expected the machine as {} has it",
@@ -95,12 +96,12 @@ Measurements read_measurements(const CalibrationTask& task) {
       read.unused.push_back(name);
     }
   }
-  require(measured.has_value(), file,
-          "found the columns {}, expected one of a result of the program {} (tlab columns {})",
-          join_texts(table.columns, ", "), program.name, program.name);
+  require(
+      measured.has_value(), file,
+      "found the columns {}, expected one that is a result of the program {} (see tlab columns {})",
+      join_texts(table.columns, ", "), program.name, program.name);
   require(!keys.empty(), file,
-          "found the columns {}, expected one or more that are keys of the experiment (tlab help "
-          "{})",
+          "found the columns {}, expected at least one key of the experiment (see tlab help {})",
           join_texts(table.columns, ", "), program.name);
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     const auto& row = table.rows[r];
@@ -113,8 +114,8 @@ Measurements read_measurements(const CalibrationTask& task) {
     for (const auto key : keys) setting.push_back(unquote_number(row[key]));
   }
   require(read.values.size() > task.entries.size(), file,
-          "found {} measurement(s) for {} entries, expected more than entries", read.values.size(),
-          task.entries.size());
+          "found {} measurement(s) for {} entries, expected more measurements than entries",
+          read.values.size(), task.entries.size());
   return read;
 }
 
@@ -172,7 +173,7 @@ class Runs {
     for (const auto point : which_) {
       const auto found = as_number(table.rows[table.row_of(point)][*table.find(column_)]);
       require(found && *found > 0, name_of(file_.points[point]),
-              "the model gives no {} above 0 there", column_);
+              "found no {} above 0 from the model, expected one", column_);
       given_.push_back(*found);
     }
     values_ = values;
@@ -192,19 +193,22 @@ const machine::Entry& find_entry(const machine::Model& model, const std::string&
   if (found == model.entries.end()) {
     Texts known;
     for (const auto& entry : model.entries) known.push_back(entry.key);
-    base::refuse("--entries", "found {}, which {} does not have{}", key, model.name,
+    base::refuse("--entries", "found {}, expected an entry of {}{}", key, model.name,
                  base::did_you_mean(key, known));
   }
-  require(found->value > 0, "--entries", "found {}, which is {}, expected one above 0", key,
-          found->value);
+  require(found->value > 0, "--entries", "found {} with the value {}, expected a value above 0",
+          key, found->value);
   return *found;
 }
 
 std::string describe_undetermined(const Undetermined& error, const CalibrationTask& task) {
   if (error.parameters.size() == 1)
-    return fmt::format("found nothing that depends on {}", task.entries[error.parameters[0]]);
-  return fmt::format("found nothing that tells {} from {}: both change all of them alike",
-                     task.entries[error.parameters[0]], task.entries[error.parameters[1]]);
+    return fmt::format("found no measurement that depends on {}, expected at least one",
+                       task.entries[error.parameters[0]]);
+  return fmt::format(
+      "found that {} and {} change all measurements in the same proportion, expected measurements "
+      "that distinguish them",
+      task.entries[error.parameters[0]], task.entries[error.parameters[1]]);
 }
 
 Table compare(const Measurements& measured, const std::vector<double>& given) {
@@ -231,7 +235,7 @@ Calibration calibrate(const CalibrationTask& task) {
     require(std::ranges::count(task.entries, key) == 1, "--entries", "found {} twice", key);
     entries.push_back(&find_entry(model, key));
   }
-  require(!entries.empty(), "--entries", "found none, expected those that are to be fitted");
+  require(!entries.empty(), "--entries", "found none, expected the entries to fit");
   const auto measured = read_measurements(task);
   Runs runs(task, measured);
   // Fits the logarithms of the entries: entries are positive, and results are roughly proportional
@@ -272,7 +276,8 @@ Calibration calibrate(const CalibrationTask& task) {
       const double value = std::exp(fit.parameters[i]), factor = std::exp(t * fit.errors[i]);
       require(
           std::isfinite(factor) && std::abs(fit.parameters[i] - start[i]) < std::log(MOST_FACTOR),
-          task.measurements, "found no {} that meets them, up to {:g} times its value", key,
+          task.measurements,
+          "found no value of {} that fits the measurements, within a factor of {:g}", key,
           MOST_FACTOR);
       found.entries.push_back({key, unit, before, value, value / factor, value * factor});
     }
@@ -281,8 +286,7 @@ Calibration calibrate(const CalibrationTask& task) {
   } catch (const Undetermined& error) {
     base::refuse(task.measurements, "{}", describe_undetermined(error, task));
   } catch (const Unsettled&) {
-    base::refuse(task.measurements,
-                 "found no values of {} that meet them best: the fit does not settle",
+    base::refuse(task.measurements, "found no best values of {}: the fit does not converge",
                  join_texts(task.entries, ", "));
   }
 }
@@ -296,8 +300,7 @@ std::string to_text(const Calibration& c) {
   std::string text = fmt::format("{}\n{}\nroot mean square of the errors: {:.2g} %\n",
                                  to_text(entries), to_text(c.compared), 100 * c.rms);
   if (!c.unused.empty())
-    text +=
-        fmt::format("not used: {}, which no key or result is called\n", join_texts(c.unused, ", "));
+    text += fmt::format("not used: {} (neither keys nor results)\n", join_texts(c.unused, ", "));
   return text;
 }
 

@@ -38,9 +38,9 @@ std::string to_model_file(const Calibration& calibration, const CalibrationTask&
       fmt::format("fitted to {} measurements of {} in {}", calibration.compared.rows.size(),
                   calibration.column, task.measurements);
   std::string text = fmt::format(
-      "# {}, with what was fitted to measurements (tlab model --fit): they are met within {:.2g} "
-      "%,\n"
-      "# root mean square.\nname = {}\nbase = {}\n",
+      "# {}, with entries fitted to measurements (tlab model --fit). The root mean square error "
+      "is\n"
+      "# {:.2g} %.\nname = {}\nbase = {}\n",
       plain(task.model), 100 * calibration.rms, spell_text(name),
       spell_text(name_base(task.model, file)));
   std::string section;
@@ -51,8 +51,7 @@ std::string to_model_file(const Calibration& calibration, const CalibrationTask&
     if (its != section) text += fmt::format("\n[{}]\n", section = its);
     text += fmt::format(
         "{} = {{ value = {}, unit = {}, provenance = \"calibrated\", source = {}, low = {}, high = "
-        "{}, "
-        "why = \"the 95 % interval of the fit\" }}\n",
+        "{}, why = \"95 % confidence interval of the fit\" }}\n",
         entry, e.value, spell_text(e.unit), spell_text(source), e.low, e.high);
   }
   return text;
@@ -62,18 +61,17 @@ std::string make_model_file(const std::string& base, const std::string& file) {
   const auto name = std::filesystem::path(file).stem().string();
   const auto model = machine::load_model(base);
   std::string text = fmt::format(
-      "# A machine like {0}, but for what is said here. Take the # from a line that you know "
-      "better,\n"
-      "# and from the [section] above it. Each entry has\n"
+      "# A machine like {0}, except for the entries below. To change an entry, remove the # "
+      "before\n"
+      "# it and before the [section] above it. Each entry has\n"
       "#   value       a number, or in quotes a formula over other entries: \"2 * "
       "link.switch_bits\"\n"
-      "#   unit        as it stands\n"
+      "#   unit        leave it unchanged\n"
       "#   provenance  datasheet, thesis, calibrated or assumed\n"
-      "#   source      where the value is from, so that others find it\n"
-      "# and where it is not known better low, high and why, from which tlab run --uncertain "
-      "draws.\n"
+      "#   source      where the value is from, so that others can find it\n"
+      "# and, if its value is uncertain, low, high and why: the range for tlab run --uncertain.\n"
       "#     tlab model {1}              # every number\n"
-      "#     tlab model {1} {0}      # what differs\n"
+      "#     tlab model {1} {0}      # the differences\n"
       "# In an experiment: machine.model = \"{1}\"\n"
       "name = {2}\nbase = {3}\n",
       plain(base), plain(file), spell_text(name), spell_text(name_base(base, file)));

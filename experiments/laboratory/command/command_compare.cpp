@@ -29,7 +29,7 @@ void check_target(const CompareOptions& o) {
   const auto within = fs::weakly_canonical(fs::absolute(o.output)).parent_path();
   for (const auto& folder : o.folders)
     base::require(within != fs::weakly_canonical(fs::absolute(folder)), "--output",
-                  "found {}, expected a file outside of the results that are compared", o.output);
+                  "found {}, expected a file outside the compared results", o.output);
 }
 
 void compare(const CompareOptions& o) {
@@ -45,27 +45,30 @@ void compare(const CompareOptions& o) {
   fmt::print("\n{}    {}\n", o.output.ends_with(".html") ? "page " : "table", o.output);
   for (const auto& failure : undrawn) complain(failure);
   if (!undrawn.empty())
-    throw Failure(fmt::format("{} drawing(s) failed; the rest is in {}", undrawn.size(), o.output),
-                  EXIT_HOST);
+    throw Failure(
+        fmt::format("{} drawing(s) failed; the other results are in {}", undrawn.size(), o.output),
+        EXIT_HOST);
 }
 
 }  // namespace
 
 void add_compare_command(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "compare", "what differs between the results of runs: settings, models, each point");
+      "compare", "compare the results of runs: settings, models and every point");
   auto o = std::make_shared<CompareOptions>();
   command
       ->add_option("DIR", o->folders,
-                   "results folders, two or more; the others are compared with the first. Rows "
-                   "that differ in the seed alone are samples")
+                   "two or more results folders, each compared with the first; rows that differ "
+                   "only in the seed are samples")
       ->required()
       ->expected(1, 1000)
       ->option_text("... REQUIRED");
-  command->add_option("--columns", o->columns, "results to compare [those of the usual table]")
+  command
+      ->add_option("--columns", o->columns,
+                   "results to compare [those in the table of the first folder]")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command->add_option("-o,--output", o->output, "write a page, .html, or all ratios, .csv");
+  command->add_option("-o,--output", o->output, "write a page (.html) or all ratios (.csv)");
   command->footer(
       "Examples:\n  tlab compare results/tree results/mesh\n  tlab compare a b -o a-b.html "
       "--columns time_s,speedup");

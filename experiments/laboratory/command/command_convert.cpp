@@ -61,7 +61,7 @@ struct Converted {
 Texts write_room(const std::string& source, const std::string& output, LeftOut& left_out) {
   const auto ending = ending_of(source);
   base::require(ending == ".nff" || ending == ".obj", "-o " + output,
-                "found {}, expected an .nff or .obj file: write it as .obj first", source);
+                "found {}, expected an .nff or .obj file: convert it to .obj first", source);
   return {{output, radiosity::to_text(read_room(source, left_out), left_out)}};
 }
 
@@ -84,7 +84,8 @@ Texts write_nff(const std::string& source, const std::string& output, LeftOut& l
 Texts write_obj(const std::string& source, const std::string& output, LeftOut& left_out) {
   const auto library = fs::path(output).replace_extension(".mtl");
   base::require(fs::exists(output) || !fs::exists(library), library.string(),
-                "is there, without {}: it would be replaced", output);
+                "found this file without {}, expected neither or both: it would be overwritten",
+                output);
   renderer::ObjText obj(library.parent_path().string(), library.filename().string());
   renderer::NffAsObj nff(obj, left_out);
   if (ending_of(source) == ".room")
@@ -129,8 +130,7 @@ Converted convert_apart(const std::string& source, const std::function<Converted
   Converted converted;
   for_each_job(1, 1, job, [&](const JobEnd& end) {
     base::require(end.died.empty(), source,
-                  "Assimp cannot read it, for which it has {} s of the processor: {}", limit_s,
-                  end.died);
+                  "Assimp cannot read this file within {} s of CPU time: {}", limit_s, end.died);
     const auto json = nlohmann::json::from_cbor(end.result);
     converted.left_out = json["left_out"];
     converted.remarks = json["remarks"];
@@ -152,7 +152,8 @@ void convert(const std::string& source, const std::string& output) {
   base::require(from == ".nff" || from == ".obj" || from == ".room" || is_mesh(source) ||
                     source.find(':') != source.npos,
                 source, "expected {}", list_sources());
-  base::require(from != ending, "-o " + output, "found the format of {}, expected another", source);
+  base::require(from != ending, "-o " + output, "found the same format as {}, expected another",
+                source);
   base::check_can_save(output);
 
   const auto convert_here = [&] {
@@ -185,10 +186,10 @@ void add_convert_command(CLI::App& app) {
   command->add_option("SCENE", o->source, list_sources())->required();
   command
       ->add_option("-o,--output", o->output,
-                   "the .nff, .obj or .room file to write; beside an .obj its .mtl")
+                   "the .nff, .obj or .room file to write; an .obj also gets an .mtl file")
       ->required();
   command->footer(
-      "What the format has no word for is named.\nExamples:\n  tlab convert "
+      "Lists everything that the new format cannot represent.\nExamples:\n  tlab convert "
       "experiments/scenes/glass.nff -o glass.obj\n  tlab convert bunny.ply -o bunny.obj");
   command->callback([o] { convert(o->source, o->output); });
 }

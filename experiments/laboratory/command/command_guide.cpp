@@ -28,7 +28,7 @@ struct ListOptions {
 void list(const ListOptions& o) {
   const bool has_files = o.kind.empty() || o.kind == "experiments" || o.kind == "scenes";
   base::require(o.folder.empty() || has_files, "list",
-                "found the folder {} with {}, expected one with experiments or scenes alone",
+                "found the folder {} with {}, expected a folder only with experiments or scenes",
                 o.folder, o.kind);
   const auto folder = o.folder.empty() ? find_experiments() : std::optional<fs::path>(o.folder);
   std::string text;
@@ -44,12 +44,12 @@ void list(const ListOptions& o) {
 
 void add_list_command(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "list", "what there is to choose from: experiments, programs, topologies, models, scenes");
+      "list", "list the available experiments, programs, topologies, models and scenes");
   auto o = std::make_shared<ListOptions>();
   command->add_option("KIND", o->kind, fmt::format("{} [all]", fmt::join(catalogue_kinds(), ", ")));
   command->add_option("FOLDER", o->folder,
-                      "where experiments and scenes are looked for [those that come with tlab]");
-  command->add_flag("--names", o->names, "only the names, one a line");
+                      "folder with experiments and scenes [those installed with tlab]");
+  command->add_flag("--names", o->names, "only the names, one per line");
   command->footer("Examples:\n  tlab list\n  tlab list topologies\n  tlab list scenes .");
   command->callback([o] { list(*o); });
 }
@@ -79,9 +79,10 @@ std::string find_help(const CLI::App& app, const std::vector<std::string>& words
   if (words.empty()) return app.help();
   if (words.size() == 1) return find_help(app, words[0]);
   const auto* program = programs::find_program(words[1]);
-  base::require(words[0] == "run" && program, "help",
-                "found \"{} {}\", expected a command, a program, keys, or run and a program",
-                words[0], words[1]);
+  base::require(
+      words[0] == "run" && program, "help",
+      "found \"{} {}\", expected a command, a program, \"keys\", or \"run\" and a program",
+      words[0], words[1]);
   return fmt::format("{}\n{}\nThe program:\n{}", find_help(app, "run"), describe_keys(),
                      describe_program(*program));
 }
@@ -96,21 +97,19 @@ void add_help_command(CLI::App& app) {
       ->option_text("...");
   command->footer(
       "Examples:\n  tlab help run\n  tlab help farm        # its keys and its results\n  tlab help "
-      "run farm    # with the keys that all programs have\n  tlab help keys        # all keys of "
-      "all "
-      "programs");
+      "run farm    # with the keys common to all programs\n  tlab help keys        # all keys of "
+      "all programs");
   command->callback([words, &app] { print_paged(find_help(app, *words)); });
 }
 
 void add_init_command(CLI::App& app) {
   auto* command =
-      app.add_subcommand("init", "begin: a folder with a commented experiment, or a C++ program");
+      app.add_subcommand("init", "create a folder with a commented experiment or a C++ program");
   struct Options {
     std::string name, from = "farm";
   };
   auto o = std::make_shared<Options>();
-  command->add_option("NAME", o->name, "the folder to make; its files are called so too")
-      ->required();
+  command->add_option("NAME", o->name, "name of the new folder and of its files")->required();
   command->add_option("--from", o->from, fmt::format("{}", fmt::join(template_names(), ", ")))
       ->capture_default_str();
   command->footer(

@@ -41,9 +41,9 @@ struct LiveOptions {
 double read_speed(const std::string& text) {
   if (text == "max") return std::numeric_limits<double>::infinity();
   const auto speed = base::parse_number<double>(text);
-  base::require(speed && *speed >= 1e-9 && *speed <= 1e9, "--speed",
-                "found {}, expected max or a number of simulated seconds a second, 1e-9 to 1e9",
-                text);
+  base::require(
+      speed && *speed >= 1e-9 && *speed <= 1e9, "--speed",
+      "found {}, expected max, or a number of simulated seconds per second from 1e-9 to 1e9", text);
   return *speed;
 }
 
@@ -60,9 +60,9 @@ void check_live(const LiveOptions& o, const ExperimentFile& file) {
                 "the experiment has {} points, expected one; choose it with --set, for example "
                 "--set 'sweep.workers=[4]'",
                 file.points.size());
-  base::require(!file.points[0].experiment.is_timed, o.source,
-                "found cost = \"timed\", expected \"counted\": the host's time would be that of "
-                "the page, too");
+  base::require(
+      !file.points[0].experiment.is_timed, o.source,
+      "found cost = \"timed\", expected \"counted\": the page would change the host times");
 }
 
 fs::path find_recording(const LiveOptions& o, const ExperimentFile& file) {
@@ -183,12 +183,12 @@ void watch_run(const LiveOptions& o) {
     failure = std::current_exception();
   }
   const auto rerun = command_line(options);
-  session.say_results(fmt::format("{}; the same again: {}", folder.string(), rerun));
+  session.say_results(fmt::format("{}; to repeat it: {}", folder.string(), rerun));
   fmt::print("\nThe session: {}\n", rerun);
   flush_output();
   if (!was_cut) session.wait_for_quit();
   if (was_cut)
-    throw Failure(fmt::format("interrupted; the session until then is in {}", folder.string()),
+    throw Failure(fmt::format("interrupted; the session so far is in {}", folder.string()),
                   EXIT_INTERRUPTED);
   if (failure) std::rethrow_exception(failure);
 }
@@ -197,22 +197,26 @@ void watch_run(const LiveOptions& o) {
 
 void add_live_command(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "live", "watch a run on a page in the browser, and steer it: pause, step, orders, faults");
+      "live", "watch a run on a page in the browser and control it: pause, step, orders, faults");
   auto o = std::make_shared<LiveOptions>();
   command
-      ->add_option("EXPERIMENT", o->source,
-                   "the experiment file (TOML) with one point, or a folder of results, whose "
-                   "point is run again")
+      ->add_option(
+          "EXPERIMENT", o->source,
+          "experiment file (TOML) with one point, or a results folder whose point is repeated")
       ->required();
   add_set_option(*command, o->overrides, "key.path=value: replaces a key of the experiment");
-  command->add_option("--speed", o->speed, "simulated seconds a second; max: as fast as it goes")
+  command
+      ->add_option("--speed", o->speed,
+                   "simulated seconds per second of real time; max: as fast as possible")
       ->capture_default_str();
-  command->add_option("--port", o->port, "of this computer, for the page [8080, or a free one]")
+  command
+      ->add_option("--port", o->port, "TCP port of the page on this computer [8080, or a free one]")
       ->check(CLI::Range(1, 65535));
-  command->add_flag("--no-browser", o->no_browser, "only print the page's address");
-  command->add_option(
-      "--record", o->record,
-      "the session as an experiment file [results/EXPERIMENT's name-live.toml, or -live2 ...]");
+  command->add_flag("--no-browser", o->no_browser,
+                    "print the page's address without opening a browser");
+  command->add_option("--record", o->record,
+                      "experiment file that records the session [results/EXPERIMENT's "
+                      "name-live.toml, or -live2 ...]");
   command->add_option("-o,--output", o->output, "results folder [results/the recording's name]");
   command->footer("Examples:\n  tlab live experiments/live.toml");
   command->callback([o] { watch_run(*o); });

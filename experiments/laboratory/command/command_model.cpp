@@ -36,17 +36,17 @@ void check_model_file(const std::string& file) {
     return std::isalnum(c) || c == '-' || c == '_';
   });
   base::require(file.ends_with(".toml") && is_name, file,
-                "expected a file NAME.toml of letters, digits, - and _");
+                "expected a file name NAME.toml, where NAME has only letters, digits, - and _");
   const auto known = machine::builtin_models();
   base::require(std::ranges::find(known, name) == known.end(), file,
-                "found the name of a model that is there already");
+                "found the name of a built-in model, expected a new name");
 }
 
 void begin_model(const ModelOptions& o) {
   base::require(o.names.size() == 1, "--new", "found {} names, expected one", o.names.size());
   const auto file = o.names[0].ends_with(".toml") ? o.names[0] : o.names[0] + ".toml";
   check_model_file(file);
-  base::require(!fs::exists(file), file, "is there already");
+  base::require(!fs::exists(file), file, "found an existing file, expected a new name");
   base::save_whole(file, make_model_file(o.base, file));
   fmt::print("model    {}\n", file);
 }
@@ -76,37 +76,37 @@ void print_models(const ModelOptions& o) {
 }  // namespace
 
 void add_model_command(CLI::App& app) {
-  auto* command = app.add_subcommand("model",
-                                     "print a machine model, every parameter with unit and "
-                                     "provenance; how two differ; begin one, or fit it");
+  auto* command = app.add_subcommand(
+      "model",
+      "print a machine model with units and provenance, compare two models, create one or fit one");
   auto o = std::make_shared<ModelOptions>();
   command
       ->add_option("NAME", o->names,
                    fmt::format("{} or a model file", fmt::join(machine::builtin_models(), ", ")))
       ->required()
       ->expected(1, 2);
-  auto* begins =
-      command->add_flag("--new", o->is_new, "write NAME.toml, a model of one's own to fill in");
-  command->add_option("--base", o->base, "the model that it begins from")
+  auto* begins = command->add_flag("--new", o->is_new, "create NAME.toml, a model to edit");
+  command->add_option("--base", o->base, "base of the new model")
       ->needs(begins)
       ->capture_default_str();
   auto* fits =
       command->add_option("--fit", o->fit.measurements,
-                          "a CSV file of measurements: columns of keys, and of one result");
+                          "CSV file of measurements: columns of keys and one column of a result");
   fits->excludes(begins);
-  command->add_option("--entries", o->fit.entries, "entries of the model that are fitted to them")
+  command
+      ->add_option("--entries", o->fit.entries, "entries of the model to fit to the measurements")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->needs(fits);
   fits->needs("--entries");
   command
       ->add_option("--by", o->fit.experiment,
-                   "the experiment that was measured [the program message: bytes, latency_s]")
+                   "the measured experiment [the program message: bytes, latency_s]")
       ->needs(fits);
-  command->add_option("-o,--output", o->output, "write the fitted model, .toml")->needs(fits);
+  command->add_option("-o,--output", o->output, "write the fitted model (.toml)")->needs(fits);
   command->footer(
-      "Examples:\n  tlab model t805-25\n  tlab model t805-25 t800-20     # how they differ\n  tlab "
-      "model mine --new --base t805-25\n  tlab model t805-25 --fit latencies.csv --entries "
+      "Examples:\n  tlab model t805-25\n  tlab model t805-25 t800-20     # their differences\n  "
+      "tlab model mine --new --base t805-25\n  tlab model t805-25 --fit latencies.csv --entries "
       "link.one_way_20,channel.operands -o mine.toml");
   command->callback([o] {
     if (o->is_new) return begin_model(*o);

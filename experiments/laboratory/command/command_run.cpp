@@ -39,7 +39,8 @@ void read_film(const std::string& text, RunOptions& options) {
         "--animate",
         fmt::format("found {}, expected picture, network, picture=FILE or network=FILE", text));
   if (!file->empty())
-    throw CLI::ValidationError("--animate", fmt::format("found {} twice, expected it once", kind));
+    throw CLI::ValidationError("--animate",
+                               fmt::format("found {} twice, expected it at most once", kind));
   *file = kind == text ? choose_film(kind, options) : text.substr(kind.size() + 1);
 }
 
@@ -53,25 +54,24 @@ void read_films(const std::vector<std::string>& texts, RunOptions& options) {
 }  // namespace
 
 void add_run_command(CLI::App& app) {
-  auto* command = app.add_subcommand("run", "run an experiment: one run, or a sweep");
+  auto* command = app.add_subcommand("run", "run an experiment: one run or a sweep");
   auto o = std::make_shared<RunOptions>();
   command->add_option("EXPERIMENT", o->file, "the experiment file (TOML)")->required();
   add_run_options(*command, *o, "results folder [results/EXPERIMENT's name]",
                   "key.path=value: replaces a key of the experiment");
   auto* list = command->add_flag(
-      "--list", o->list,
-      "only print each point: number, key, axes, and whether its record is there");
+      "--list", o->list, "only list the points: number, key, axes, and whether a record exists");
   command
       ->add_option("--point", o->points,
                    "K or A-B, repeatable: run only these points and record them in the folder, for "
                    "tlab merge")
       ->allow_extra_args(false)
       ->excludes(list);
-  auto* machines =
-      add_key_option(*command, "uncertain", "uncertain.machines", o->overrides,
-                     "the same on so many machines drawn from what the model's numbers may be; how "
-                     "sure results are");
-  add_key_option(*command, "seed", "uncertain.seed", o->overrides, "of the draws of --uncertain")
+  auto* machines = add_key_option(
+      *command, "uncertain", "uncertain.machines", o->overrides,
+      "also run so many machines drawn from the ranges of the model's entries, and report "
+      "confidence intervals");
+  add_key_option(*command, "seed", "uncertain.seed", o->overrides, "seed for the drawn machines")
       ->needs(machines);
   command
       ->add_option_function<std::vector<std::string>>(
@@ -88,24 +88,24 @@ void add_run_command(CLI::App& app) {
   bind_options<RunOptions>(
       *command,
       {D::whole("threads", &RunOptions::threads, 1, 1024, "",
-                "threads that run the machine of one point together, for large machines of "
-                "run.engine = \"direct\"; the results are those of one"),
-       seconds_field("until", &RunOptions::until_s, "after which a point is cut short"),
-       seconds_field("from", &RunOptions::from_s, "at which trace, time line and films begin")},
+                "threads for the machine of one point, for large machines with run.engine = "
+                "\"direct\"; results do not change"),
+       seconds_field("until", &RunOptions::until_s, "after which a point is ended early"),
+       seconds_field("from", &RunOptions::from_s, "after which trace, time line and films begin")},
       *o);
   command->add_flag("--profile", o->profile,
-                    "print the host time per simulated ray, beyond the kernel");
+                    "print the host time per simulated ray in addition to the kernel's");
   command->add_option("--trace", o->trace,
-                      "a file for what every processor and link did in the one point: .json for "
+                      "file for a trace of all processors and links of the single point: .json for "
                       "Perfetto and chrome://tracing, .paje for ViTE");
-  command->add_option("--timeline", o->timeline, "a file for the same as a chart: .svg");
+  command->add_option("--timeline", o->timeline, "file for the same trace as a chart (.svg)");
   auto films = std::make_shared<std::vector<std::string>>();
   auto* animate =
       command
           ->add_option(
               "--animate", *films,
-              "picture or network, repeatable: a film of the one point's picture while it grows, "
-              "or of how busy processors and links are; .webp, or .png for an image a frame, "
+              "picture or network, repeatable: a film of the single point, of its growing picture "
+              "or of the load of processors and links; .webp, or .png for one image per frame, "
               "NAME-0001.png ... [RESULTS-KIND.webp beside the results folder]")
           ->allow_extra_args(false)
           ->option_text("KIND[=FILE]");
@@ -113,14 +113,14 @@ void add_run_command(CLI::App& app) {
       *command,
       {D::whole(
           "frames", [](auto& options) -> auto& { return options.films.frames; }, MIN_FRAMES,
-          MAX_FRAMES, "", "frames of these films")},
+          MAX_FRAMES, "", "number of frames of a film")},
       *o);
   command->get_option("--frames")->needs(animate);
   command->footer(
       "Examples:\n  tlab run experiments/farm.toml --jobs 2\n  tlab run e.toml --set "
       "network.topology=mesh --set 'sweep.workers=[4,9,16]' -o results/mesh\n  tlab run e.toml "
-      "--uncertain 64      # how sure the results are\n  tlab help farm                     # the "
-      "keys of a program; tlab help keys: of all");
+      "--uncertain 64      # with confidence intervals\n  tlab help farm                     # "
+      "keys of a program; tlab help keys: of all programs");
   command->callback([o, films, jobs] {
     if (jobs->count() == 0) o->jobs = std::max(1u, o->jobs / o->threads);
     if (o->list) return list_points(*o);

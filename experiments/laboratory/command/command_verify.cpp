@@ -43,7 +43,8 @@ std::vector<Candidate> find_candidates(const std::string& path) {
       candidates.push_back(
           {entry.path().string(), entry.path().lexically_relative(path).replace_extension()});
   if (candidates.empty())
-    throw base::BadInput(fmt::format("{}: no experiment file (*.toml) below it", path));
+    throw base::BadInput(fmt::format(
+        "{}: found no experiment file (*.toml) in this folder, expected at least one", path));
   std::ranges::sort(candidates, {}, [](const Candidate& c) { return fs::path(c.file); });
   return candidates;
 }
@@ -60,7 +61,7 @@ void print_check(const CheckResult& check, const Table& table, bool all, Count& 
   const auto most = all ? check.points.size() : MOST_SHOWN;
   if (!check.points.empty()) fmt::print("{}", to_text(make_check_table(check, table, most)));
   if (check.points.size() > most)
-    fmt::print("the worst of {} points; --all shows every one\n", check.points.size());
+    fmt::print("the worst of {} points; --all shows every point\n", check.points.size());
   for (const auto& note : check.notes) print_note(note);
   fmt::print("\n");
 }
@@ -86,7 +87,7 @@ void verify_file(const Candidate& candidate, const VerifyOptions& options, bool 
   for (const auto& check : s.checks) print_check(check, s.table, options.all, count);
   for (const auto& failure : s.undrawn) complain(failure);
   count.undrawn += s.undrawn.size();
-  throw_failures(s.file, s.results, "the others are in " + run.output);
+  throw_failures(s.file, s.results, "the other results are in " + run.output);
 }
 
 // Runs the experiments and prints every check with its points. Then throws Failure unless all
@@ -120,11 +121,12 @@ void add_verify_command(CLI::App& app) {
   auto* command =
       app.add_subcommand("verify", "compare experiments with their formulas and references");
   auto o = std::make_shared<VerifyOptions>();
-  command->add_option("PATH", o->paths, "experiment files (TOML), or folders of them")->required();
+  command->add_option("PATH", o->paths, "experiment files (TOML), or folders with such files")
+      ->required();
   add_run_options(*command, o->run,
-                  "results folder of one file, else the folder of all results [results]",
+                  "results folder of a single file, or folder for all results [results]",
                   "key.path=value: replaces a key of each experiment");
-  command->add_flag("--all", o->all, "show every point, and not only the worst of many");
+  command->add_flag("--all", o->all, "show every point instead of only the worst");
   command->footer(
       "Examples:\n  tlab verify experiments/farm.toml\n  tlab verify experiments/thesis -o "
       "results/thesis");

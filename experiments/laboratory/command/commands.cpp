@@ -44,10 +44,8 @@ std::string choose_format(const std::string& asked, const std::string& file) {
   const auto ending = base::to_lower(std::filesystem::path(file).extension().string());
   const auto said = ENDINGS.find(ending);
   if (said == ENDINGS.end()) {
-    base::require(
-        !asked.empty() || ending.empty() || ending == ".txt", "-o " + file,
-        "found an ending that says no format, expected .svg, .dot, .gv, .graphml or .csv, "
-        "or --format");
+    base::require(!asked.empty() || ending.empty() || ending == ".txt", "-o " + file,
+                  "found another ending, expected .svg, .dot, .gv, .graphml or .csv, or --format");
     return asked.empty() ? "metrics" : asked;
   }
   base::require(asked.empty() || asked == said->second, "-o " + file,
@@ -72,10 +70,11 @@ void add_topology_command(CLI::App& app) {
   for (const auto& g : topologies::generators()) forms += g.form + ", ";
   command->add_option("SPEC", o->spec, forms + "or a .dot, .gv or .graphml file")->required();
   command
-      ->add_option("--format", o->format, "what to print [metrics, or what the file's ending says]")
+      ->add_option("--format", o->format,
+                   "output format [metrics, or the format of the file's ending]")
       ->check(CLI::IsMember(FORMATS));
   command->add_option("--routes", o->routes,
-                      "measure these in place of the shortest: xy, or a CSV file from,to,path");
+                      "routes to measure instead of the shortest: xy, or a CSV file from,to,path");
   command->add_option("-o,--output", o->output, "write to this file");
   command->footer(
       "Examples:\n  tlab topology torus:4x4\n  tlab topology tree:13 --format svg -o tree.svg\n  "
@@ -83,7 +82,8 @@ void add_topology_command(CLI::App& app) {
   command->callback([o] {
     o->format = choose_format(o->format, o->output);
     base::require(o->routes.empty() || o->format == "metrics", "--routes",
-                  "found --format {}, expected metrics: others do not speak of routes", o->format);
+                  "found --format {}, expected metrics: other formats contain no routes",
+                  o->format);
     const auto format =
         std::ranges::find(FORMATS, o->format, &decltype(FORMATS)::value_type::first);
     const auto text = [&] {
@@ -110,7 +110,7 @@ void add_folder_command(CLI::App& app, const char* name, const char* help,
 }
 
 std::string columns_in_markdown(const programs::Program& program) {
-  std::string text = fmt::format("### {}\n\n{}\n\n| column | what it is |\n| --- | --- |\n",
+  std::string text = fmt::format("### {}\n\n{}\n\n| column | meaning |\n| --- | --- |\n",
                                  program.name, program.help);
   for (const auto& [name, help] : program.columns)
     text += fmt::format("| `{}` | {} |\n", name, help);
@@ -118,15 +118,14 @@ std::string columns_in_markdown(const programs::Program& program) {
 }
 
 void add_columns_command(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("columns", "print what the columns of a program's results mean");
+  auto* command = app.add_subcommand("columns", "explain the columns of a program's results");
   struct Options {
     std::string program;
     bool markdown = false;
   };
   auto o = std::make_shared<Options>();
   command->add_option("PROGRAM", o->program, "farm, message, ... [all]");
-  command->add_flag("--markdown", o->markdown, "as tables for the manual");
+  command->add_flag("--markdown", o->markdown, "print Markdown tables");
   command->footer("Examples:\n  tlab columns farm");
   command->callback([o] {
     base::require(o->program.empty() || programs::find_program(o->program), "columns",
@@ -147,7 +146,7 @@ void check_command(const CLI::App& app, int argc, char** argv) {
 }
 
 void add_report_command(CLI::App& app) {
-  auto* command = app.add_subcommand("report", "make plots and report.html of results again");
+  auto* command = app.add_subcommand("report", "draw the plots and report.html of results again");
   struct Options {
     std::string folder;
     std::vector<std::string> columns;
@@ -172,7 +171,7 @@ void add_commands(CLI::App& app) {
   add_radiosity_command(app);
   add_run_command(app);
   add_live_command(app);
-  add_folder_command(app, "merge", "write the results of points that `run --point` has recorded",
+  add_folder_command(app, "merge", "write the results of points recorded by `run --point`",
                      &merge_results);
   add_report_command(app);
   add_verify_command(app);

@@ -148,8 +148,8 @@ std::string make_completion(const CLI::App& app, const std::string& shell) {
 }
 
 void add_completion_command(CLI::App& app) {
-  auto* command =
-      app.add_subcommand("completion", "print a script with which a shell completes tlab's words");
+  auto* command = app.add_subcommand(
+      "completion", "print a script that completes tlab's commands and options in a shell");
   auto shell = std::make_shared<std::string>();
   command->add_option("SHELL", *shell, "bash, zsh or fish")->required();
   command->footer(

@@ -87,18 +87,19 @@ void print_summary(const RunOptions& options, const Simulation& s) {
   if (const auto rankings = load_rankings(output))
     for (const auto& sentence : tell_rankings(*rankings)) fmt::print("{}\n", sentence);
   if (s.file.uncertain.machines > 0 && !fs::exists(output / "intervals.csv"))
-    print_note(
-        fmt::format("no intervals: fewer than {} machines have all their points", LEAST_MACHINES));
+    print_note(fmt::format("no intervals: fewer than {} machines have completed all points",
+                           LEAST_MACHINES));
   if (s.left_out > 0)
-    print_note(fmt::format("{} of {} machines are left out: not all of their points came to an end",
-                           s.left_out, s.file.uncertain.machines));
+    print_note(
+        fmt::format("{} of {} machines are left out, because they did not complete all points",
+                    s.left_out, s.file.uncertain.machines));
   if (options.profile && s.table.find("rays")) print_profile(s);
   for (const auto& [model, speed] : s.host_speeds)
     fmt::print(
         "\ntimed: {:.4g} cycles a second of host CPU, spread {:.1f} % between rays, blocks "
         "and radiosity, {} repeats each\n",
         speed.cycles_per_host_s, 100 * speed.spread, speed.repeats);
-  if (s.there > 0) fmt::print("{} of {} points were there.\n", s.there, s.asked);
+  if (s.there > 0) fmt::print("{} of {} points were already recorded.\n", s.there, s.asked);
   fmt::print("Ended: {}, in {:.1f} s. {}esults in {}:\n", s.ended, s.wall_s,
              s.complete ? "R" : "Incomplete r", output.string());
   print_paths(output, list_images(s));
@@ -125,13 +126,13 @@ void judge(const RunOptions& options, const CheckPlan& plan, const Simulation& s
   for (const auto& failure : s.undrawn) complain(failure);
   if (was_interrupted())
     throw Failure(
-        fmt::format("interrupted; what was measured until then is in {}, marked incomplete",
-                    output),
+        fmt::format("interrupted; the results so far are in {}, marked incomplete", output),
         EXIT_INTERRUPTED);
   if (!s.checks.empty()) fmt::print("\n");
   for (const auto& note : note_unknown_texts(plan, s.table)) print_note(note);
   for (const auto& check : s.checks) print_verdict(check, s.table);
-  throw_failures(s.file, s.results, fmt::format("the others are in {}, marked incomplete", output));
+  throw_failures(s.file, s.results,
+                 fmt::format("the other results are in {}, marked incomplete", output));
   const auto failed = std::ranges::count(s.checks, Verdict::fails, &CheckResult::verdict);
   if (failed > 0)
     throw Failure(fmt::format("{}: {} of {} check(s) do not hold; results are in {}", options.file,
@@ -153,8 +154,8 @@ std::pair<std::size_t, std::size_t> read_range(const std::string& text, std::siz
   const auto first = base::parse_number<std::size_t>(ends.front());
   const auto last = base::parse_number<std::size_t>(ends.back());
   base::require(ends.size() <= 2 && first && last && *first <= *last && *last < points,
-                "--point " + text, "expected the number of a point, or two as in 0-9, from 0 to {}",
-                points - 1);
+                "--point " + text,
+                "expected the number of a point, or two such as 0-9, from 0 to {}", points - 1);
   return {*first, *last};
 }
 

@@ -58,7 +58,7 @@ Results make_results(const PointsPlan& plan, Missing missing, std::size_t& there
   if (std::ranges::all_of(results, nothing))
     throw_failures(plan.file, results,
                    plan.options.runs_anew()
-                       ? "nothing was written but what shows the run until then"
+                       ? "only the trace, chart and films of the run so far were written"
                        : "nothing was written");
   return results;
 }

@@ -82,12 +82,12 @@ Texts note_gaps(const Comparison& c) {
     const auto rows = simulation.table.rows.size();
     if (const auto finished = c.matched.runs[r].table.rows.size(); finished < rows)
       notes.push_back(
-          fmt::format("left out: {} of {} rows of {}, of points that did not come to "
-                      "their end",
+          fmt::format("left out: {} of {} rows of {}, because their points did not complete",
                       rows - finished, rows, c.runs[r].name));
     if (c.matched.left_out[r] > 0)
-      notes.push_back(fmt::format("left out: {} of {} rows of {}, of points that not all runs have",
-                                  c.matched.left_out[r], rows, c.runs[r].name));
+      notes.push_back(
+          fmt::format("left out: {} of {} rows of {}, because not all runs have their points",
+                      c.matched.left_out[r], rows, c.runs[r].name));
     if (!simulation.complete)
       notes.push_back(fmt::format("{}: {}", c.runs[r].name, simulation.ended));
   }
@@ -97,7 +97,7 @@ Texts note_gaps(const Comparison& c) {
 // Plots a result's ratio to the first run for each point, with bands if there are intervals.
 std::vector<Plot> plot_ratio(const MatchedRuns& matched, const std::string& column) {
   const auto name =
-      fmt::format("{}, times that of {}", without_unit(make_label(column)), matched.runs[0].name);
+      fmt::format("{}, relative to {}", without_unit(make_label(column)), matched.runs[0].name);
   Table table = stack_runs(matched, {});
   table.columns.push_back(name);
   const auto count = matched.points.size();
@@ -162,16 +162,16 @@ Comparison compare_runs(const Texts& folders, const Texts& columns) {
   std::erase_if(common, [&](const auto& column) { return settings.contains(column); });
   for (const auto& column : columns) {
     base::require(!settings.contains(column), "--columns",
-                  "{} is a setting, expected results; settings that differ are listed as such",
+                  "found the setting {}, expected a result (different settings are always listed)",
                   column);
     if (std::ranges::find(common, column) == common.end())
-      throw base::BadInput(fmt::format("--columns: {} is no number that all runs have{}", column,
+      throw base::BadInput(fmt::format("--columns: {} is not a number that all runs have{}", column,
                                        base::suggest(column, common)));
   }
   if (c.columns.empty()) c.columns = usual_columns(c.runs, common);
   if (c.columns.empty()) c.columns = common;
   if (c.columns.empty())
-    throw base::BadInput("compare: found no number that is a result of all runs");
+    throw base::BadInput("compare: found no numeric result in all runs, expected at least one");
   return c;
 }
 

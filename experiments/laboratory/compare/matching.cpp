@@ -39,10 +39,10 @@ void check_everywhere(const std::vector<NamedTable>& runs, const std::string& ax
   const auto has = [&](const NamedTable& run) { return find_axis(run.table, axis).has_value(); };
   const auto without = std::ranges::find_if_not(runs, has);
   if (without == runs.end()) return;
-  throw base::BadInput(fmt::format(
-      "found the axis {} with several values in {}, but not in {}: expected runs over the same "
-      "axes",
-      axis, std::ranges::find_if(runs, has)->name, without->name));
+  throw base::BadInput(
+      fmt::format("found the axis {} with several values in {} but not in {}, expected the same "
+                  "axes in all runs",
+                  axis, std::ranges::find_if(runs, has)->name, without->name));
 }
 
 // Throws if the second seed varies independently of the first. Samples with the same value of one
@@ -53,10 +53,10 @@ void check_coupled(const std::vector<NamedTable>& runs, const std::string& seed,
     if (!varies(table, other)) continue;
     const auto a = find_axis(table, seed), b = find_axis(table, other);
     if (!a || !is_determined(table, all_rows(table), *b, {*a}))
-      throw base::BadInput(fmt::format(
-          "found two seeds with several values, {} and {}, in {}: expected one, whose values are "
-          "samples",
-          seed, other, name));
+      throw base::BadInput(
+          fmt::format("found two seeds with several values, {} and {}, in {}, expected one: its "
+                      "values are the samples",
+                      seed, other, name));
   }
 }
 
@@ -82,7 +82,7 @@ Key key_of(const Table& table, std::size_t row, const Texts& axes) {
         values.push_back(to_string(value));
       texts.push_back(fmt::format("{} is {} in {}", axis, join_texts(values, ", "), name));
     }
-  throw base::BadInput(fmt::format("found no point that all runs have ({}), expected some",
+  throw base::BadInput(fmt::format("found no point that all runs have ({}), expected at least one",
                                    join_texts(texts, "; ")));
 }
 

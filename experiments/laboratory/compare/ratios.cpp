@@ -178,7 +178,7 @@ std::string tell_spread(const MatchedRuns& matched, std::size_t run, const std::
                           spread.least, at(*spread.least_at), spread.most, at(*spread.most_at));
   }
   if (spread.intervals > 0)
-    text += fmt::format("; the interval of 95 % is below 1 at {} and above 1 at {} of {} points",
+    text += fmt::format("; the 95 % interval is below 1 at {} and above 1 at {} of {} points",
                         spread.below, spread.above, spread.intervals);
   if (spread.others > 0)
     text +=

@@ -184,7 +184,7 @@ std::vector<ComparedRun> load_runs(const Texts& folders) {
     for (std::size_t k = 0; k < i; ++k) {
       std::error_code ignored;
       base::require(!fs::equivalent(folders[i], folders[k], ignored), "compare",
-                    "found {} twice, expected different results", folders[i]);
+                    "found {} twice, expected different folders", folders[i]);
     }
   const auto names = find_names(folders);
   std::vector<ComparedRun> runs;

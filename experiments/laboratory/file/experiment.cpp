@@ -78,8 +78,8 @@ void check_not_shadowed(const Override& override, const std::vector<Coupled>& ax
   for (const auto& coupled : axes)
     for (const auto& axis : coupled)
       base::require(axis.key != override.key, "--set " + override.text(),
-                    "{} is an axis of [sweep], expected --set 'sweep.{}=[...]'", axis.key,
-                    fmt::join(coupled | std::views::transform(&Axis::name), ", "));
+                    "found {}, which is an axis of [sweep], expected --set 'sweep.{}=[...]'",
+                    axis.key, fmt::join(coupled | std::views::transform(&Axis::name), ", "));
 }
 
 // Collects the keys of the file that change a point's computation.
@@ -140,7 +140,8 @@ ExperimentFile read_experiment(const std::string& text, const std::string& path,
                                const std::string& folder, const Overrides& overrides,
                                bool is_reduced) {
   for (const auto& name : {path, folder})
-    base::require(base::is_utf8(name), name, "found a name that is no UTF-8, which run.json needs");
+    base::require(base::is_utf8(name), name,
+                  "found a name that is not UTF-8, expected UTF-8 for run.json");
   const auto content = std::make_shared<toml::table>(base::parse_toml(text, path));
   toml::table& file = *content;
   std::vector<std::string> order;

@@ -73,38 +73,41 @@ const base::Fields<Experiment>& common_fields() {
       "a whole number from 0 to {}, or a list of [worker, worker, number]", MOST_SWITCHES);
   tree_links.expected = "the links of a spanning tree, [[a, b], ...]";
   static const base::Fields<E> all = {
-      D::text("title", &E::title, "what the experiment is called"),
-      D::text("question", &E::question, "what it answers"),
+      D::text("title", &E::title, "title of the experiment"),
+      D::text("question", &E::question, "question that the experiment answers"),
       program_field(),
       D::source(
           "machine.model", [](auto& e) -> auto& { return e.model.source; },
-          "a processor model, or a model file"),
-      D::source("network.topology", &E::topology,
-                "tree, line, ring, ... of `workers`; or a spec, tree:7; or a file"),
+          "machine model: a built-in one, or a model file"),
+      D::source(
+          "network.topology", &E::topology,
+          "tree, line, ring, ... of `workers` processors; or with sizes, as tree:7; or a file"),
       D::whole("network.workers", &E::workers, 1, topologies::MAX_PROCESSORS, "",
                "worker processors"),
       {"network.switches", "",
-       "C004 link switches on every link: a number; or on some, [[a, b, n], ...]", switches,
+       "C004 link switches: a number for every link, or for some links [[a, b, n], ...]", switches,
        set_switches, [](const E& e) -> base::Scalar { return std::int64_t{e.switches}; }},
       {"network.routes",
        "",
-       "xy: dimension order, of meshes, tori and hypercubes; or a CSV file with routes, "
-       "from,to,path; others are the shortest",
+       "xy: dimension-order routing on meshes, tori and hypercubes; or a CSV file with the columns "
+       "from,to,path; default: shortest routes",
        {base::Domain::Kind::file},
        set_routes,
        std::mem_fn(&E::routes)},
       D::one_of("network.tree", &E::tree, {"per_root", "single"},
-                "of messages to all; per_root: breadth first from each"),
-      {"network.tree_links", "", "the links of the single tree, [[a, b], ...]", tree_links,
+                "spanning trees for messages to all: per_root, breadth first from each sender; or "
+                "single, one tree for all"),
+      {"network.tree_links", "", "links of the single tree, [[a, b], ...]", tree_links,
        set_tree_links, [](const E&) { return base::Scalar(); }},
       D::choice("run.cost", &E::is_timed, COSTS,
-                "counted: operations times their cycles; timed: host time, scaled; single rays are "
-                "charged 10 to 18 % more than blocks"),
+                "counted: operations times their cycles; timed: scaled host time, which charges "
+                "single rays 10 to 18 % more than blocks"),
       D::choice("run.engine", &E::links, ENGINES,
-                "what moves messages over links; direct: the same results to rounding, much less "
-                "host time on large machines"),
+                "engine that simulates links: simgrid; or direct, which gives the same results "
+                "except for rounding and is much faster for large machines"),
       D::choice("run.processes", &E::processes, PROCESSES,
-                "what runs processes; actors, of SimGrid: the same results, more host time"),
+                "implementation of processes: fibers; or actors of SimGrid, which give the same "
+                "results in more host time"),
   };
   return all;
 }
@@ -119,18 +122,18 @@ struct Section {
 
 const std::vector<Section>& sections() {
   static const std::vector<Section> all = {
-      {"fault", "[[fault]]: a link or a processor that breaks, at_s seconds into the run",
+      {"fault", "[[fault]]: a link or a processor that fails at_s seconds after the start",
        [](Experiment& e, const Place& at) { e.faults = read_faults(at); }},
-      {"processor", "[[processor]]: one of the network that is of another model than the machine",
+      {"processor", "[[processor]]: a processor of the network with another model than the machine",
        [](Experiment& e, const Place& at) { e.others = read_others(at); }},
-      {"let", "[let]: names for expressions, to be used in checks"},
-      {"check", "[[check]]: what the results are compared with"},
-      {"plot", "[[plot]]: a figure of the report, in place of the usual ones"},
-      {"best", "[[best]]: which value of some axes is best for each of others"},
-      {"baseline", "[[baseline]]: how many times as fast each row is as another"},
-      {"report", "[report]: what else is in the report"},
-      {"reduced", "[reduced]: values of other keys for a quick trial, with --reduced"},
-      {"uncertain", "[uncertain]: machines drawn from what their numbers may be"},
+      {"let", "[let]: names for expressions in checks"},
+      {"check", "[[check]]: comparison of results with a formula, bounds or a reference"},
+      {"plot", "[[plot]]: a plot of the report; replaces the default plots"},
+      {"best", "[[best]]: search for the best values of some axes, for each value of others"},
+      {"baseline", "[[baseline]]: speed-up of each row relative to another"},
+      {"report", "[report]: other parts of the report"},
+      {"reduced", "[reduced]: values of keys for a quick trial with --reduced"},
+      {"uncertain", "[uncertain]: machines drawn from the ranges of the model's entries"},
   };
   return all;
 }
@@ -191,15 +194,14 @@ void bind_model_entry(Experiment& experiment, const Place& at) {
 void check_used(const Programs& in_play, const Place& at) {
   const auto refuse = [&](const char* what, bool programs::Uses::*uses) {
     if (std::ranges::any_of(in_play, [&](const auto* p) { return p->uses.*uses; })) return;
-    throw BadInput(fmt::format("{}: {}: the program {} has no use for {}, expected one of {}",
+    throw BadInput(fmt::format("{}: {}: the program {} does not support {}, expected one of {}",
                                at.where(), at.key, in_play[0]->name, what, list_users(uses)));
   };
   const bool is_tree = at.key == "network.tree" || at.key == "network.tree_links";
   const auto has_network = [](const auto* program) { return program->uses.network; };
   if (at.key.starts_with("network.") && std::ranges::none_of(in_play, has_network))
-    throw BadInput(
-        fmt::format("{}: {}: the program {} has a network of its own, expected no [network]",
-                    at.where(), at.key, in_play[0]->name));
+    throw BadInput(fmt::format("{}: {}: the program {} has its own network, expected no [network]",
+                               at.where(), at.key, in_play[0]->name));
   if (at.key == "network.routes" || is_tree) refuse("routes and trees", &programs::Uses::routes);
   if (at.key == "fault") refuse("faults", &programs::Uses::faults);
   if (at.key == "processor") refuse("processors of other models", &programs::Uses::others);
@@ -291,7 +293,8 @@ void check_files(const Experiment& experiment) {
     base::require(!file.path.empty() || !p.domain.is_required, key,
                   "found none, expected a file: {}", p.help);
     base::require(file.path.empty() || std::filesystem::is_regular_file(file.path), key,
-                  "found \"{}\", expected a file: there is none at {}", file.text, file.path);
+                  "found \"{}\", expected an existing file: there is none at {}", file.text,
+                  file.path);
   }
 }
 
@@ -347,10 +350,11 @@ Experiment bind_settings(const toml::table& file, const std::vector<Coordinate>&
   });
   for (const auto& [axis, key, value] : std::views::reverse(at))
     bind_setting(experiment, in_play, {origin, key, folder, *value});
-  base::require(experiment.links == machine::Links::simgrid ||
-                    experiment.processes == machine::Processes::fibers,
-                origin + ": run.processes",
-                "found actors with run.engine = \"direct\", expected fibers: actors are SimGrid's");
+  base::require(
+      experiment.links == machine::Links::simgrid ||
+          experiment.processes == machine::Processes::fibers,
+      origin + ": run.processes",
+      "found actors with run.engine = \"direct\", expected fibers: only SimGrid has actors");
   return experiment;
 }
 

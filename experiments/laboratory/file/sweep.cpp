@@ -60,7 +60,7 @@ void read_values(Coupled& axes, const Place& at, const std::shared_ptr<const tom
           .refuse(fmt::format("an array of {} values, {}", axes.size(),
                               at.key.substr(at.key.find('.') + 1)));
     if (!known.insert(spell(entry)).second)
-      at.refuse(fmt::format("each value once, {} is there twice", to_toml(entry)));
+      at.refuse(fmt::format("each value only once: found {} twice", to_toml(entry)));
     for (std::size_t i = 0; i < axes.size(); ++i)
       axes[i].values.emplace_back(file, axes.size() > 1 ? values->get(i) : &entry);
   }

@@ -34,14 +34,14 @@ const base::Fields<FaultSpec>& fault_fields() {
   Domain ends{Domain::Kind::list};
   ends.expected = "two processors that a link joins, [a, b]";
   static const base::Fields<FaultSpec> all = {
-      {"link", "", "[a, b]: the link between these processors carries nothing any more", ends,
-       set_link, no_value<FaultSpec>},
+      {"link", "", "[a, b]: the link between these processors fails", ends, set_link,
+       no_value<FaultSpec>},
       D::whole(
           "processor", [](auto& spec) -> auto& { return spec.fault.a; }, 0, LAST_PROCESSOR, "",
-          "or this processor stops, and its links with it"),
+          "or number of the processor that stops, with its links"),
       D::number(
           "at_s", [](auto& spec) -> auto& { return spec.fault.at_s; }, 0, 1e9, "s",
-          "when it happens, from the start of the program"),
+          "time of the fault in s from the start of the program"),
   };
   return all;
 }
@@ -51,7 +51,8 @@ void check_complete(const FaultSpec& spec, const toml::table& table) {
   require(is_link != table.contains("processor"), spec.place,
           "found {}, expected either link = [a, b] or processor = n",
           is_link ? "both a link and a processor" : "no link and no processor");
-  require(table.contains("at_s"), spec.place, "\"at_s\" is missing, expected when it happens");
+  require(table.contains("at_s"), spec.place,
+          "\"at_s\" is missing, expected the time of the fault");
 }
 
 // ---- [[processor]] ----
@@ -61,10 +62,10 @@ const base::Fields<OtherProcessor>& processor_fields() {
   using D = base::Declare<O>;
   static const base::Fields<O> all = {
       D::whole("number", &O::number, 0, LAST_PROCESSOR, "",
-               "which it is: as the topology numbers them, from 0"),
+               "number of the processor in the topology, from 0"),
       D::source(
           "model", [](auto& o) -> auto& { return o.model.source; },
-          "its model, or a model file; the links of all must run at one speed", true),
+          "its model: a built-in one, or a model file; all links must have the same speed", true),
   };
   return all;
 }
@@ -107,31 +108,32 @@ const base::Fields<Check>& check_fields() {
   Domain between{Domain::Kind::expressions};
   between.expected = "[lowest, highest]";
   static const base::Fields<C> all = {
-      D::text("name", &C::name, "what the check is called"),
-      D::text("of", &C::of, "the column of the results, or the name of [let], that is checked"),
+      D::text("name", &C::name, "name of the check"),
+      D::text("of", &C::of, "column of the results, or name of [let], to check"),
       D::text("formula", &C::formula,
-              "what it should be: over columns, numbers of the file and model, and [let]"),
-      D::source("reference", &C::reference, "or a CSV file with what it should be"),
-      D::texts("keys", &C::keys, "columns of both that say which row is which point"),
-      D::text("column", &C::column, "the reference's column, if it is not called as `of`"),
+              "expected value: an expression over columns, numbers of the file and the model, and "
+              "[let]"),
+      D::source("reference", &C::reference, "or a CSV file with the expected values"),
+      D::texts("keys", &C::keys, "columns of both tables that identify a row"),
+      D::text("column", &C::column, "column of the reference, if its name differs from `of`"),
       D::expression("at_least", &C::at_least,
-                    "or the lowest value allowed, a number or an expression like `formula`"),
+                    "or the lowest allowed value: a number or an expression as in `formula`"),
       D::expression("at_most", &C::at_most,
-                    "or the highest value allowed, a number or an expression"),
-      {"between", "", "or both, [lowest, highest]", between, set_between, no_value<C>},
-      D::text("where", &C::where, "an expression: only points where it is not 0"),
+                    "or the highest allowed value: a number or an expression"),
+      {"between", "", "or both bounds, [lowest, highest]", between, set_between, no_value<C>},
+      D::text("where", &C::where, "an expression: selects the points where it is not 0"),
       D::flag("may_be_empty", &C::may_be_empty,
-              "true: the check holds if there is no such point; false: it fails"),
+              "true: the check holds if no point is selected; false: it fails"),
       D::text("calibrated", &C::calibrated,
-              "an expression: not 0 at points that the machine model was fitted to"),
-      D::number("within", &C::within, 0, LARGEST, "", "largest relative error"),
+              "an expression: not 0 at points to which the machine model was fitted"),
+      D::number("within", &C::within, 0, LARGEST, "", "largest allowed relative error"),
       D::number("within_mean", &C::within_mean, 0, LARGEST, "",
-                "largest mean of the relative errors"),
+                "largest allowed mean of the relative errors"),
       D::number("within_abs", &C::within_abs, 0, LARGEST, "",
-                "or largest absolute error, in the unit of `of`"),
+                "or the largest allowed absolute error, in the unit of `of`"),
       D::number("covers", &C::covers, 0, 1, "",
-                "with [uncertain]: the least share of what it should be that lies where nine of "
-                "ten machines are"),
+                "with [uncertain]: smallest allowed share of expected values within the intervals "
+                "of nine of ten machines"),
   };
   return all;
 }
@@ -149,16 +151,16 @@ void check_complete(const Check& c, const toml::table& table) {
           "found {}, expected either a formula or a reference, or at_least, at_most or between",
           kinds.empty() ? "none" : kinds);
   require(!c.reference.path.empty() || c.column.empty(), c.place,
-          "expected no column without a reference");
+          "found a column without a reference, expected a reference with it");
   const auto others =
       join_given(table, {"within", "within_mean", "within_abs", "calibrated", "covers"});
   if (c.has_bounds())
-    return require(others.empty(), c.place, "found {} and {}, expected no tolerance of a bound",
+    return require(others.empty(), c.place, "found {} and {}, expected no tolerance with a bound",
                    kinds, others);
   require(c.within || c.within_mean || c.within_abs, c.place,
           "expected a tolerance: within, within_mean or within_abs");
   require(!c.within_abs || !(c.within || c.within_mean), c.place,
-          "expected relative tolerances or within_abs, not both");
+          "found relative tolerances and within_abs, expected only one kind");
 }
 
 std::vector<Definition> read_definitions(const Place& at) {
@@ -185,27 +187,31 @@ const base::Fields<PlotSpec>& plot_fields() {
                                         {"log", Law::log},
                                         {"none", Law::none}};
   static const base::Fields<S> all = {
-      D::text("name", &S::name, "the stem of its files"),
+      D::text("name", &S::name, "name of the plot's files, without ending"),
       D::text("title", &S::title, "above it"),
-      D::text("x", &S::x, "a column, a name of [let] or an expression, as in checks"),
-      D::texts("y", &S::y, "likewise; or a list of them, each with its curves"),
+      D::text("x", &S::x, "column, name of [let] or expression of the x axis, as in checks"),
+      D::texts("y", &S::y, "the same for the y axis; or a list, each with its own curves"),
       D::texts("series", &S::series,
-               "axes: a curve for each of their values; default: those that vary apart from x"),
-      D::text("where", &S::where, "an expression: only points where it is not 0"),
-      D::flag("ideal", &S::ideal, "true: with the line y = x"),
-      D::flag("log_x", &S::log_x, "default: as the values ask for"),
-      D::flag("log_y", &S::log_y, "default: as the values ask for"),
-      D::text("x_label", &S::x_label, "default: of the column"),
-      D::text("y_label", &S::y_label, "default: of the column"),
+               "axes with a curve for each value; default: all varying axes except x"),
+      D::text("where", &S::where, "an expression: selects the points where it is not 0"),
+      D::flag("ideal", &S::ideal, "true: also draws the line y = x"),
+      D::flag("log_x", &S::log_x, "true or false; default: chosen from the values"),
+      D::flag("log_y", &S::log_y, "true or false; default: chosen from the values"),
+      D::text("x_label", &S::x_label, "default: name of the column"),
+      D::text("y_label", &S::y_label, "default: name of the column"),
       D::source("reference", &S::reference,
-                "a CSV file with numbers to draw beside the results, as in checks"),
-      D::texts("keys", &S::keys, "columns of both that say which row is which point"),
-      D::text("column", &S::column, "the reference's column, if it is not called as y"),
-      D::text("reference_name", &S::reference_name, "what the key calls them; default: reference"),
-      D::choice("fit", &S::fit, LAWS, "a law through each curve; log: y = a + k log10 x"),
-      D::text("growth", &S::growth, "of sun-ni: by what factor the parallel work grows, as y"),
-      D::flag("optimum", &S::optimum,
-              "true: marks the largest y of each curve, and says whether it falls afterwards"),
+                "CSV file with values to draw beside the results, as in checks"),
+      D::texts("keys", &S::keys, "columns of both tables that identify a row"),
+      D::text("column", &S::column, "column of the reference, if its name differs from y"),
+      D::text("reference_name", &S::reference_name,
+              "name of the reference in the legend; default: reference"),
+      D::choice("fit", &S::fit, LAWS,
+                "law to fit to each curve: amdahl, gustafson, sun-ni, or log (y = a + k log10 x)"),
+      D::text("growth", &S::growth,
+              "for sun-ni: growth factor of the parallel work, an expression as y"),
+      D::flag(
+          "optimum", &S::optimum,
+          "true: marks the largest y of each curve and states whether the curve falls afterwards"),
   };
   return all;
 }
@@ -214,15 +220,16 @@ const base::Fields<BestSpec>& best_fields() {
   using S = BestSpec;
   using D = base::Declare<S>;
   static const base::Fields<S> all = {
-      D::text("name", &S::name, "what the question is called"),
-      D::text("of", &S::of,
-              "a column, a name of [let] or an expression that is to be least or most"),
-      D::flag("least", &S::least, "true: the least is best; false: the most"),
-      D::texts("over", &S::over, "axes: which of their values is best"),
-      D::texts("for_each", &S::for_each, "axes: for each of their values; default: all others"),
-      D::text("where", &S::where, "an expression: only points where it is not 0"),
-      D::text("pays", &S::pays, "an axis of numbers: up to where does doubling it gain"),
-      D::number("gain", &S::gain, 0, 1, "", "a share: what each doubling has to gain to pay"),
+      D::text("name", &S::name, "name of the question"),
+      D::text("of", &S::of, "column, name of [let] or expression to minimise or maximise"),
+      D::flag("least", &S::least, "true: the smallest value is best; false: the largest"),
+      D::texts("over", &S::over, "axes whose best values are searched"),
+      D::texts("for_each", &S::for_each,
+               "axes for whose values the search is repeated; default: all others"),
+      D::text("where", &S::where, "an expression: selects the points where it is not 0"),
+      D::text("pays", &S::pays, "numeric axis: finds how far doubling it pays"),
+      D::number("gain", &S::gain, 0, 1, "",
+                "smallest share that a doubling must gain to pay; 0..1"),
   };
   return all;
 }
@@ -231,11 +238,12 @@ const base::Fields<BaselineSpec>& baseline_fields() {
   using S = BaselineSpec;
   using D = base::Declare<S>;
   static const base::Fields<S> all = {
-      D::text("name", &S::name, "of the column speedup_NAME that it adds to the results"),
+      D::text("name", &S::name, "NAME in the column speedup_NAME, which is added to the results"),
       D::text("at", &S::at,
-              "the row that the others are compared with: AXIS = VALUE, ...; on other axes it is "
-              "the row's own"),
-      D::text("of", &S::of, "what is compared, its value there by the row's own"),
+              "row to compare with: AXIS = VALUE, ...; other axes keep the value of each row"),
+      D::text(
+          "of", &S::of,
+          "column to compare: its value in that row, divided by the value in each row [time_s]"),
   };
   return all;
 }
@@ -244,10 +252,10 @@ const base::Fields<ReportSpec>& report_fields() {
   using D = base::Declare<ReportSpec>;
   static const base::Fields<ReportSpec> all = {
       D::one_of("networks", &ReportSpec::networks, {"all", "largest", "none"},
-                "networks of a farm to draw with their load"),
+                "networks to draw with their loads: all, largest or none"),
       D::texts(
           "columns", &ReportSpec::columns,
-          "results that the table shows beside the axes, or [\"all\"]; all are in results.csv"),
+          "results that the table shows beside the axes, or [\"all\"]; results.csv always has all"),
   };
   return all;
 }
@@ -257,20 +265,20 @@ const base::Fields<Uncertain>& uncertain_fields() {
   constexpr double MOST = 10'000, LAST_SEED = 0x1p53 - 1;
   static const base::Fields<Uncertain> all = {
       D::whole("machines", &Uncertain::machines, 2, MOST, "",
-               "how many machines are drawn from the ranges of their models' numbers"),
-      D::whole("seed", &Uncertain::seed, 0, LAST_SEED, "", "of the draws"),
+               "how many machines are drawn from the ranges of their models' numbers; 2..10000"),
+      D::whole("seed", &Uncertain::seed, 0, LAST_SEED, "", "seed for the drawn machines [1]"),
   };
   return all;
 }
 
 void check_complete(const PlotSpec& s, const toml::table&) {
   require(!s.name.starts_with('.') && s.name.find('/') == std::string::npos, s.place,
-          "expected a name without / that does not start with a point: it names the files");
+          "expected a name without / and without a leading point, because files get this name");
   // bytes; file systems allow 255, including extensions that tlab appends
   constexpr std::size_t LONGEST = 200;
   require(s.name.size() <= LONGEST, s.place,
-          "found a name of {} bytes, expected at most {}: it names the files", s.name.size(),
-          LONGEST);
+          "found a name of {} bytes, expected at most {}, because files get this name",
+          s.name.size(), LONGEST);
   require(!s.x.empty(), s.place, "\"x\" is missing, expected a column of the results");
   require(!s.y.empty(), s.place,
           "\"y\" is missing, expected a column of the results or an expression");
@@ -278,13 +286,12 @@ void check_complete(const PlotSpec& s, const toml::table&) {
   require(!s.reference.path.empty() || (s.column.empty() && s.reference_name.empty()), s.place,
           "expected no column and no reference_name without a reference");
   require((s.fit == Law::sun_ni) != s.growth.empty(), s.place,
-          "expected growth, the factor by which the work grows, with fit = \"sun-ni\" and only "
-          "there");
+          "expected growth (growth factor of the work) with fit = \"sun-ni\", and only then");
 }
 
 void check_complete(const BestSpec& s, const toml::table&) {
   require(!s.of.empty(), s.place, "\"of\" is missing, expected a column of the results");
-  require(!s.over.empty(), s.place, "\"over\" is missing, expected axes whose values compete");
+  require(!s.over.empty(), s.place, "\"over\" is missing, expected the axes to search");
   for (const auto& axis : s.over)
     require(std::ranges::find(s.for_each, axis) == s.for_each.end() && axis != s.pays, s.place,
             "expected different axes in over, for_each and pays");
@@ -313,11 +320,10 @@ std::vector<Spec> read_all(const Place& at, const base::Fields<Spec>& fields) {
     require(!spec.name.empty(), spec.place, "\"name\" is missing");
     if constexpr (requires { spec.keys; })
       require(spec.reference.path.empty() == spec.keys.empty(), spec.place,
-              "expected keys, columns of the results and the reference, with a reference and only "
-              "there");
+              "expected keys (columns of results and reference) with a reference, and only then");
     check_complete(spec, *table);
     require(names.insert(spec.name).second || at.key == "check", spec.place,
-            "there is one of this name already");
+            "found this name twice, expected different names");
   }
   return specs;
 }
@@ -346,7 +352,7 @@ void read_judgement(const toml::table& file, ExperimentFile& into) {
   with("uncertain", [&](const Place& at) {
     if (!at.node.is_table()) at.refuse("a section");
     assign_all(into.uncertain, uncertain_fields(), *at.node.as_table(), at);
-    if (into.uncertain.machines == 0) at.refuse("machines = N, how many are drawn");
+    if (into.uncertain.machines == 0) at.refuse("machines = N, the number of machines to draw");
   });
   for (auto& check : into.checks)
     if (check.column.empty()) check.column = check.of;
@@ -361,7 +367,7 @@ std::vector<Setting> table_settings() {
   add_settings(all, fault_fields(), "fault.");
   add_settings(all, processor_fields(), "processor.");
   for (auto& setting : all) setting.domain.is_required = true;  // so far none has a default
-  all.push_back({"model.SECTION.NAME", "takes the place of a number of the machine model"});
+  all.push_back({"model.SECTION.NAME", "replaces an entry of the machine model"});
   add_settings(all, check_fields(), "check.");
   add_settings(all, plot_fields(), "plot.");
   add_settings(all, best_fields(), "best.");

@@ -68,16 +68,16 @@ std::string first_file(const std::string& file) {
 void check_films(const FilmOptions& options, const Experiment& experiment) {
   const auto& program = *experiment.program;
   require(options.picture.empty() || program.shows_picture, "--animate",
-          "found picture, but the program {} shows none; expected network, or another program",
+          "found picture, but the program {} shows none, expected network or another program",
           program.name);
   if (options.network.empty()) return;
   require(program.uses.network, "--animate",
-          "found network, but the program {} has none; expected a program with a [network]",
+          "found network, but the program {} has none, expected a program with a [network]",
           program.name);
   const auto topology = make_workers(experiment);
   require(topology.processors <= topologies::MAX_DRAWN, "--animate",
-          "found network, {} of {} processors, expected at most {} in a drawing", topology.name,
-          topology.processors, topologies::MAX_DRAWN);
+          "found network with {1} processors ({0}), expected at most {2} in a drawing",
+          topology.name, topology.processors, topologies::MAX_DRAWN);
 }
 
 PicturePlace place_picture(int width, int height) {
@@ -97,12 +97,13 @@ void Film::begin(const machine::Machine& machine, const observe::ControlPanel& v
     const auto place = place_picture(width, height);
     require(!is_webp(options_.picture) ||
                 std::max(place.width, place.height) <= renderer::MAX_WEBP_SIDE,
-            "--animate", "found a picture of {} x {} pixels, expected at most {} a side in .webp",
+            "--animate",
+            "found a picture of {} x {} pixels, expected at most {} pixels on each side in .webp",
             width, height, renderer::MAX_WEBP_SIDE - 160);
     const double bytes = 6.0 * width * height * SNAPSHOTS_A_FRAME;
     require(bytes * options_.frames <= MOST_BYTES, "--frames",
-            "found {} of pictures of {} x {} pixels, expected at most {:.0f}", options_.frames,
-            width, height, MOST_BYTES / bytes);
+            "found {} frames of {} x {} pixels, expected at most {:.0f}", options_.frames, width,
+            height, MOST_BYTES / bytes);
     picture_ = view.picture;
     width_ = width;
     snapshots::Schedule snapshot_times;

@@ -220,9 +220,9 @@ void MachineDrawing::draw_legend(Canvas& canvas, double window_s) const {
                 fmt::format("{} %", percent), 11, percent == 0 ? Align::left : Align::middle,
                 FAINT);
   const double x = FRAME_MARGIN + BAR_WIDTH + 36;
-  canvas.text(x, y + 10,
-              fmt::format("busy, in the {} to the present", format_time(window_s, window_s)), 12);
-  canvas.text(x, y + 26, "the half of a link beside a processor: what it sends", 12);
+  canvas.text(x, y + 10, fmt::format("busy time in the last {}", format_time(window_s, window_s)),
+              12);
+  canvas.text(x, y + 26, "half a link next to a processor: what it sends", 12);
 }
 
 }  // namespace laboratory

@@ -27,10 +27,9 @@ Save find_format(const std::string& file) {
 void check_place(const char* option, const std::string& file, const fs::path& results) {
   const auto inside = fs::weakly_canonical(fs::absolute(file))
                           .lexically_relative(fs::weakly_canonical(fs::absolute(results)));
-  require(
-      inside.empty() || *inside.begin() == "..", option,
-      "found {}, expected a file outside of the results folder {}, which is replaced as a whole",
-      file, results.string());
+  require(inside.empty() || *inside.begin() == "..", option,
+          "found {}, expected a file outside the results folder {}, which is replaced as a whole",
+          file, results.string());
   base::check_can_save(file);
 }
 
@@ -102,7 +101,7 @@ PointResult run_recorded_point(const Point& point, const RunOptions& options,
     try {
       save_recordings(point, options, trace, film);
     } catch (const std::exception& error) {  // the exception to report is the fault
-      complain(fmt::format("what it did until then is not shown: {}", error.what()));
+      complain(fmt::format("no trace or chart of the run so far: {}", error.what()));
     }
     throw;
   }

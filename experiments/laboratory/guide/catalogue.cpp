@@ -89,7 +89,7 @@ Entries list_models() {
 
 Entries list_scenes(const std::optional<fs::path>& folder) {
   Entries entries{{"spheres:N", "the first N spheres of Haines's sphereflake, breadth first"},
-                  {"hills:N", "a lake before mountains, of N triangles"},
+                  {"hills:N", "a lake in front of mountains, of N triangles"},
                   {"room:L", "a room with a glass table, a window and L lights"}};
   if (folder)
     for (const auto& file : find_files(*folder, {".nff", ".room", ".obj"}))

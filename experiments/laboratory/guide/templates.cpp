@@ -33,10 +33,10 @@ void check_name(const fs::path& name) {
                 "with a letter",
                 last);
   base::require(!fs::exists(fs::symlink_status(name)), "init",
-                "found {}, which is there already, expected a new name", name.string());
+                "found {}, which already exists, expected a new name", name.string());
   const auto parent = name.parent_path();
   base::require(parent.empty() || fs::is_directory(parent), "init",
-                "found {} in {}, which is no folder, expected a folder", last, parent.string());
+                "found {} in {}, which is not a folder, expected a folder", last, parent.string());
 }
 
 std::string rename_in(std::string_view text, const std::string& called) {

@@ -11,7 +11,7 @@ namespace laboratory {
 
 inline constexpr int ASKS_TO_END[] = {SIGINT, SIGTERM};
 inline constexpr int EXIT_INTERRUPTED = 130;
-inline constexpr const char* INTERRUPTED = "interrupted; only what was done is kept";
+inline constexpr const char* INTERRUPTED = "interrupted; only completed work is kept";
 
 using Handlers = std::array<void (*)(int), std::size(ASKS_TO_END)>;
 

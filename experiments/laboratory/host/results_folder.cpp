@@ -39,10 +39,10 @@ fs::path resolve(const fs::path& path) {
 }
 
 void refuse(const fs::path& path, const std::string& found) {
-  base::require(false, path.string(),
-                "{}; expected a folder that is new, empty, or of earlier results (with a run.json "
-                "or points)",
-                found);
+  base::require(
+      false, path.string(),
+      "{}; expected a new or empty folder, or one with earlier results (run.json or points)",
+      found);
 }
 
 // True for files that desktop file managers leave in folders.
@@ -188,7 +188,7 @@ void replace_in_two_steps(const fs::path& working, const fs::path& path,
   try {
     check_replaced(aside, check);
     fs::rename(working, path, error);
-    if (error) fail(path, "cannot put results in place", error);
+    if (error) fail(path, "cannot move results into place", error);
   } catch (const std::exception&) {
     fs::rename(aside, path, ignored);
     check_replaced(path, check);  // throws an error that names `path`
@@ -208,7 +208,7 @@ bool put_in_place(const fs::path& working, const fs::path& path) {
   if (rename_with(RENAME_NOREPLACE, working, path)) return true;
   if (errno == EEXIST) return false;
   if (is_unable(errno) && std::rename(working.c_str(), path.c_str()) == 0) return true;
-  fail(path, "cannot put results in place", last_error());
+  fail(path, "cannot move results into place", last_error());
 }
 
 }  // namespace
@@ -232,10 +232,11 @@ ResultsFolder::ResultsFolder(const fs::path& path) : path_(resolve(path)) {
 void ResultsFolder::make_working() {
   std::error_code error;
   fs::create_directories(path_.parent_path(), error);
-  if (error) fail(path_.parent_path(), "cannot make this folder", error);
+  if (error) fail(path_.parent_path(), "cannot create this folder", error);
   remove_stale(path_);
   const auto working = beside(path_, PARTIAL);
-  if (!fs::create_directory(working, error)) fail(path_, "cannot write beside it", error);
+  if (!fs::create_directory(working, error))
+    fail(path_, "cannot write in its parent folder", error);
   working_ = working;
 }
 
@@ -288,7 +289,7 @@ void ResultsFolder::replace(const Check& check) {
     } else if (is_unable(errno)) {
       return replace_in_two_steps(working_, path_, check);
     } else {
-      fail(path_, "cannot put results in place", last_error());
+      fail(path_, "cannot move results into place", last_error());
     }
   }
   is_committed_ = true;  // the working folder now holds the older results and must not be removed

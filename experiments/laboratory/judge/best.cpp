@@ -82,7 +82,7 @@ void tell_winners(BestAnswer& answer, const std::map<std::string, std::size_t>& 
   for (const auto& [name, count] : sorted) parts.push_back(fmt::format("{} in {}", name, count));
   double most = 0;
   for (const auto& row : answer.best.rows) most = std::max(most, as_number(row.back()).value_or(0));
-  answer.findings.push_back(fmt::format("{}: {} of {} cases, by {:.1f} % at most.", answer.name,
+  answer.findings.push_back(fmt::format("{}: {} of {} cases, by at most {:.1f} %.", answer.name,
                                         join_texts(parts, ", "), answer.best.rows.size(), most));
 }
 
@@ -174,7 +174,7 @@ void find_end(BestAnswer& answer, const BestSpec& spec, const Table& table,
         grouped,
         fmt::format(
             "doubling {} pays up to {:g}{}.", make_label(spec.pays), end->first,
-            std::holds_alternative<std::monostate>(next) ? ", the most that was tried" : ""),
+            std::holds_alternative<std::monostate>(next) ? ", the largest value tried" : ""),
         group.at.empty() ? "" : name_values(table, group.points[0].row, groups));
   }
   tell_groups(answer, grouped);

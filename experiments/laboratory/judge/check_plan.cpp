@@ -41,7 +41,7 @@ std::vector<CheckPlan::Let> sort_definitions(const std::vector<Definition>& defi
     const auto& place = definitions[circle[0]].place;
     circle.push_back(circle[0]);
     const auto name_of = [&](std::size_t i) { return definitions[i].name; };
-    base::refuse(place, "{}, expected definitions that do not need each other",
+    base::refuse(place, "found {}, expected definitions without a cycle",
                  fmt::join(circle | std::views::transform(name_of), " needs "));
   }
   std::vector<CheckPlan::Let> sorted;
@@ -160,7 +160,8 @@ void check_columns(const CheckPlan& plan, const Table& table, const std::vector<
     const auto& [of, place] = std::tie(c.check.of, c.check.place);
     if (!c.of) find_column(table, of, place + ": of", "the results");
     if (!c.of && std::holds_alternative<std::string>(row[*table.find(of)]))
-      throw BadInput(fmt::format("{}: of: {} is a text, expected a column of numbers", place, of));
+      throw BadInput(fmt::format("{}: of: found {}, which is a text, expected a column of numbers",
+                                 place, of));
     for (const auto& key : c.check.keys) find_column(table, key, place + ": keys", "the results");
   }
   for (const auto& f : plan.figures) {
@@ -192,11 +193,11 @@ void note_comparison(const std::string& name, const std::string& place, const Ta
     }
     if (names.empty()) continue;
     if (equal.empty())
-      notes.push_back(fmt::format("{}: {}: no point has this {}{}", place, name, column,
+      notes.push_back(fmt::format("{}: {}: found no point with this {}{}", place, name, column,
                                   base::suggest(name, names)));
     if (equal.size() > 1)
-      notes.push_back(
-          fmt::format("{}: {}: is 1 for each of {}", place, name, fmt::join(equal, ", ")));
+      notes.push_back(fmt::format("{}: {}: this name matches several texts: {}", place, name,
+                                  fmt::join(equal, ", ")));
   }
 }
 
@@ -208,8 +209,7 @@ std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& 
     if (const auto at = table.find(column);
         at && std::ranges::all_of(table.rows, [&](const auto& row) { return row[*at] == Value(); }))
       notes.push_back(fmt::format(
-          "{}: the row to compare with is not there or has not come to its end: {} is empty",
-          of.place(), column));
+          "{}: the row to compare with is missing or incomplete: {} is empty", of.place(), column));
   for_each_expression(plan, [&](const Expression& expression) {
     for (const auto& variable : expression.variables()) {
       const auto* reference = expression.find_reference(variable);
@@ -220,7 +220,7 @@ std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& 
       for (const auto& [axis, text, value] : reference->conditions) {
         const auto texts = texts_of(table, axis);
         if (texts.empty() || std::ranges::find(texts, text) != texts.end()) continue;
-        notes.push_back(fmt::format("{}: {}: no point has {} = {}{}", expression.place(),
+        notes.push_back(fmt::format("{}: {}: found no point with {} = {}{}", expression.place(),
                                     reference->text, axis, text, base::suggest(text, texts)));
       }
     }
@@ -260,7 +260,8 @@ CheckPlan plan_checks(const ExperimentFile& file) {
 Table make_table(const CheckPlan& plan, const ExperimentFile& file, const Results& results) {
   Table table = make_table(file, results);
   for (const auto& [column, of] : plan.baselines) {
-    base::require(!table.find(column), of.place(), "there is a column {} already", column);
+    base::require(!table.find(column), of.place(), "found a column {}, expected a new name",
+                  column);
     const Rows rows(file, table);
     std::vector<std::optional<double>> values;
     for (std::size_t row = 0; row < table.rows.size(); ++row)

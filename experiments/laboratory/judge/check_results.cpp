@@ -216,7 +216,7 @@ std::string summarize(const CheckResult& result, const Table& table) {
   const auto* verdict = result.verdict == Verdict::holds ? "ok" : "FAILED";
   if (result.points.empty())
     return fmt::format("{:<8} {}: {} at no point{}", verdict, check.name, check.of,
-                       check.may_be_empty ? "" : ", expected one at least, or may_be_empty = true");
+                       check.may_be_empty ? "" : ", expected at least one, or may_be_empty = true");
   const auto& worst = result.points[result.worst];
   std::string line = fmt::format("{:<8} {}: {} at {} point(s), {}", verdict, check.name, check.of,
                                  result.points.size(), describe_worst(check, worst));

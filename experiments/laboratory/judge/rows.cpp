@@ -124,8 +124,8 @@ std::optional<double> Rows::get(const std::string& name, std::size_t row,
   if (const auto number = find_number(name, row)) return number;
   if (const auto equal = compare_text(name, row)) return equal;
   if (const auto* text = find_text(name, row))
-    throw BadInput(fmt::format("{}: {} is a text, expected a comparison such as {}", place, name,
-                               name_comparison(name, *text)));
+    throw BadInput(fmt::format("{}: found {}, which is a text, expected a comparison such as {}",
+                               place, name, name_comparison(name, *text)));
   std::set<std::string> known;
   for (const auto& column : table_.columns)
     if (!find_text(column, row)) known.insert(column);
@@ -141,7 +141,7 @@ void Rows::define(const std::string& name, const Expression& expression, const s
   for (std::size_t row = 0; row < table_.rows.size(); ++row) {
     values.push_back(eval_at(expression, row));
     base::require(!find_number(name, row) && !find_text(name, row), place,
-                  "there is a {} already, expected a new name", name);
+                  "found {} twice, expected a new name", name);
   }
   lets_.emplace(name, std::move(values));
 }
@@ -196,8 +196,8 @@ std::optional<std::size_t> Rows::choose_row(const RowReference& reference, const
   }
   if (!differs) return found;
   const auto& axis = table_.columns[*differs];
-  throw BadInput(fmt::format("{}: {}: found rows of several {}, expected one: say {}", place,
-                             reference.text, axis,
+  throw BadInput(fmt::format("{}: {}: found rows with several values of {}, expected one: write {}",
+                             place, reference.text, axis,
                              add_condition(reference, axis, wanted[*differs])));
 }
 
@@ -248,7 +248,7 @@ std::vector<std::string> axis_names(const Table& table) {
 std::size_t find_axis(const Table& table, const std::string& axis, const std::string& place) {
   const auto found = table.find(axis);
   if (found && *found < table.axes) return *found;
-  throw BadInput(fmt::format("{}: \"{}\" is no axis of the results{}", place, axis,
+  throw BadInput(fmt::format("{}: \"{}\" is not an axis of the results{}", place, axis,
                              base::suggest(axis, axis_names(table))));
 }
 
@@ -266,7 +266,8 @@ std::vector<std::size_t> choose_rows(const Rows& rows, const std::optional<Expre
     if (!rows.is_complete(i)) continue;
     const double holds = where ? rows.eval(*where, i).value_or(0) : 1;
     if (std::isnan(holds))
-      throw BadInput(fmt::format("{}: found nan at some point, expected a number", where->place()));
+      throw BadInput(
+          fmt::format("{}: found nan at one of the points, expected a number", where->place()));
     if (holds != 0) chosen.push_back(i);
   }
   return chosen;
@@ -301,8 +302,8 @@ std::optional<std::string> note_left_out(const Table& table, const std::vector<s
   if (rows.empty()) return std::nullopt;
   std::vector<std::string> names;
   for (const auto row : rows) names.push_back(name_axes(table, row));
-  return fmt::format("{} point(s) left out, since a value that they need is missing: {}",
-                     rows.size(), join_few(names));
+  return fmt::format("{} point(s) left out, because a required value is missing: {}", rows.size(),
+                     join_few(names));
 }
 
 }  // namespace laboratory

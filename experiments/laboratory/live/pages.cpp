@@ -161,7 +161,7 @@ bool Page::obey(const std::string& text) {
       message.contains("id") && message["id"].is_number_unsigned() ? message["id"] : Json();
   message["page"] = number_;
   if (!steers() && message["do"] != "select") {
-    reply(id, "another page steers; take the wheel first");
+    reply(id, "another page controls the run; press \"Take control\" first");
     return true;
   }
   pages_.session.ask(message,

@@ -157,7 +157,7 @@ class Server::Impl {
       const auto taken = fmt::format("port {}: {}", port.value_or(USUAL_PORT), error.message());
       if (port)
         throw Failure(fmt::format("--port: {}; expected one that is free", taken), EXIT_HOST);
-      complain(taken + "; another one is taken");
+      complain(taken + "; using another one");
       acceptor_.close();
       acceptor_.open(tcp::v4());
       acceptor_.bind({loopback, 0});

@@ -74,7 +74,7 @@ void Session::obey(const Command& command) {
     base::refuse("do", "found \"{}\", expected one of {}", what, names);
   }
   base::require(what == "quit" || (machine_ && !ended_by_hand_s_), "do",
-                "found {}, but the run is over", what);
+                "found {} after the end of the run, expected it earlier", what);
   found->second(*this, command);
 }
 
@@ -124,7 +124,8 @@ void Session::select(const Command& command) {
 }
 
 void Session::obey_order(const Command& order) {
-  base::require(orders_ && view_.take_order, "order", "found one, but the program {} has no user",
+  base::require(orders_ && view_.take_order, "order",
+                "found one, but the program {} has no user process",
                 file_.points[0].experiment.program->name);
   const auto record = read_order(*orders_, order);
   const double at_s = view_.take_order(record, {shown_s()});
@@ -135,7 +136,7 @@ void Session::obey_order(const Command& order) {
 void Session::obey_fault(const Command& fault) {
   const auto& program = *file_.points[0].experiment.program;
   base::require(program.uses.faults, "fault",
-                "found one, but the program {} does not go on when something breaks", program.name);
+                "found one, but the program {} does not support faults", program.name);
   const auto& processors = machine_->processors();
   // Finds a processor of the machine and its number in the network.
   const auto find = [&](const ordered_json& id) {
@@ -168,8 +169,9 @@ void Session::obey_fault(const Command& fault) {
     const bool is_there = std::ranges::any_of(machine_->links(), [&, a = a, b = b](const auto& l) {
       return l->from().id() == a && l->to().id() == b;
     });
-    base::require(is_there, "link", "found {} and {}, but no link joins them", at(a).name(),
-                  at(b).name());
+    base::require(is_there, "link",
+                  "found {} and {}, expected two processors that are joined by a link",
+                  at(a).name(), at(b).name());
     check_with({.at_s = at_s, .a = a_number, .b = b_number});
     machine_->cut_link(at(a), at(b), {at_s});
     action.keys.emplace_back("link", fmt::format("[{}, {}]", a_number, b_number));
@@ -212,7 +214,7 @@ void Session::step(const std::string& what) {
     goal.is_message = true;
   } else if (what == "ray") {
     const auto* rays = find_rays();
-    base::require(rays != nullptr, "step", "found ray, but the program traces none");
+    base::require(rays != nullptr, "step", "found ray, but the program traces no rays");
     goal.is_ray = true;
     goal.rays = rays->value();
   } else if (what == "millisecond") {
@@ -225,10 +227,11 @@ void Session::step(const std::string& what) {
 
 void Session::run_to(const Command& command) {
   Goal goal;
-  base::require(command.contains("to"), "to", "expected a date, \"picture\" or \"end\"");
+  base::require(command.contains("to"), "to", "expected a time in s, \"picture\" or \"end\"");
   const auto& to = command["to"];
   if (to == "picture") {
-    base::require(view_.picture.has_value(), "to", "found picture, but the program has none");
+    base::require(view_.picture.has_value(), "to",
+                  "found picture, but the program shows no picture");
     goal.is_picture = true;
     goal.picture = look();
   } else if (to != "end") {
@@ -240,7 +243,7 @@ void Session::run_to(const Command& command) {
 // Renders the sequential picture in a separate thread while the machine continues.
 void Session::render_sequentially() {
   base::require(view_.sequential != nullptr, "compare",
-                "found one, but the program has no sequential renderer to compare with");
+                "found one, but the program has no sequential renderer for comparison");
   if (renders_.joinable()) return;
   renders_ = std::jthread([this, render = view_.sequential](const std::stop_token& stop) {
     auto rgb8 = render([&stop] { return !stop.stop_requested(); });

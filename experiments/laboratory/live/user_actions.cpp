@@ -72,7 +72,7 @@ std::any read_order(const programs::RecordList& list, const ordered_json& order)
   for (const auto& [key, value] : order.items()) {
     const auto field = std::ranges::find(list.fields, key, &programs::Parameter::name);
     base::require(field != list.fields.end() && key != "at_s", "order",
-                  "found the key \"{}\", which it has not", key);
+                  "found the key \"{}\", expected a key of [[order]] other than at_s", key);
     const auto expected = field->assign(record, to_scalar(key, value));
     base::require(expected.empty(), "order." + key, "found {}, expected {}", value.dump(),
                   expected);

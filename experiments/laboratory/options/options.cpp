@@ -37,8 +37,9 @@ void check_folder(const std::string& option, const std::string& path) {
   const auto folder = fs::path(path).parent_path();
   if (folder.empty() || fs::is_directory(folder)) return;
   throw CLI::ValidationError(
-      option, fmt::format("found \"{}\", expected a file in a folder that is there: \"{}\" is none",
-                          path, folder.string()));
+      option,
+      fmt::format("found \"{}\", expected a file in an existing folder: \"{}\" does not exist",
+                  path, folder.string()));
 }
 
 std::string check_folder_name(const std::string& name) {
@@ -66,11 +67,11 @@ void add_run_options(CLI::App& command, RunOptions& options, const std::string& 
   options.jobs = std::max(1u, std::thread::hardware_concurrency());
   command.add_option("-o,--output", options.output, output)->check(check_folder_name);
   command.add_flag("--reduced", options.is_reduced,
-                   "a quick trial: replace keys by those of the file's section [reduced]");
+                   "quick trial: replace keys by those in the file's section [reduced]");
   add_set_option(command, options.overrides, set);
   bind_options<RunOptions>(command,
                            {base::Declare<RunOptions>::whole("jobs", &RunOptions::jobs, 1, 1024, "",
-                                                             "points run side by side")},
+                                                             "points to run in parallel")},
                            options);
 }
 
@@ -122,9 +123,8 @@ void check_apart(const std::string& option, const std::string& file,
                  std::initializer_list<std::string> others) {
   for (const auto& other : others)
     if (!file.empty() && !other.empty() && whole_path(file) == whole_path(other))
-      throw CLI::ValidationError(option, fmt::format("found \"{}\", expected another file than "
-                                                     "those of the other options",
-                                                     file));
+      throw CLI::ValidationError(
+          option, fmt::format("found \"{}\", expected a file that no other option uses", file));
 }
 
 void check_output(const std::string& output, const std::vector<std::string>& endings,

@@ -72,8 +72,8 @@ std::string trim_name(const std::string& name);
 
 /// Help of --columns in commands that show the results of a run.
 inline constexpr const char* COLUMNS_HELP =
-    "results that the table shows beside the axes, or all [those that the file asks about, and "
-    "what fits]";
+    "results that the table shows beside the axes, or all [those used in the file, and others that "
+    "fit]";
 
 /// Makes the folder given to an option, unless it exists. Throws CLI::ValidationError if that
 /// fails.
@@ -104,7 +104,8 @@ void parse_size(const std::string& text, Params& params) {
   const auto v = parse_numbers<2>("--size", text, "WxH, such as 512x512");
   if (v[0] < 1 || v[1] < 1)
     throw CLI::ValidationError(
-        "--size", fmt::format("found {} x {}, expected 1 to 65536 pixels a side", v[0], v[1]));
+        "--size",
+        fmt::format("found {} x {}, expected 1 to 65536 pixels on each side", v[0], v[1]));
   params.width = v[0];
   params.height = v[1];
 }

@@ -42,8 +42,8 @@ void check_files(const RadiosityOptions& o) {
   check_output(o.output, {".png", ".exr"}, o.stats);
   if (is_exr(o) && o.asks_display)
     throw CLI::ValidationError(
-        "--output", fmt::format("found \"{}\" with --exposure or --gamma, expected a .png: an .exr "
-                                "has linear radiosity",
+        "--output", fmt::format("found \"{}\" with --exposure or --gamma, expected a .png file, "
+                                "because an .exr file contains linear radiosity",
                                 o.output));
 }
 
@@ -168,14 +168,14 @@ void print_balance(const Outcome& made) {
                                                   100 * backs, 100 * lost)
                                     : fmt::format("{:.2f} % escaped or in mirrors", 100 * escaped);
   fmt::print(
-      "of the emitted power {:.2f} % absorbed, {:.2f} % unsent, {}; {:.2f} % reflected on the "
-      "way\n",
+      "of the emitted power {:.2f} % absorbed, {:.2f} % unsent, {}; {:.2f} % reflected (counted at "
+      "every reflection)\n",
       100 * absorbed, 100 * unsent, where, 100 * reflected);
   const double error = made.is_closed ? lost : std::min(escaped, 0.0);
   if (std::abs(error) > FAIR_BALANCE)
     complain(
-        fmt::format("warning: {:.1f} % of the light is {}: more patches (--refine), or smaller "
-                    "delta areas (--spread), find it",
+        fmt::format("warning: {:.1f} % of the light is {}: use more patches (--refine) or smaller "
+                    "delta areas (--spread)",
                     100 * std::abs(error), error > 0 ? "lost" : "too much"));
 }
 
@@ -185,15 +185,14 @@ constexpr double FAIR_ERROR = 0.02;
 void warn_of_error(const RadiosityOptions& o, const Outcome& made) {
   const bool follows = o.adapt.error == 0 && o.creases == radiosity::Creases::found;
   if (follows && made.error > FAIR_ERROR)
-    complain(fmt::format(
-        "warning: patches do not follow the light everywhere: the picture's error is "
-        "estimated to be {:.2g} % between vertices: more patches (--refine, --adaptive) "
-        "show it",
-        100 * made.error));
+    complain(
+        fmt::format("warning: patches are too coarse for the light: the estimated error of the "
+                    "picture between vertices is {:.2g} %; use more patches (--refine, --adaptive)",
+                    100 * made.error));
   if (o.adapt.error > 0 && made.error > o.adapt.error)
     complain(
-        fmt::format("warning: patches were halved {} times, and the error is estimated to be "
-                    "{:.2g} %, not {:.2g} %",
+        fmt::format("warning: patches were halved {} times, but the estimated error is {:.2g} % "
+                    "instead of {:.2g} %",
                     made.rounds, 100 * made.error, 100 * o.adapt.error));
 }
 
@@ -223,7 +222,8 @@ void run(RadiosityOptions& o) {
 }  // namespace
 
 void add_radiosity_command(CLI::App& app) {
-  auto* command = app.add_subcommand("radiosity", "light a room and show it");
+  auto* command =
+      app.add_subcommand("radiosity", "compute the light in a room by radiosity and render it");
   auto o = std::make_shared<RadiosityOptions>();
   command->add_option("SCENE", o->room, "a .room, .nff or .obj file")->required();
   command->add_option("-o,--output", o->output, "the image to write, .png or .exr")->required();
@@ -235,15 +235,15 @@ void add_radiosity_command(CLI::App& app) {
   bind_options(*command, radiosity::solve_fields(), o->light.solve,
                {{"max_shots", "shots"}, {"reflections", "mirrors"}});
   command->add_flag("--ambient,!--no-ambient", o->light.ambient,
-                    "an estimate of what is unshot [yes]");
+                    "add an estimate of the unsent light [yes]");
   bind_options(*command, radiosity::reconstruction_fields(), o->reconstruction);
-  command->add_flag("--preview", o->preview, "a picture by a z-buffer, in which mirrors are grey");
+  command->add_flag("--preview", o->preview, "fast picture by z-buffer, in which mirrors are grey");
   bind_options(*command, base::select(radiosity::picture_fields(), {"pixel_samples", "depth"}),
                o->picture);
   command
       ->add_option("--exposure", o->exposure,
-                   "a pixel is (exposure x radiosity) ^ (1 / gamma); auto: 1 % of what does not "
-                   "emit is white")
+                   "a pixel is (exposure x radiosity) ^ (1 / gamma); auto: 1 % of the non-emitting "
+                   "pixels are white")
       ->capture_default_str();
   bind_options(*command, base::select(radiosity::display_fields(), {"gamma"}), o->display);
   command->add_option("--stats", o->stats,

@@ -51,10 +51,10 @@ void save_image(const RenderOptions& o, const renderer::Rendering& image) {
 
 void check_samples_map(const RenderOptions& o) {
   if (!is_adaptive(o.params.sampling))
-    throw CLI::ValidationError(
-        "--samples-map", fmt::format("expected --adaptive above 0 and --pixel-samples above {} "
-                                     "with it, or all pixels have as many",
-                                     renderer::FIRST_ROUND));
+    throw CLI::ValidationError("--samples-map",
+                               fmt::format("expected --adaptive above 0 and --pixel-samples above "
+                                           "{}: otherwise all pixels have equal counts",
+                                           renderer::FIRST_ROUND));
   check_apart("--samples-map", o.samples_map, {o.output, o.stats});
   base::check_can_save(o.samples_map);
 }
@@ -103,9 +103,8 @@ void render_scene(RenderOptions& o) {
     const auto v = parse_numbers<4>("--area", o.area, "X,Y,WxH, such as 10,20,64x48");
     o.params.area = {v[0], v[1], v[2], v[3]};
     if (v[2] <= 0 || v[3] <= 0)
-      throw CLI::ValidationError("--area", fmt::format("found \"{}\", expected a width and a "
-                                                       "height above zero",
-                                                       o.area));
+      throw CLI::ValidationError(
+          "--area", fmt::format("found \"{}\", expected a width and a height above 0", o.area));
   }
   const bool has_frames = !o.frames.frames.empty();
   check_output(o.output, has_frames ? Endings{".png", ".webp"} : Endings{".png"}, o.stats);
@@ -119,7 +118,8 @@ void render_scene(RenderOptions& o) {
   if (has_frames) return render_frames(o.frames, o);
   if (o.refined.are_wanted()) return render_in_order(o);
   if (!o.key_images.empty())
-    throw CLI::ValidationError("--key-images", "expected --progressive or --order with it");
+    throw CLI::ValidationError("--key-images",
+                               "expected --progressive or --order with this option");
   render_at_once(o);
 }
 
@@ -145,8 +145,8 @@ void add_render_command(CLI::App& app) {
                o->params, {{"min_influence", "influence"}});
   bind_options(*command, renderer::sampling_fields(), o->params);
   command->add_option("--samples-map", o->samples_map,
-                      "write how many samples each pixel has had to this PNG file, on a scale of "
-                      "logarithms: 1 is black, the most are white");
+                      "PNG file for a map of the samples per pixel, on a logarithmic scale from 1 "
+                      "(black) to the maximum (white)");
   command->add_option("--area", o->area, "area of interest, X,Y,WxH in pixels [whole image]");
   add_progressive_options(*command, o->progressive);
   command->add_option("--threads", o->threads, "host threads")
@@ -156,8 +156,8 @@ void add_render_command(CLI::App& app) {
   add_preview_option(*command, o->preview);
   add_refined_options(*command, o->refined);
   command->add_option("--key-images", o->key_images,
-                      "folder for pictures on the way: after each step of --progressive; or, with "
-                      "--order, after 1, 5, 25 and 100 % of the samples");
+                      "folder for intermediate pictures: after each step of --progressive, or with "
+                      "--order after 1, 5, 25 and 100 % of the samples");
   add_frames_options(*command, o->frames);
   for (const char* one_sample : {"--progressive", "--preview"})
     for (const char* name : {"--pixel-samples", "--adaptive", "--samples-map"})

@@ -53,17 +53,16 @@ std::string name_of(StepKind kind, const Step& step) {
 }  // namespace
 
 void add_progressive_options(CLI::App& command, ProgressiveOptions& o) {
-  auto* progressive =
-      command.add_flag("--progressive", o.is_wanted,
-                       "in steps, with cells that are refined where the image needs it; outside "
-                       "--area the first cells stay");
+  auto* progressive = command.add_flag("--progressive", o.is_wanted,
+                                       "render in steps and refine cells where the image needs it; "
+                                       "outside --area the first cells remain");
   bind_options(command,
                {step_kind_field<ProgressiveOptions>(&ProgressiveOptions::kind),
                 max_cell_field<ProgressiveOptions>(&ProgressiveOptions::max_cell)},
                o);
   bind_options(command, base::select(step_fields(), {"min_cell", "contrast"}), o.last);
   command.add_flag("--no-pyramid", o.no_pyramid,
-                   "do not divide cells because they may hide an object");
+                   "divide cells by contrast only, even if they may hide an object");
   for (const char* name : {"--steps", "--max-cell", "--min-cell", "--contrast", "--no-pyramid"})
     command.get_option(name)->needs(progressive);
 }

@@ -81,7 +81,8 @@ struct Reader {
       std::uint64_t length = 0;
       get(&length, sizeof length);
       base::require(length <= bytes.size() / sizeof value[0], path,
-                    "found a list of {} numbers, expected no more than there are bytes", length);
+                    "found a list of {} numbers, expected fewer: the file is too short for them",
+                    length);
       value.resize(static_cast<std::size_t>(length));
       get(value.data(), value.size() * sizeof value[0]);
     } else {
@@ -104,8 +105,8 @@ void check_identity(const std::string& path, std::string_view& text, const Ident
                   "the state of another rendering: found {}, expected {}: {}", line, name, value);
   }
   const auto line = take_line();
-  base::require(line.empty(), path, "the state of another rendering: found {}, expected no more",
-                line);
+  base::require(line.empty(), path,
+                "the state of another rendering: found {}, expected an empty line", line);
 }
 
 }  // namespace

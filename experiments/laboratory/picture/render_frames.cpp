@@ -46,8 +46,9 @@ constexpr std::size_t MAX_ANIMATION = std::size_t{1} << 31;
 void check_webp(const renderer::Params& params, const Range& range) {
   if (std::max(params.width, params.height) > renderer::MAX_WEBP_SIDE)
     throw CLI::ValidationError(
-        "--size", fmt::format("found {} x {}, expected at most {} pixels a side in a .webp file",
-                              params.width, params.height, renderer::MAX_WEBP_SIDE));
+        "--size",
+        fmt::format("found {} x {}, expected at most {} pixels on each side in a .webp file",
+                    params.width, params.height, renderer::MAX_WEBP_SIDE));
   const std::size_t frame = std::size_t{3} * static_cast<std::size_t>(params.width) *
                             static_cast<std::size_t>(params.height);
   if (range.count() > MAX_ANIMATION / frame)
@@ -61,10 +62,10 @@ void check_webp(const renderer::Params& params, const Range& range) {
 
 void add_frames_options(CLI::App& command, FramesOptions& o) {
   auto* frames = command.add_option("--frames", o.frames,
-                                    "frames A-B of an animation, each an image NAME-0001.png; with "
-                                    "-o NAME.webp an animation too");
+                                    "frames A-B of an animation as images NAME-0001.png ...; with "
+                                    "-o NAME.webp also as one animation");
   frames->option_text("A-B");
-  command.add_option("--frame-rate", o.rate, "frames a second of the animation")
+  command.add_option("--frame-rate", o.rate, "frames per second of the animation")
       ->check(CLI::Range(1.0, 1000.0))
       ->capture_default_str()
       ->needs(frames);

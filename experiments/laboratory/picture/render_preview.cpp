@@ -20,7 +20,7 @@ void add_preview_option(CLI::App& command, std::optional<renderer::PreviewStep>&
           "--preview", fmt::format("found {}, expected one of {}", text, fmt::join(names, ", ")));
   };
   auto* option = command.add_option_function<std::string>(
-      "--preview", set, "a picture by a z-buffer in place of rays, in steps from poor to rich");
+      "--preview", set, "fast picture by z-buffer instead of rays, with increasing detail");
   option->option_text(fmt::format("{}", fmt::join(names, "|")));
   for (const char* name : {"--depth", "--influence", "--threads", "--progressive"})
     option->excludes(command.get_option(name));

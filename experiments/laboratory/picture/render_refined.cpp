@@ -123,19 +123,20 @@ class Pace {
 void add_refined_options(CLI::App& command, RefinedOptions& o) {
   const auto field = renderer::progressive::order_field<Order>(std::identity{});
   add_field_option(
-      command, field.name, field.help + "; one sample of each first, then the others", field.domain,
-      field.get(Order::quadrants),
+      command, field.name, field.help + "; each pixel first gets one sample, then the others",
+      field.domain, field.get(Order::quadrants),
       [&o, field](const base::Scalar& value) { return field.assign(o.order.emplace(), value); });
   command
       .add_option_function<std::string>(
           "--budget", [&o](const std::string& text) { o.budget = parse_budget(text); },
-          "end after a part of all samples (5%), or after a time (10s), with the picture so far")
+          "end after a share of all samples (5%) or after a time (10s), and save the picture so "
+          "far")
       ->option_text("P%|Ts");
   command.add_option("--state", o.state,
-                     "write how far it is to this file, now and then and when it ends");
+                     "file for the state of the rendering, saved at intervals and at the end");
   command.add_option("--resume", o.resume,
-                     "go on from such a file; the other options as before, and states are written "
-                     "to it unless --state is given");
+                     "continue from the state in this file, with the other options unchanged; also "
+                     "saves states there unless --state is given");
   for (const char* name : {"--order", "--budget", "--state", "--resume"})
     for (const char* other : {"--progressive", "--preview"})
       command.get_option(name)->excludes(command.get_option(other));

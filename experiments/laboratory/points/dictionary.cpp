@@ -65,8 +65,8 @@ Meaning find_meaning(const ExperimentFile& file, const std::string& column) {
   for (const auto& baseline : file.baselines)
     if (column == baseline.column())
       meaning.text = baseline.of + " at " + baseline.at + " over the row's own";
-  if (column == "ended") meaning.text = "done, or why the point did not come to its end";
-  if (column == "topology") meaning.text = "of the network";
+  if (column == "ended") meaning.text = "done, or the reason why the point did not complete";
+  if (column == "topology") meaning.text = "topology of the network";
   if (column == file.points[0].experiment.program->processors)
     meaning.text = "processors of the network that do the work";
   return meaning;

@@ -88,7 +88,7 @@ ordered_json make_origin(const RunOptions& options, const ExperimentFile& file,
                          const fs::path& results) {
   const auto folder = resolve(file.folder).lexically_relative(resolve(results)).string();
   base::require(base::is_utf8(folder), folder,
-                "found a name that is no UTF-8, which run.json needs");
+                "found a name that is not UTF-8, expected UTF-8 for run.json");
   auto set = ordered_json::array();
   for (const auto& override : options.overrides) set.push_back(override.text());
   return {
@@ -116,10 +116,9 @@ void check_same_experiment(const fs::path& results, const ExperimentFile& file) 
   const auto folder = resolve(file.folder);
   const bool is_same_file = resolve(resolve(results) / text("folder")) == folder;
   if (text("name") == name && (is_same_file || text("title") == title)) return;
-  throw BadInput(
-      fmt::format("{}: holds results of the experiment {}, but this one is {}; expected another "
-                  "folder (-o)",
-                  results.string(), describe(text("name"), text("title")), describe(name, title)));
+  throw BadInput(fmt::format(
+      "{}: found results of the experiment {}, but this one is {}; expected another folder (-o)",
+      results.string(), describe(text("name"), text("title")), describe(name, title)));
 }
 
 void save_origin(const fs::path& results, const ExperimentFile& file, const ordered_json& origin) {
@@ -145,8 +144,8 @@ BadInput make_damaged(const fs::path& file, const nlohmann::json::exception& err
 Origin load_origin(const fs::path& results, const fs::path& file, const Overrides& overrides) {
   const auto path = results / file;
   if (!fs::is_regular_file(path))
-    throw BadInput(fmt::format("{}: no results of tlab run: {} is not there", results.string(),
-                               file.string()));
+    throw BadInput(fmt::format("{}: found no {}, expected a results folder of tlab run",
+                               results.string(), file.string()));
   try {
     return read_origin(results, ordered_json::parse(base::read_text(path)), overrides);
   } catch (const ordered_json::exception& error) {

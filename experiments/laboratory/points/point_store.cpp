@@ -126,7 +126,7 @@ std::optional<PointResult> find_record(const fs::path& results, const std::strin
   };
   auto record = read_record(file, skip_use);
   if (record.is_null()) {
-    complain(fmt::format("{}: this record is damaged and does not count", file.string()));
+    complain(fmt::format("{}: this record is damaged and ignored", file.string()));
     return {};
   }
   auto result = to_result(record);

@@ -25,8 +25,8 @@ void check_axes(const ExperimentFile& file) {
       const Experiment& e = point.experiment;
       std::string by = e.program->voids ? e.program->voids(e.params, key) : "";
       if (key == "network.workers" && has_own_workers(e)) by = "network.topology";
-      base::require(by.empty(), file.path, "[sweep] has an axis {}, but {} says how many itself",
-                    axis, by);
+      base::require(by.empty(), file.path,
+                    "found the axis {} in [sweep], but {} already determines the number", axis, by);
     }
 }
 

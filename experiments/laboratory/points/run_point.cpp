@@ -174,9 +174,10 @@ void check_point(const Experiment& experiment) {
   if (!experiment.others.empty()) {
     const auto& place = experiment.others[0].place;
     require(experiment.program->uses.others, place,
-            "the program {} has no use for processors of other models", experiment.program->name);
-    require(!experiment.is_timed, place,
-            "found run.cost = \"timed\", expected counted: host time is that of one model");
+            "the program {} does not support processors of other models", experiment.program->name);
+    require(
+        !experiment.is_timed, place,
+        "found run.cost = \"timed\", expected counted: host times are scaled to one model only");
     find_others(experiment, make_workers(experiment), model);
   }
   if (!experiment.program->check) return;
@@ -194,10 +195,10 @@ void check_threads(const RunOptions& options, const Experiment& experiment) {
     require(!is_so, "--threads", "found {} with {}, expected {}", options.threads, found, expected);
   };
   require(experiment.program->uses.threads, "--threads",
-          "found {} with the program {}, which runs on one, expected one of {}", options.threads,
-          experiment.program->name, list_users(&programs::Uses::threads));
+          "found {} with the program {}, which supports only one, expected one of {}",
+          options.threads, experiment.program->name, list_users(&programs::Uses::threads));
   refuse_if(experiment.links != machine::Links::direct, "run.engine = \"simgrid\"",
-            "run.engine = \"direct\": SimGrid runs a machine on one");
+            "run.engine = \"direct\", because SimGrid uses one thread");
   refuse_if(!experiment.faults.empty(), "[[fault]]", "one");
   refuse_if(make_model(experiment.model).channel.least_to_link().value <= 0,
             "channel.operands + channel.blocked of 0 cycles", "one");

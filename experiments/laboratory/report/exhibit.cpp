@@ -116,7 +116,7 @@ void tell_differences(Exhibit& exhibit, const std::string& reference_name) {
     worst = std::max(worst, size);
   }
   exhibit.findings.push_back(
-      fmt::format("{}: {:.1f} % from the {} on average, {:.1f} % at worst, of {} points.",
+      fmt::format("{}: {:.1f} % from the {} on average, {:.1f} % at worst, for {} points.",
                   exhibit.plot.title, mean, reference_name, worst, rows.size()));
 }
 
@@ -192,8 +192,8 @@ const char* judge_interval(const Estimate& p) {
   // the points lie exactly on the law, so a fraction of 0 or 1 is possible
   constexpr double EXACT = 1e-6;
   if (p.name != "serial fraction" || p.high - p.low < 2 * EXACT) return "";
-  if (p.high < 0 || p.low > 1) return ": no share of the work, the law does not hold";
-  return p.low <= 0 || p.high > 1 ? ": the points do not determine it" : "";
+  if (p.high < 0 || p.low > 1) return ", which is not a share of the work: the law does not hold";
+  return p.low <= 0 || p.high > 1 ? ", so the points do not determine it" : "";
 }
 
 void tell_fit(Exhibit& exhibit, const std::string& curve, const Fit& fit) {

@@ -224,8 +224,8 @@ std::string tell_extremes(const Plot& plot) {
   const auto [low, high] = std::ranges::minmax(values, {}, &End::y);
   const auto y = without_unit(plot.y_label), at = name_x(plot, *x);
   if (high.y - low.y <= ALIKE * std::abs(high.y))
-    return fmt::format("at {} the {} curves have one {} within 1 %: {:.3g}.", at, values.size(), y,
-                       high.y);
+    return fmt::format("at {} the {} curves have the same {} within 1 %: {:.3g}.", at,
+                       values.size(), y, high.y);
   return fmt::format("at {} {} is largest for {} ({:.3g}) and smallest for {} ({:.3g}).", at, y,
                      high.curve->name, high.y, low.curve->name, low.y);
 }

@@ -208,13 +208,13 @@ NetworkDrawings draw_networks(const fs::path& folder, const RunOptions& options,
     if (!failure.empty())
       networks.failures.push_back(fmt::format("network at {}: {}", name_of(point), failure));
     else if (workers > topologies::MAX_DRAWN)
-      networks.notes.push_back(
-          fmt::format("not drawn: network at {}: {} workers, a drawing has at most {}",
-                      name_of(point), workers, topologies::MAX_DRAWN));
+      networks.notes.push_back(fmt::format(
+          "not drawn: the network at {} with {} workers, because a drawing has at most {}",
+          name_of(point), workers, topologies::MAX_DRAWN));
     else if (is_largest[i] && workers > MAX_SHOWN)
-      networks.notes.push_back(
-          fmt::format("the network at {} is in {}: {} workers, this page shows at most {}",
-                      name_of(point), drawing_of(point).string(), workers, MAX_SHOWN));
+      networks.notes.push_back(fmt::format(
+          "the network at {} is drawn only in {}: found {} workers, this page shows at most {}",
+          name_of(point), drawing_of(point).string(), workers, MAX_SHOWN));
     else if (is_largest[i])
       networks.drawings.push_back({make_caption(s, i), std::move(svg)});
   }

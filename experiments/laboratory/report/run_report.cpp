@@ -211,8 +211,8 @@ std::vector<Exhibit> plot_growth(const ExperimentFile& file, const Table& growth
   const auto time = *growth.find("growth_s");
   std::vector<Exhibit> exhibits;
   for (const auto& [column, label] :
-       {std::pair{"ssim", "structural similarity with the last picture"},
-        {"border_energy", "second differences across borders of cells over those within"}}) {
+       {std::pair{"ssim", "structural similarity to the final picture"},
+        {"border_energy", "second differences across borders of cells, over those inside cells"}}) {
     Plot plot;
     plot.name = fmt::format("growth-{}", column);
     plot.title = title_of(file);
@@ -326,7 +326,7 @@ void add_confidence(Report& report, Texts& undrawn, const fs::path& folder) {
   const auto sentences = describe_confidence(*found, columns);
   append(report.findings, sentences);
   report.answers.push_back(
-      {"How sure these numbers are",
+      {"Uncertainty of these results",
        sentences,
        {choose_rows(found->intervals, columns), choose_rows(found->assumptions, columns)}});
   for (const auto& column : columns) {
@@ -338,7 +338,7 @@ void add_confidence(Report& report, Texts& undrawn, const fs::path& folder) {
           run_gnuplot(make_tornado_script(column, weights), "tornado", tornado_height(weights));
       base::save_whole(folder / "plots/tornado.svg", drawing.svg);
       base::save_whole(folder / "plots/tornado.png", drawing.png);
-      report.plots.push_back({"Which assumption moves " + column, drawing.svg});
+      report.plots.push_back({"Influence of assumptions on " + column, drawing.svg});
     } catch (const std::runtime_error& error) {
       undrawn.push_back(fmt::format("tornado: {}", error.what()));
     }
@@ -395,8 +395,8 @@ Texts write_report(const fs::path& folder, const RunOptions& options, const Simu
 
 void throw_undrawn(std::size_t undrawn, const std::string& results) {
   if (undrawn > 0)
-    throw Failure(fmt::format("{} drawing(s) failed; the rest is in {}, and tlab report {} draws "
-                              "again",
+    throw Failure(fmt::format("{} drawing(s) failed; the other results are in {}; repeat the "
+                              "drawings with tlab report {}",
                               undrawn, results, results),
                   EXIT_HOST);
 }

@@ -32,8 +32,8 @@ Topology make_network(const Experiment& experiment) {
     while ((std::int64_t{1} << dimensions) < n) ++dimensions;
     require((std::int64_t{1} << dimensions) == n && dimensions <= topologies::PORTS,
             "network.workers",
-            "found {}, expected 1, 2, 4, 8 or 16 for a hypercube (more need more than four links a "
-            "processor)",
+            "found {}, expected 1, 2, 4, 8 or 16 for a hypercube (a larger one needs more than "
+            "four links per processor)",
             n);
     return topologies::make_topology(fmt::format("hypercube:{}", dimensions));
   }
@@ -41,7 +41,7 @@ Topology make_network(const Experiment& experiment) {
   if (name == "ring" && n < 3) return topologies::make_topology(fmt::format("line:{}", n));
   auto topology = topologies::make_topology(fmt::format("{}:{}", name, n));
   require(topology.processors == n, "network.workers",
-          "found {}, but {} has {} processors: give its size in network.topology",
+          "found {}, but {} has {} processors, expected its size in network.topology",
           experiment.workers, topology.name, topology.processors);
   return topology;
 }
@@ -90,8 +90,8 @@ Topology make_workers(const Experiment& experiment) {
     for (const auto& link : links) topology.switches[link] = experiment.switches;
   for (const auto& [a, b, count] : experiment.switches_between) {
     require(links.contains(std::minmax(a, b)), "network.switches",
-            "found [{}, {}, {}], but no link of {} joins {} and {}", a, b, count, topology.name,
-            describe_processor(topology, a), describe_processor(topology, b));
+            "found [{}, {}, {}], expected a link of {}: it has none from {} to {}", a, b, count,
+            topology.name, describe_processor(topology, a), describe_processor(topology, b));
     topology.switches[std::minmax(a, b)] = count;
   }
   return topology;
@@ -110,7 +110,7 @@ std::optional<topologies::TreeLinks> find_tree(const Experiment& experiment,
   constexpr const char* KEY = "network.tree_links";
   const auto& links = experiment.tree_links;
   require(experiment.tree != "per_root" || links.empty(), KEY,
-          "these are of the tree \"single\", but network.tree is \"per_root\"");
+          "found links with network.tree = \"per_root\", expected network.tree = \"single\"");
   if (links.empty())
     return experiment.tree == "single" ? std::optional(make_tree_links(topology)) : std::nullopt;
   for (const auto& [a, b] : links)
@@ -140,7 +140,7 @@ programs::OtherModels find_others(const Experiment& experiment, const Topology& 
             "found {}, whose links run at {} bit/s, expected {} as those of {}", its->name,
             its->link.bit_rate, model.link.bit_rate, model.name);
     require(others.emplace(number, its).second, place + ": number",
-            "found {} once more, expected each processor once", number);
+            "found {} twice, expected each processor at most once", number);
   }
   return others;
 }
@@ -156,8 +156,8 @@ std::vector<programs::PlannedFault> find_faults(const Experiment& experiment,
       return link.a.processor == low && link.b.processor == high;
     });
     require(fault.b < 0 || is_there, place,
-            "found link = [{}, {}], but no link of {} joins {} and {}", fault.a, fault.b,
-            topology.name, describe_processor(topology, fault.a),
+            "found link = [{}, {}], expected a link of {}: it has none from {} to {}", fault.a,
+            fault.b, topology.name, describe_processor(topology, fault.a),
             describe_processor(topology, fault.b));
     faults.push_back(fault);
   }

@@ -17,7 +17,7 @@ struct Undetermined : std::runtime_error {
 
 /// Error: the iteration does not converge.
 struct Unsettled : std::runtime_error {
-  Unsettled() : std::runtime_error("the iteration does not settle") {}
+  Unsettled() : std::runtime_error("the iteration does not converge") {}
 };
 
 struct LeastSquares {

@@ -58,11 +58,10 @@ double fit_to_held(const machine::Entry& entry, const machine::Model& before,
   set.back().second = make_value(entry, share, /*is_share=*/true);
   const bool is_line =
       slope > 0 && share > 0 && std::abs(eval(make(set), entry.holds, where) / held - 1) < 1e-9;
-  base::require(
-      is_line, where,
-      "expected a formula that is a straight line over {}, and of which the other entries alone do "
-      "not exceed what is held",
-      entry.key);
+  base::require(is_line, where,
+                "expected a formula that is linear in {} and whose other terms do not exceed the "
+                "quantity that it holds fixed",
+                entry.key);
   return share;
 }
 

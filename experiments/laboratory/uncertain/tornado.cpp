@@ -48,7 +48,7 @@ std::string make_tornado_script(const std::string& column, const std::vector<Wei
          "horizontal Left reverse samplen 2\n"
          "set yrange [0.4:" +
          fmt::format("{}.6]\n", sorted.size()) + "set title " +
-         quote("Which assumption moves " + column) +
+         quote("Influence of assumptions on " + column) +
          " font ',15' noenhanced\nset ytics noenhanced\nset xlabel 'change of the result, %'\n"
          "plot $bars using (0):1:(0):2:($1-0.35):($1+0.35) with boxxyerror linecolor rgb '#0072B2' "
          "title 'at 95 % of its range', $bars using (0):1:(0):(-$2):($1-0.35):($1+0.35) with "

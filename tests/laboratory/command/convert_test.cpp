@@ -78,7 +78,7 @@ TEST_F(Convert, WhatIsLeftOutOfAMeshIsNamed) {
              "element face 2\nproperty list uchar int vertex_indices\nend_header\n"
              "0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 255\n3 0 1 2\n2 0 1\n");
   const auto done = convert("c.ply", "c.obj");
-  EXPECT_TRUE(contains(done.out, "left out colours of corners (3), lines (1)\n")) << done.out;
+  EXPECT_TRUE(contains(done.out, "left out colours of vertices (3), lines (1)\n")) << done.out;
 }
 
 TEST_F(Convert, AMeshInCapitals) {
@@ -96,7 +96,7 @@ TEST_F(Convert, AMeshHasTimeByItsSize) {
   write_file(folder.path / "deep.gltf", std::string(1 << 20, '['));
   const auto done = convert("deep.gltf", "deep.obj");
   EXPECT_EQ(done.exit_code, 2);
-  EXPECT_TRUE(contains(done.err, "Assimp cannot read it, for which it has 21 s of the processor"))
+  EXPECT_TRUE(contains(done.err, "Assimp cannot read this file within 21 s of CPU time"))
       << done.err;
 }
 
@@ -109,16 +109,16 @@ TEST_F(Convert, WhatIsWrongIsRefusedAndNothingIsLeft) {
   fs::create_directory(folder.path / "d.obj");
   const auto before = folder.names();
   const std::array<const char*, 3> wrong[] = {
-      {"a.nff", "b.nff", "found the format of a.nff, expected another"},
+      {"a.nff", "b.nff", "found the same format as a.nff, expected another"},
       {"a.nff", "b.png", "found another ending, expected .nff, .obj or .room"},
       {"x.txt", "b.obj", "expected an .nff, .obj or .room file, a generator"},
-      {"spheres:5", "b.room", "write it as .obj first"},
+      {"spheres:5", "b.room", "convert it to .obj first"},
       {"a.nff", "my scene.obj", "a name without blanks"},
-      {"a.nff", "a#b.obj", "a name without blanks and #"},
+      {"a.nff", "a#b.obj", "a name without blanks and without '#'"},
       {"a.nff", "A.OBJ", "found another ending, expected .nff, .obj or .room"},
       {"flat.obj", "b.nff", "flat.obj:5: found"},
-      {"far.off", "b.obj", "found a corner at 1e+20 0 0, expected coordinates up to 1e+15"},
-      {"a.nff", "own.obj", "own.mtl: is there, without own.obj"},
+      {"far.off", "b.obj", "found a vertex at 1e+20 0 0, expected coordinates up to 1e+15"},
+      {"a.nff", "own.obj", "own.mtl: found this file without own.obj"},
       {"a.nff", "d.obj", "d.obj"},
       {"bad.ply", "b.obj", "bad.ply: "},
       {"none.nff", "b.obj", "none.nff: cannot be read"},

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const char* const SENTENCE = "tlab: interrupted; only what was done is kept\n";
+const char* const SENTENCE = "tlab: interrupted; only completed work is kept\n";
 
 template <class Holds>
 bool comes_true(const Holds& holds) {
@@ -77,7 +77,7 @@ TEST_F(Interrupt, PlotsAreNotWaitedFor) {
   setenv("PATH", path.c_str(), 1);
   const auto resumed = run({"-o", "r"});
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
-  EXPECT_TRUE(contains(resumed.out, "6 of 6 points were there")) << resumed.out;
+  EXPECT_TRUE(contains(resumed.out, "6 of 6 points were already recorded")) << resumed.out;
   ASSERT_EQ(run({"-o", "s"}).exit_code, 0);
   EXPECT_EQ(visible("r"), visible("s"));
 }

@@ -53,9 +53,9 @@ TEST_F(Radiosity, PathsAreRelativeToTheFileAndCheckedFirst) {
   for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
            {start, "bad.toml: program.scene: found none, expected a file"},
            {start + "scene = \"box.room\"\n",
-            "bad.toml: program.scene: found \"box.room\", expected a file"},
+            "bad.toml: program.scene: found \"box.room\", expected an existing file"},
            {start + "scene = \"rooms/box.room\"\n[sweep]\nreference = [\"\", \"x.room\"]\n",
-            "bad.toml: program.reference: found \"x.room\", expected a file"},
+            "bad.toml: program.reference: found \"x.room\", expected an existing file"},
            {start + "scene = 3\n", "bad.toml:3: program.scene: found 3, expected a text"},
            {start + "scen = \"a\"\n", "the nearest valid key is \"program.scene\""},
            {start + "scene = \"e.toml\"\n", "e.toml"},
@@ -133,7 +133,7 @@ TEST_F(Radiosity, MayBeTimedAndOthersMayNot) {
   EXPECT_TRUE(contains(done.out, "timed: ")) << done.out;
   EXPECT_TRUE(fs::exists(folder.path / "r/image-picture.png"));
   const auto told = refused("[program]\nname = \"message\"\n[run]\ncost = \"timed\"\n");
-  EXPECT_TRUE(contains(told, "run.cost: the program message has no use for timed costs")) << told;
+  EXPECT_TRUE(contains(told, "run.cost: the program message does not support timed costs")) << told;
 }
 
 TEST_F(Radiosity, CreasesAreThoseThatAreAskedFor) {

@@ -30,9 +30,9 @@ TEST(ThreadsOption, IsRefusedWhereAPointRunsOnOne) {
     return outcome.err;
   };
   write_file(folder.path / "e.toml", "[program]\nname = \"law\"\n[network]\ntopology = \"ring\"\n");
-  EXPECT_TRUE(contains(
-      error_of(one_point({"--threads", "2"})),
-      "--threads: found 2 with the program farm, which runs on one, expected one of unicast, "));
+  EXPECT_TRUE(contains(error_of(one_point({"--threads", "2"})),
+                       "--threads: found 2 with the program farm, which supports only one, "
+                       "expected one of unicast, "));
   EXPECT_TRUE(contains(error_of({"run", "e.toml", "--threads", "2"}),
                        "--threads: found 2 with run.engine = \"simgrid\", expected"));
   EXPECT_TRUE(contains(error_of({"run", "e.toml", "--threads", "2", "--set", "run.engine=direct",

@@ -40,7 +40,7 @@ TEST_F(Compare, NamesSettingsModelsAndRatios) {
   EXPECT_FALSE(contains(outcome.out, "image.width"));
   const auto page = read_file(folder.path / "c.html");
   for (const auto* text : {"<title>slow and fast</title>", "cpu.clock", "fast / slow", "<svg",
-                           "time, times that of slow over workers"})
+                           "time, relative to slow over workers"})
     EXPECT_TRUE(contains(page, text)) << text;
   ASSERT_EQ(compare({"x/slow", "y/fast/", "-o", "d.html"}).exit_code, 0);
   EXPECT_EQ(page, read_file(folder.path / "d.html"));
@@ -94,7 +94,7 @@ TEST_F(Compare, SettingsAreNoResults) {
   EXPECT_FALSE(contains(all.out, "\nbytes: ")) << all.out;
   const auto refused = compare({"short", "long", "--columns", "bytes"});
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_TRUE(contains(refused.err, "bytes is a setting")) << refused.err;
+  EXPECT_TRUE(contains(refused.err, "found the setting bytes")) << refused.err;
 }
 
 // Points that were cut short are not results.
@@ -133,11 +133,11 @@ TEST_F(Compare, RefusesWhatCannotBeCompared) {
   };
   expect({"a"}, "found 1 folder, expected two or more");
   expect({"a", "./a/"}, "found ./a/ twice");
-  expect({"a", "none"}, "none: no results of tlab run");
+  expect({"a", "none"}, "none: found no run.json");
   expect({"a", "b", "-o", "o.html"}, "workers is 2, 4 in b");
   expect({"a", "c", "--columns", "tme_s", "-o", "o.html"}, "the nearest is \"time_s\"");
   expect({"a", "c", "-o", "o.txt"}, "ends with .html or .csv");
-  expect({"a", "c", "-o", "a/report.html"}, "outside of the results");
+  expect({"a", "c", "-o", "a/report.html"}, "outside the compared results");
   expect({"a", "c", "-o", "no/o.html"}, "no/o.html");
   std::filesystem::create_directory_symlink("a", folder.path / "alias");
   expect({"a", "alias"}, "found alias twice");

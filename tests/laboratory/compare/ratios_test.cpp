@@ -191,13 +191,13 @@ TEST(Matching, RunsOverOtherAxesAreRefused) {
   auto a = make_run("a", 2, 1, 1, one), b = make_run("b", 2, 1, 1, one);
   b.table.columns[0] = "objects";
   EXPECT_EQ(refusal_of({a, b}),
-            "found the axis workers with several values in a, but not in b: expected runs over the "
-            "same axes");
+            "found the axis workers with several values in a but not in b, expected the same axes "
+            "in all runs");
   auto far = make_run("far", 2, 1, 1, one);
   for (auto& row : far.table.rows) row[0] = Value(std::get<std::int64_t>(row[0]) + 10);
   EXPECT_EQ(refusal_of({a, far}),
             "found no point that all runs have (workers is 1, 2 in a; workers is 11, 12 in far), "
-            "expected some");
+            "expected at least one");
 }
 
 // Independent seeds would count a sample several times. Coupled seeds are ordinary samples.
@@ -213,8 +213,8 @@ TEST(Matching, OneSeedTellsSamplesApart) {
       run.table.rows.push_back(row);
     }
   EXPECT_EQ(refusal_of({run, run}),
-            "found two seeds with several values, seed and farm_seed, in a: expected one, whose "
-            "values are samples");
+            "found two seeds with several values, seed and farm_seed, in a, expected one: its "
+            "values are the samples");
   std::erase_if(run.table.rows, [](const auto& row) { return row[0] != row[2]; });
   EXPECT_EQ(match_points({run, run}).points.at(0).rows[0].size(), 2u);
 }

@@ -26,7 +26,7 @@ TEST_F(DataKeys, AreRefusedWithWhatIsExpected) {
            {"[data]\nscheme = \"pages\"\n", "farm.task: found ray, expected a block"},
            {blocks + "[data]\ncache_percent = 101\n", "cache_percent"},
            {blocks + "[data]\ncache_percent = -1\n", "cache_percent"},
-           {blocks + "[data]\ncache_percent = 0.5\n", "data.cache_percent: found 0.5 %"},
+           {blocks + "[data]\ncache_percent = 0.5\n", "data.cache_percent: found a cache of"},
            {blocks + "[data]\ncache_percent = 10\nserver_cache_percent = 0\n",
             "data.server_cache_percent: found 0"},
            {blocks + "[data]\nscheme = \"page\"\n", "one of items, pages"},

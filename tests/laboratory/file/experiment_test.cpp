@@ -66,11 +66,13 @@ TEST(ExperimentsFile, CoupledAxesMoveTogether) {
            {"\"workers, height\" = [[1, 16], [2]]",
             "sweep.workers, height: found [ 2 ], expected an array of 2 values, workers, height"},
            {"\"workers, height\" = [1, 2]", "found 1, expected an array of 2 values"},
-           {"\"workers, height\" = [[1, 16], [1, 16.0]]", "expected each value once, [ 1, 16.0 ]"},
+           {"\"workers, height\" = [[1, 16], [1, 16.0]]",
+            "expected each value only once: found [ 1, 16.0 ]"},
            {"\"workers, heigt\" = [[1, 16]]", "unknown axis \"heigt\""},
-           {"\"workers, workers\" = [[1, 1]]", "expected each axis once, network.workers"},
+           {"\"workers, workers\" = [[1, 1]]",
+            "expected each axis only once: found network.workers"},
            {"height = [1]\n\"workers, height\" = [[1, 16]]",
-            "expected each axis once, image.height"}})
+            "expected each axis only once: found image.height"}})
     EXPECT_NE(
         message_of<base::BadInput>([&, &s = sweep] { load("[sweep]\n" + s + "\n"); }).find(message),
         std::string::npos)
@@ -209,8 +211,8 @@ TEST(ExperimentsFile, MistakesAreNamed) {
            {"[sweep]\nworkers = 3\n", "sweep.workers: found 3, expected an array of values"},
            {"[sweep]\nworkers = []\n",
             "sweep.workers: found [], expected an array of values, at least one"},
-           {"[sweep]\nworkers = [1, 2, 1]\n", "expected each value once, 1 is there twice"},
-           {"[sweep]\nambient = [2, 0.5, 2.0]\n", "expected each value once, 2.0 is there twice"},
+           {"[sweep]\nworkers = [1, 2, 1]\n", "expected each value only once: found 1 twice"},
+           {"[sweep]\nambient = [2, 0.5, 2.0]\n", "expected each value only once: found 2.0 twice"},
            {"sweep = 3\n", "sweep: expected a section of axes"},
            {"[scene\nobjects = 3\n", "e.toml:1: "},
            {"stage = 3\n", "expected one or more [[stage]]"},

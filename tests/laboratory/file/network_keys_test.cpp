@@ -68,7 +68,7 @@ TEST(ExperimentsNetworkKeys, XyIsDimensionOrder) {
     for (int to = 0; to < 9; ++to) EXPECT_EQ(routes.next_port(from, to), xy.next_port(from, to));
   EXPECT_NE(message_of<base::BadInput>([&] {
               check_network(load(CENSUS + "routes = \"xy\"\n").points[0].experiment);
-            }).find("found no dimensions to go through in order (xy)"),
+            }).find("found no dimensions for dimension-order routing (xy)"),
             std::string::npos);
 }
 
@@ -103,7 +103,7 @@ TEST(ExperimentsNetworkKeys, ProcessorsMayBeOfOtherModels) {
   }
   EXPECT_NE(told_by_load("[program]\nname = \"commstime\"\n[[processor]]\nnumber = 0\nmodel = "
                          "\"t800-20\"\n")
-                .find("no use for processors of other models"),
+                .find("does not support processors of other models"),
             std::string::npos);
 }
 
@@ -136,11 +136,12 @@ TEST(ExperimentsNetworkKeys, NamesOfADotFileAreKept) {
 
 TEST(ExperimentsNetworkKeys, MistakesInTreesAreNamed) {
   for (const auto& [keys, message] : std::vector<std::pair<std::string, std::string>>{
-           {"tree = \"per_root\"\ntree_links = [[0, 1]]\n", "but network.tree is \"per_root\""},
+           {"tree = \"per_root\"\ntree_links = [[0, 1]]\n",
+            "found links with network.tree = \"per_root\""},
            {"tree_links = [[0, 4]]\n",
             "network.tree_links: found [0, 4], expected processors from"},
-           {"tree_links = [[0, 2]]\n", "network.tree_links: found [0, 2], but no link joins"},
-           {"tree_links = [[0, 1], [1, 2]]\n", "no link reaches processor 3"},
+           {"tree_links = [[0, 2]]\n", "network.tree_links: found [0, 2], which is not a link"},
+           {"tree_links = [[0, 1], [1, 2]]\n", "found no path from the root 0 to processor 3"},
            {"tree_links = [[0, 1], [1, 2], [2, 3], [3, 0]]\n", "[3, 0], which closes a cycle"},
            {"tree_links = [[0, -1]]\n", "e.toml:5: network.tree_links: found"},
            {"tree_links = 3\n", "found 3, expected the links of a spanning tree, [[a, b], ...]"},
@@ -155,16 +156,15 @@ TEST(ExperimentsNetworkKeys, OnlyProgramsThatUseThemHaveRoutesAndFaults) {
     const std::string network = std::string("[network]\n") + key + "\n";
     for (const char* program : {"farm", "unicast"}) {
       const auto told = told_by_load(fmt::format("[program]\nname = \"{}\"\n{}", program, network));
-      EXPECT_NE(
-          told.find(fmt::format("the program {} has no use for routes and trees, expected one "
-                                "of iirra, metrics, census",
-                                program)),
-          std::string::npos)
+      EXPECT_NE(told.find(fmt::format("the program {} does not support routes and trees, expected "
+                                      "one of iirra, metrics, census",
+                                      program)),
+                std::string::npos)
           << told;
     }
   }
   const std::string fault = "[[fault]]\nprocessor = 1\nat_s = 1\n";
-  EXPECT_NE(told_by_load(CENSUS + fault).find("the program census has no use for faults"),
+  EXPECT_NE(told_by_load(CENSUS + fault).find("the program census does not support faults"),
             std::string::npos);
 }
 
@@ -195,8 +195,8 @@ TEST(ExperimentsFaults, MistakesAreNamed) {
            {"link = [0, 9]\nat_s = 1\n",
             "e.toml:4: [[fault]] 2: found 9, expected processors from 0 to 3"},
            {"link = [0, 2]\nat_s = 1\n",
-            "[[fault]] 2: found link = [0, 2], but no link of ring:4 joins 0 and 2"},
-           {"link = [1, 1]\nat_s = 1\n", "no link of ring:4 joins 1 and 1"},
+            "[[fault]] 2: found link = [0, 2], expected a link of ring:4: it has none from 0 to 2"},
+           {"link = [1, 1]\nat_s = 1\n", "expected a link of ring:4: it has none from 1 to 1"},
            {"at_s = 1\n", "e.toml:4: [[fault]] 2: found no link and no processor, expected either"},
            {"link = [0, 1]\nprocessor = 1\nat_s = 1\n", "found both a link and a processor"},
            {"processor = 1\n", "e.toml:4: [[fault]] 2: \"at_s\" is missing"},

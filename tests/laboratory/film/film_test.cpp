@@ -244,21 +244,23 @@ TEST(ExperimentsFilm, MistakesAreNamedBeforeAnythingRuns) {
   expect({"--animate", "network="}, "found network=, expected");
   expect({"--animate", "network=n.gif"}, "found n.gif, expected a name that ends in .webp or .png");
   expect({"--animate", "network=a.webp", "--animate", "network=b.webp"}, "found network twice");
-  expect({"--animate", "network=a.webp", "--animate", "picture=a.webp"}, "another file");
+  expect({"--animate", "network=a.webp", "--animate", "picture=a.webp"},
+         "expected a file that no other option uses");
   expect({"--animate", "network=a.webp", "--frames", "1"}, "--frames");
   expect({"--frames", "10"}, "--animate");
   expect({"--animate", "network=a.webp", "--set", "sweep.workers=[1, 2]"}, "has 2 points");
   expect({"--animate", "network=no/such/folder/a.webp"}, "no/such/folder/a.webp");
-  expect({"-o", "r", "--animate", "network=r/a.webp"}, "outside of the results folder");
+  expect({"-o", "r", "--animate", "network=r/a.webp"}, "outside the results folder");
   expect({"--animate", "network=a.webp", "--set", "network.topology=\"line\"", "--set",
           "sweep.workers=[16385]"},
-         "line:16385 of 16385 processors, expected at most 16384");
+         "found network with 16385 processors (line:16385), expected at most 16384");
   expect({"-o", "r", "--animate", "picture=a.webp", "--frames", "1000", "--set", "image.width=350",
           "--set", "image.height=250"},
-         "found 1000 of pictures of 350 x 250 pixels, expected at most 952");
-  expect({"-o", "r", "--animate", "picture=a.webp", "--frames", "2", "--set", "image.width=16336",
-          "--set", "image.height=1"},
-         "found a picture of 16336 x 1 pixels, expected at most 16223 a side in .webp");
+         "found 1000 frames of 350 x 250 pixels, expected at most 952");
+  expect(
+      {"-o", "r", "--animate", "picture=a.webp", "--frames", "2", "--set", "image.width=16336",
+       "--set", "image.height=1"},
+      "found a picture of 16336 x 1 pixels, expected at most 16223 pixels on each side in .webp");
   EXPECT_EQ(folder.names(), std::vector<std::string>{});
 }
 

@@ -169,7 +169,7 @@ TEST(Init, TakesANameWithASlash) {
 TEST(InitRefuses, NamesThatAreThereOrNoNames) {
   const TemporaryFolder folder;
   write_file(folder.path / "there", "");
-  for (const auto& [name, text] : {std::pair("there", "there already"),
+  for (const auto& [name, text] : {std::pair("there", "which already exists"),
                                    {"1st", "100 letters"},
                                    {"a b", "100 letters"},
                                    {"", "100 letters"},

@@ -54,7 +54,7 @@ TEST_F(Baseline, WhatIsWrongIsNamed) {
       {"name = \"a\"", "\"at\" is missing, expected AXIS = VALUE"},
       {"name = \"a\"\nat = \"switches\"", "e.toml"},
       {"name = \"a\"\nat = \"swtches = 0\"\nof = \"latency_s\"",
-       "\"swtches\" is no axis of the results, the nearest is \"switches\""},
+       "\"swtches\" is not an axis of the results, the nearest is \"switches\""},
       {"name = \"a\"\nat = \"switches = 0\"\nof = \"latenc_s\"", "latency_s"},
       {"name = \"a\"\nat = \"switches = 0\"\nof = \"mine\"\n[let]\nmine = \"latency_s\"",
        "of: found mine, a name of [let], expected a column of the results"},

@@ -46,7 +46,7 @@ TEST(ExperimentsBest, TheLeastForEachOfTheOthers) {
   EXPECT_TRUE(answer.pays.rows.empty());
   EXPECT_EQ(answer.findings,
             (std::vector<std::string>{
-                "least: mesh in 3, line or mesh in 2 of 5 cases, by 300.0 % at most."}));
+                "least: mesh in 3, line or mesh in 2 of 5 cases, by at most 300.0 %."}));
 }
 
 TEST(ExperimentsBest, TheMostOfAnExpressionWhere) {
@@ -73,10 +73,10 @@ TEST(ExperimentsBest, DoublingPaysUntilItDoesNot) {
   EXPECT_EQ(some.pays.rows.at(0)[1], Value(std::int64_t{4}));
   EXPECT_EQ(some.pays.rows.at(1), (std::vector<Value>{"mesh", std::int64_t{8}, {}}))
       << "to the end";
-  EXPECT_EQ(some.findings.back(), "mesh: doubling workers pays up to 8, the most that was tried.");
+  EXPECT_EQ(some.findings.back(), "mesh: doubling workers pays up to 8, the largest value tried.");
   const auto both = BestCase(QUESTION + "pays = \"workers\"\nwhere = \"workers < 4\"\n").find();
   EXPECT_EQ(both.findings.back(),
-            "line; mesh: doubling workers pays up to 2, the most that was tried.");
+            "line; mesh: doubling workers pays up to 2, the largest value tried.");
   const auto least =
       BestCase(QUESTION + "pays = \"workers\"\ngain = 0.5\nwhere = \"workers != 2\"\n").find();
   EXPECT_EQ(least.pays.rows.at(0)[1], Value(std::int64_t{1}));
@@ -92,7 +92,7 @@ TEST(ExperimentsBest, MistakesAreNamed) {
            {"[[best]]\nname = \"b\"\nof = \"time_s\"\n", "best \"b\": \"over\" is missing"},
            {QUESTION + "for_each = [\"topology\"]\n", "expected different axes"},
            {QUESTION + "pays = \"worker\"\n",
-            "best \"least\": pays: \"worker\" is no axis of the results, the nearest is "
+            "best \"least\": pays: \"worker\" is not an axis of the results, the nearest is "
             "\"workers\""},
            {QUESTION + "gain = 2\n", "gain: found 2, expected a number from 0 to 1"},
            {"[[best]]\nname = \"b\"\nof = \"time\"\nover = [\"topology\"]\n",

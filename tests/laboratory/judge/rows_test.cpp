@@ -61,10 +61,11 @@ TEST(ExperimentsRows, OfCoupledAxesTheOwnValuesComeFirst) {
   EXPECT_EQ(test.eval("{workers @ height = 16}", 0), 1);
   EXPECT_EQ(test.eval("{workers @ height = 16}", 2), 2) << "its own workers";
   const auto message = message_of<base::BadInput>([&] { test.eval("{workers @ height = 16}", 4); });
-  EXPECT_NE(message.find("e.toml:1: x: {workers @ height = 16}: found rows of several workers"),
+  EXPECT_NE(message.find(
+                "e.toml:1: x: {workers @ height = 16}: found rows with several values of workers"),
             std::string::npos)
       << message;
-  EXPECT_TRUE(message.ends_with("say {workers @ height = 16, workers = workers}")) << message;
+  EXPECT_TRUE(message.ends_with("write {workers @ height = 16, workers = workers}")) << message;
   EXPECT_FALSE(test.eval("{workers @ height = 16, workers = workers}", 4));
 }
 
@@ -93,12 +94,12 @@ TEST(ExperimentsRows, MistakesInBracesAreNamed) {
            {"{time_s @ workers = 1", "expected a } for each {"},
            {"{time @ workers = 1}", "unknown variable \"time\", the nearest is \"time_s\""},
            {"{time_s @ worker = 1}",
-            "x: {time_s @ worker = 1}: \"worker\" is no axis of the results, the nearest is "
+            "x: {time_s @ worker = 1}: \"worker\" is not an axis of the results, the nearest is "
             "\"workers\""},
-           {"{time_s @ time_s = 1}", "\"time_s\" is no axis"},
+           {"{time_s @ time_s = 1}", "\"time_s\" is not an axis"},
            {"{time_s @ workers = many}", "unknown variable \"many\""},
            {"{time_s @ workers = 2x2}", "found \"2x2\", expected a number for the axis workers"},
-           {"{link @ workers = 1}", "link is a text"}})
+           {"{link @ workers = 1}", "found link, which is a text"}})
     EXPECT_NE(test.message(text).find(message), std::string::npos) << test.message(text);
 }
 

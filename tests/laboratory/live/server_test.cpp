@@ -170,7 +170,7 @@ TEST(LiveServer, APageSeesTheRunAndSteersIt) {
     auto second = served.open();
     EXPECT_EQ(nlohmann::json::parse(enter(served, second)).at("steers"), false);
     say(second, "{\"do\": \"pause\", \"id\": 1}");
-    EXPECT_NE(hear(second).find("another page steers"), std::string::npos);
+    EXPECT_NE(hear(second).find("another page controls the run"), std::string::npos);
     // The user's part may not have begun when the command to end it arrives, so the command is
     // repeated.
     for (std::string reply; reply != "{\"reply\":2,\"refusal\":\"\"}";) {

@@ -220,8 +220,8 @@ TEST(LiveSession, WhatIsNotAllowedIsRefusedAndChangesNothing) {
       {order({{"min_influence", "x"}}), "order.min_influence"},
       {order({{"colour", 1}}), "colour"},
       {order({{"at_s", 1}}), "at_s"},
-      {order({{"abort", true}, {"leave", true}}), "several things"},
-      {order(Command::object()), "nothing to do"},
+      {order({{"abort", true}, {"leave", true}}), "several orders"},
+      {order(Command::object()), "found no order"},
       {order({{"save", "../x"}}), "order.save"},
       {order(5), "expected an object"},
       {{{"do", "fly"}}, "found \"fly\""},
@@ -234,7 +234,7 @@ TEST(LiveSession, WhatIsNotAllowedIsRefusedAndChangesNothing) {
       {{{"do", "select"}, {"processors", {0, 1, 2, 3, 0, 1, 2, 3, 0}}}, "a list of at most 8"},
       {{{"do", "select"}, {"processors", 3}}, "a list of at most 8"},
       {{{"do", "fault"}, {"link", {0, 1}}}, "expected a processor of the network"},
-      {{{"do", "fault"}, {"link", {4, 5}}}, "no link joins them"},
+      {{{"do", "fault"}, {"link", {4, 5}}}, "expected two processors that are joined by a link"},
       {{{"do", "fault"}, {"link", 3}}, "expected two processors"},
       {{{"do", "fault"}, {"processor", -1}}, "found -1"}};
   const test::TemporaryFolder folder;

@@ -55,7 +55,7 @@ TEST_F(Sweep, PointsThatFailAreNamedAndTheOthersKept) {
   EXPECT_TRUE(contains(run({"-o", "r1", "--list"}).out, "workers = 2\tthere"));
   const auto again = run({"-o", "r1"});
   EXPECT_EQ(again.exit_code, 3);
-  EXPECT_TRUE(contains(again.out, "1 of 3 points were there")) << again.out;
+  EXPECT_TRUE(contains(again.out, "1 of 3 points were already recorded")) << again.out;
   EXPECT_EQ(run({"-o", "r1", "--point", "0"}).exit_code, 3);
   EXPECT_EQ(run({"-o", "r1", "--point", "1"}).exit_code, 0);
   EXPECT_EQ(tlab(folder.path, {"merge", "r1"}).exit_code, 2);
@@ -175,7 +175,7 @@ TEST_F(Sweep, AnotherExperimentWithTheSamePointsIsRefused) {
   const auto before = visible("r");
   const auto refused = tlab(folder.path, {"run", "other.toml", "-o", "r"});
   EXPECT_EQ(refused.exit_code, 2);
-  EXPECT_TRUE(contains(refused.err, "holds results of the experiment")) << refused.err;
+  EXPECT_TRUE(contains(refused.err, "found results of the experiment")) << refused.err;
   EXPECT_EQ(visible("r"), before);
 }
 
@@ -201,7 +201,7 @@ TEST_F(Sweep, OfTwoExperimentsStartedAtOnceOneHasTheFolder) {
     const Outcome b = wait_for_tlab(folder.path / "b", second);
     EXPECT_EQ(a.exit_code + b.exit_code, 2) << a.err << b.err;
     const auto& refused = a.exit_code == 2 ? a : b;
-    EXPECT_TRUE(contains(refused.err, "holds results of the experiment")) << refused.err;
+    EXPECT_TRUE(contains(refused.err, "found results of the experiment")) << refused.err;
     const auto run = nlohmann::json::parse(read_file(folder.path / name / "run.json"));
     EXPECT_EQ(run["name"], a.exit_code == 2 ? "other" : "e");
     EXPECT_EQ(records(name).size(), 6u);
@@ -249,7 +249,8 @@ TEST_F(Sweep, DrawingsThatFailCostNoResults) {
                                            ? "tlab: plot speedup: gnuplot failed (exit code 5)"
                                            : "tlab: network at objects = 20, workers = 3: "))
           << failed.err;
-      EXPECT_TRUE(contains(failed.err, "the rest is in r, and tlab report r draws again"));
+      EXPECT_TRUE(contains(failed.err,
+                           "the other results are in r; repeat the drawings with tlab report r"));
       EXPECT_TRUE(contains(failed.out, "all 6 points are done")) << failed.out;
       EXPECT_TRUE(contains(visible("r")["report.html"], "not drawn: ")) << program;
       EXPECT_EQ(tlab(folder.path, {"report", "r"}).exit_code, 2);
@@ -300,12 +301,12 @@ TEST_F(Sweep, ATypoInACheckCostsNoPoint) {
   EXPECT_EQ(records("r").size(), 1u);
   const auto mended = run({"-o", "r"});
   EXPECT_EQ(mended.exit_code, 0) << mended.err;
-  EXPECT_TRUE(contains(mended.out, "1 of 6 points were there")) << mended.out;
+  EXPECT_TRUE(contains(mended.out, "1 of 6 points were already recorded")) << mended.out;
 }
 
 TEST_F(Sweep, MistakesAreNamed) {
   for (const auto& [more, told] : std::vector<std::pair<Arguments, std::string>>{
-           {{"--point", "6"}, "--point 6: expected the number of a point, or two as in 0-9"},
+           {{"--point", "6"}, "--point 6: expected the number of a point, or two such as 0-9"},
            {{"--point", "5-4"}, "--point 5-4"},
            {{"--point", "0-6"}, "from 0 to 5"},
            {{"--point", "-1"}, "--point"},
@@ -316,7 +317,7 @@ TEST_F(Sweep, MistakesAreNamed) {
            {{"--set", "farm.max_cell=3"}, "e.toml: farm.max_cell: found 3"},
            {{"--set", "farm.task=block:2x2"}, "e.toml: farm.task: found a block"},
            {{"--set", "network.topology=hypercube"}, "e.toml: network.workers: found 3"},
-           {{"--set", "title=a\x8a"}, "--set title=a\\x8a: found bytes that are no UTF-8"},
+           {{"--set", "title=a\x8a"}, "--set title=a\\x8a: found bytes that are not UTF-8"},
            {{"--list", "--set", "model.link.bits=1"},
             "e.toml: [model]: model.link.bits: unknown key"},
            {{"--list", "--point", "0"}, "--list"}}) {
@@ -341,7 +342,7 @@ TEST_F(Sweep, AFileWhoseNameIsNoUtf8IsRefused) {
     const auto done = tlab(folder.path, {"run", file, "-o", "r"});
     EXPECT_EQ(done.exit_code, 2);
     EXPECT_TRUE(contains(done.err, "\\xff")) << done.err;
-    EXPECT_TRUE(contains(done.err, "found a name that is no UTF-8")) << done.err;
+    EXPECT_TRUE(contains(done.err, "found a name that is not UTF-8")) << done.err;
   }
   EXPECT_FALSE(fs::exists(folder.path / "r"));
 }
@@ -371,7 +372,7 @@ TEST_F(Sweep, ADiskThatFillsLosesNothing) {
   EXPECT_EQ(none.exit_code, 2);
   EXPECT_TRUE(contains(none.err, "s/points/")) << none.err;
   const auto resumed = run({"-o", "r"});
-  EXPECT_TRUE(contains(resumed.out, "6 of 6 points were there")) << resumed.out;
+  EXPECT_TRUE(contains(resumed.out, "6 of 6 points were already recorded")) << resumed.out;
 }
 
 }  // namespace

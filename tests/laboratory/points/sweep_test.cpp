@@ -31,7 +31,7 @@ TEST_F(Sweep, AnyHistoryGivesTheSameBytes) {
   ASSERT_EQ(run({"-o", "resumed", "--point", "2-3"}).exit_code, 0);
   const auto resumed = run({"-o", "resumed", "--jobs", "3"});
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
-  EXPECT_TRUE(contains(resumed.out, "2 of 6 points were there")) << resumed.out;
+  EXPECT_TRUE(contains(resumed.out, "2 of 6 points were already recorded")) << resumed.out;
   EXPECT_EQ(visible("resumed"), expected);
 
   fs::remove_all(folder.path / "resumed/plots");
@@ -64,10 +64,10 @@ TEST_F(Sweep, ALargerOneRunsOnlyWhatIsNew) {
   ASSERT_EQ(run({"-o", "r"}).exit_code, 0);
   const auto before = visible("r");
   const auto larger = run({"-o", "r", "--set", "sweep.workers=[1, 2, 3, 4]"});
-  EXPECT_TRUE(contains(larger.out, "6 of 8 points were there")) << larger.out;
+  EXPECT_TRUE(contains(larger.out, "6 of 8 points were already recorded")) << larger.out;
   const auto smaller = run({"-o", "r", "--set", "sweep.workers=[1, 4]"});
-  EXPECT_TRUE(contains(smaller.out, "4 of 4 points were there")) << smaller.out;
-  EXPECT_TRUE(contains(run({"-o", "r"}).out, "6 of 6 points were there"));
+  EXPECT_TRUE(contains(smaller.out, "4 of 4 points were already recorded")) << smaller.out;
+  EXPECT_TRUE(contains(run({"-o", "r"}).out, "6 of 6 points were already recorded"));
   EXPECT_EQ(visible("r"), before);
   EXPECT_EQ(records("r").size(), 8u);
 }
@@ -98,7 +98,7 @@ TEST_F(Sweep, DamagedRecordsAreNamedAndRunAgain) {
   write_file(files[4], "");
   const auto again = run({"-o", "r"});
   EXPECT_EQ(again.exit_code, 0) << again.err;
-  EXPECT_TRUE(contains(again.out, "2 of 6 points were there")) << again.out;
+  EXPECT_TRUE(contains(again.out, "2 of 6 points were already recorded")) << again.out;
   for (int i : {0, 1, 3, 4})
     EXPECT_TRUE(contains(again.err, files[i].filename().string() + ": this record is damaged"))
         << again.err;

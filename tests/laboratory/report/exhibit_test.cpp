@@ -137,14 +137,14 @@ TEST(ExperimentsExhibits, ReferencesStandBesideWithTheirDifferences) {
   ASSERT_EQ(exhibit.notes.size(), 1u);
   EXPECT_NE(exhibit.notes[0].find("objects = 800, workers = 64"), std::string::npos);
   EXPECT_EQ(exhibit.findings.at(0),
-            "Speed-up: 4.8 % from the thesis on average, 4.8 % at worst, of 1 points.");
+            "Speed-up: 4.8 % from the thesis on average, 4.8 % at worst, for 1 points.");
 }
 
 // Efficiencies vary around 1 with only four points, or around a mean above 1.
 TEST(ExperimentsExhibits, IntervalsThatSayNothingAreToldSo) {
   for (const auto& [mean, told] : std::vector<std::pair<std::string, std::string>>{
-           {"1", ": the points do not determine it."},
-           {"1.5", ": no share of the work, the law does not hold."}}) {
+           {"1", ", so the points do not determine it."},
+           {"1.5", ", which is not a share of the work: the law does not hold."}}) {
     const auto exhibit =
         LawsCase(
             "[[plot]]\nname = \"p\"\nx = \"workers\"\nwhere = \"objects == 200\"\nfit = "
@@ -202,7 +202,7 @@ TEST(ExperimentsExhibits, MistakesAreNamed) {
            {"[[plot]]\nname = \"../p\"\n", "expected a name without /"},
            {"[[plot]]\nname = \"" + std::string(201, 'p') + "\"\nx = \"workers\"\n",
             "found a name of 201 bytes, expected at most 200"},
-           {plot("") + plot(""), "there is one of this name already"},
+           {plot("") + plot(""), "found this name twice"},
            {plot("fitt = 1\n"), "unknown key \"fitt\", the nearest valid key is \"fit\""},
            {plot("fit = \"moore\"\n"), "expected one of amdahl, gustafson, sun-ni, log"},
            {plot("fit = \"sun-ni\"\n"), "expected growth"},
@@ -214,11 +214,13 @@ TEST(ExperimentsExhibits, MistakesAreNamed) {
             "expected one y with a reference"},
            {plot("reference = \"no.csv\"\nkeys = [\"workers\"]\n"), "no.csv: cannot be read"},
            {plot("series = [\"object\"]\n"),
-            "plot \"p\": series: \"object\" is no axis of the results, the nearest is \"objects\""},
+            "plot \"p\": series: \"object\" is not an axis of the results, the nearest is "
+            "\"objects\""},
            {plot("where = \"worker > 1\"\n"), "where: unknown variable \"worker\""},
            {"[[plot]]\nname = \"p\"\nx = \"worker\"\ny = \"speedup\"\n",
             "plot \"p\": x: unknown variable \"worker\", the nearest is \"workers\""},
-           {"[[plot]]\nname = \"p\"\nx = \"workers\"\ny = \"link\"\n", "link is a text"},
+           {"[[plot]]\nname = \"p\"\nx = \"workers\"\ny = \"link\"\n",
+            "found link, which is a text"},
            {"[report]\nnetworks = \"some\"\n", "expected one of all, largest, none"},
            {"[report]\nnetwork = \"all\"\n", "the nearest valid key is \"networks\""}}) {
     const auto told = message_of<base::BadInput>([&, text = text] { LawsCase(text).make(); });

@@ -140,7 +140,8 @@ TEST(ExperimentsFigures, MistakesAreNamedAfterTheFirstPointAtTheLatest) {
   EXPECT_FALSE(std::filesystem::exists(plot.folder.path / "out/results.csv"));
   const Trial best(FIGURES + "[[best]]\nname = \"b\"\nof = \"speedup\"\nover = [\"workers\"]\n");
   EXPECT_EQ(best.outcome.exit_code, 2);
-  EXPECT_TRUE(contains(best.outcome.err, "best \"b\": over: \"workers\" is no axis of the results"))
+  EXPECT_TRUE(
+      contains(best.outcome.err, "best \"b\": over: \"workers\" is not an axis of the results"))
       << best.outcome.err;
 }
 

@@ -86,7 +86,7 @@ TEST(ExperimentsFindings, CurvesThatAreAlikeAreToldTogether) {
             (Texts{"Speed-up has no bend for all 3 curves (goes as distance^1.00).",
                    "Nothing is saturated at the end for all 3 curves (3200 objects at 32 m, "
                    "busiest link a>b 0.50).",
-                   "At 32 m the 3 curves have one speed-up within 1 %: 32."}));
+                   "At 32 m the 3 curves have the same speed-up within 1 %: 32."}));
 }
 
 TEST(ExperimentsFindings, NothingIsSaidOfWhatIsNotKnown) {

@@ -32,7 +32,7 @@ TEST_F(Uncertain, LeavesTheResultsAsTheyAreAndTheirIntervalsBeside) {
   EXPECT_FALSE(fs::exists(folder.path / "plain/intervals.csv"));
   EXPECT_TRUE(contains(outcome.out, "time_s: ± ")) << outcome.out;
   EXPECT_TRUE(contains(outcome.out, "matters most")) << outcome.out;
-  EXPECT_TRUE(contains(read("sure/report.html"), "How sure these numbers are"));
+  EXPECT_TRUE(contains(read("sure/report.html"), "Uncertainty of these results"));
   const auto intervals = parse_csv(read("sure/intervals.csv"), "intervals");
   std::size_t times = 0;
   for (const auto& row : intervals.rows) {
@@ -58,7 +58,7 @@ TEST_F(Uncertain, GivesTheSameBytesWithAnyJobsAndHowevOftenItIsResumed) {
     ASSERT_EQ(run({"--uncertain", "6", "--point", points, "-o", "b"}).exit_code, 0);
   const auto outcome = run({"--uncertain", "6", "--jobs", "2", "-o", "b"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_TRUE(contains(outcome.out, "7 of 14 points were there")) << outcome.out;
+  EXPECT_TRUE(contains(outcome.out, "7 of 14 points were already recorded")) << outcome.out;
   for (const auto* file : {"results.csv", "intervals.csv", "assumptions.csv"})
     EXPECT_EQ(read("a/" + std::string(file)), read("b/" + std::string(file))) << file;
   ASSERT_EQ(run({"--uncertain", "6", "--point", "0-13", "-o", "c"}).exit_code, 0);

@@ -30,7 +30,7 @@ function connect() {
     if (message.state) show(message.state);
   };
   socket.onclose = () => {
-    $("status").textContent = outline ? "The session has ended; this is how it was."
+    $("status").textContent = outline ? "The session has ended; the page shows its last state."
       : "No session: open the address that tlab live printed.";
     document.querySelectorAll("button").forEach((button) => {
       if (!button.id.startsWith("zoom")) button.disabled = true;
@@ -118,7 +118,7 @@ function whatGrows() {
       value: ({ links }) => Math.max(...links) / 1000 });
   if (outline.has_sequential)
     things.push({ name: "error of the picture",
-      help: "root mean square of what it differs from the sequential renderer's, as a share",
+      help: "root mean square difference from the sequential renderer's picture, as a share",
       value: () => picture.error() });
   return things;
 }
@@ -341,7 +341,7 @@ function options(select, values, spell) {
 const seconds = (s) => s >= 1 ? `${s} s` : s >= 1e-3 ? `${+(s * 1e3).toPrecision(3)} ms`
   : `${+(s * 1e6).toPrecision(3)} µs`;
 
-options($("speed"), SPEEDS, (x) => x === null ? "as fast as it goes" : `${seconds(x)} a second`);
+options($("speed"), SPEEDS, (x) => x === null ? "as fast as possible" : `${seconds(x)} a second`);
 options($("window"), WINDOWS, seconds);
 options($("interval"), [0, ...WINDOWS], (s) => s === 0 ? "frame" : seconds(s));
 
@@ -355,7 +355,7 @@ function changeSpeed(by) {
 }
 async function save() {
   if (!await ask({ do: "save" }))
-    $("deeds").prepend(element("li", `${date(state.t_s)}: the picture is saved`));
+    $("deeds").prepend(element("li", `${date(state.t_s)}: picture saved`));
 }
 
 $("go").onclick = go;
