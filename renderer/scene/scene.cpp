@@ -50,8 +50,8 @@ void add_coordinates(Scene& scene, std::span<const Corner> coordinates) {
 
 // Sets the gradients of a polygon's texture coordinates, by a least-squares plane, which is exact
 // in a triangle.
-void set_gradients(TexturePoint& found, const Polygon& polygon, std::span<const PolygonCorner> corners,
-                   std::span<const Vec> coordinates) {
+void set_gradients(TexturePoint& found, const Polygon& polygon,
+                   std::span<const PolygonCorner> corners, std::span<const Vec> coordinates) {
   const double share = 1.0 / static_cast<double>(corners.size());
   Corner middle;
   Vec middle_of_texture;

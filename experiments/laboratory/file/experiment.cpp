@@ -116,7 +116,8 @@ Override parse_override(const std::string& text) {
   const auto equals = text.find('=');
   base::require(equals != std::string::npos && equals > 0, "--set " + text,
                 "expected key.path=value");
-  base::require(base::is_utf8(text), "--set " + text, "found bytes that are no UTF-8");
+  base::require(base::is_utf8(text), "--set " + text,
+                "found bytes that are not UTF-8, expected UTF-8");
   const std::string key = text.substr(0, equals), value = text.substr(equals + 1);
   base::require(std::ranges::count(key, '.') < base::MAX_KEY_PARTS, "--set " + text,
                 "found a key of more than {0} parts, expected at most {0}", base::MAX_KEY_PARTS);

@@ -53,7 +53,7 @@ base::Field<Experiment> program_field() {
   for (const auto& program : programs::all_programs()) names.choices.push_back(program.name);
   return {"program.name",
           "",
-          "what the machine runs; an axis of its own, program",
+          "one of the programs below; as an axis of [sweep]: program",
           names,
           [](Experiment&, const base::Scalar&) { return true; },
           [](const Experiment& e) -> base::Scalar { return e.program ? e.program->name : "farm"; }};

@@ -107,7 +107,7 @@ void name_axes(std::vector<Coupled>& axes, const Programs& in_play, const std::s
       const auto named = name_axis(axis.name, in_play, origin);
       if (!keys.insert(named.key).second)
         Place{origin, "sweep." + axis.name, "", *axis.values[0]}.refuse(
-            "each axis once, " + named.key + " is there already");
+            "each axis only once: found " + named.key + " again");
       axis.name = named.name;
       axis.key = named.key;
     }
