@@ -96,7 +96,7 @@ TEST(ExperimentsNetworkKeys, ProcessorsMayBeOfOtherModels) {
             "number: found 65536, expected a whole number from 0 to 65535"},
            {"number = 1\nmodul = \"t800-20\"", "unknown key \"modul\", the nearest valid"},
            {"number = 1\nmodel = \"t800-20\"\n[[processor]]\nnumber = 1\nmodel = \"t805-30\"",
-            "[[processor]] 2: number: found 1 once more"}}) {
+            "[[processor]] 2: number: found 1 twice"}}) {
     const auto told = message_of<base::BadInput>(
         [&, tables = tables] { others_of(farm + "[[processor]]\n" + tables + "\n"); });
     EXPECT_NE(told.find(message), std::string::npos) << tables << "\n" << told;
@@ -118,12 +118,12 @@ TEST(ExperimentsNetworkKeys, NamesOfADotFileAreKept) {
       "height = 8\n[report]\nnetworks = \"all\"\n[[processor]]\nnumber = 3\nmodel = \"t800-20\"\n");
   const auto run = tlab(folder.path, {"run", "e.toml", "-o", "r"});
   ASSERT_EQ(run.exit_code, 0) << run.err;
-  EXPECT_NE(run.out.find("the link from port 1 of ada to port 0 of cyd is given up"),
+  EXPECT_NE(run.out.find("the link from port 1 of ada to port 0 of cyd is omitted"),
             std::string::npos)
       << run.out;
   EXPECT_NE(run.out.find("workers of model t800-20: 1, busy"), std::string::npos) << run.out;
   const auto record = read_file(folder.path / "r/run.json");
-  for (const auto* text : {"\"name\":\"dan\"", "given up", "\"model\":\"t800-20\"", "\"tasks\":"})
+  for (const auto* text : {"\"name\":\"dan\"", "is omitted", "\"model\":\"t800-20\"", "\"tasks\":"})
     EXPECT_NE(record.find(text), std::string::npos) << text;
   EXPECT_EQ(record.find("worker1"), std::string::npos);
   EXPECT_EQ(read_file(folder.path / "r/results.csv").find("worker1"), std::string::npos);

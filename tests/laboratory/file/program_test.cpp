@@ -71,7 +71,7 @@ TEST(ExperimentsProgram, MistakesAreNamed) {
            {MESSAGE + "[sweep]\nname = [\"farm\"]\n", "unknown axis \"name\""},
            {MESSAGE + "[sweep]\nbytes = [1]\n\"program.bytes\" = [1]\n",
             "expected each axis only once"},
-           {MESSAGE + "[network]\nworkers = 3\n", "the program message has a network of its own"},
+           {MESSAGE + "[network]\nworkers = 3\n", "the program message has its own network"},
            {MESSAGE + "[image]\nwidth = 3\n",
             "e.toml:4: image.width is a key of the farm, but program.name is \"message\""},
            {MESSAGE + "[[stage]]\nmin_cell = 3\n", "stage is a key of the farm"},

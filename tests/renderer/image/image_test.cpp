@@ -205,7 +205,7 @@ TEST_F(Png, TooManyPixelsAreAnError) {
     ADD_FAILURE() << "loaded";
   } catch (const base::BadInput& error) {
     EXPECT_EQ(error.what(),
-              file + ": found 4097 x 4096 pixels, expected at most 16777216 together");
+              file + ": found 4097 x 4096 pixels, expected at most 16777216 pixels");
   }
 }
 

@@ -158,8 +158,8 @@ TEST(IirraStart, TheDisplayIsFarOrNear) {
 TEST(IirraStart, NeedsThreeProcessors) {
   for (const char* spec : {"line:1", "line:2"})
     EXPECT_EQ(topologies::rejection([&] { find_places(topologies::make_topology(spec), true); }),
-              fmt::format("network.topology: found {}, expected at least 3: a coordinator, a "
-                          "display and a worker",
+              fmt::format("network.topology: found {}, expected at least 3 (a coordinator, a "
+                          "display and a worker)",
                           std::string(spec) == "line:1" ? "1 processor" : "2 processors"));
 }
 

@@ -345,7 +345,8 @@ TEST(Proc, IsNamedInReports) {
               cpu.start("other", Priority::high, write(channel));
               return write(channel);
             }),
-            "process on cpu 0 outputs to channel soft 0 at 0.000001 s, while other on cpu 0 does");
+            "process on cpu 0 outputs to channel soft 0 at 0.000001 s, which other on cpu 0 "
+            "already uses");
   expect_in(report([](Lab&) { return Proc{}; }), "process on cpu 0 has no body");
   expect_in(report([](Lab& lab) { return wait_for(lab.soft()); }),
             "process on cpu 0 waits for in on soft 0");

@@ -27,7 +27,7 @@ TEST(Looks, MustFitAMovingPicture) {
   EXPECT_EQ(refusal(1, MOST, 1), "");
   EXPECT_EQ(refusal(1, 1, MOST), "");
   EXPECT_EQ(refusal(0, MOST + 1, MOST + 1), "");
-  const std::string most = "pixels, expected at most 16383 a side";
+  const std::string most = "pixels, expected at most 16383 pixels on each side";
   EXPECT_EQ(refusal(1, MOST + 1, 1), "farm.growth: found an image of 16384 x 1 " + most);
   EXPECT_EQ(refusal(1, 1, MOST + 1), "farm.growth: found an image of 1 x 16384 " + most);
   EXPECT_EQ(refusal(100, 1000, 1000), "");

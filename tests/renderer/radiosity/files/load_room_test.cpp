@@ -122,7 +122,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongText{"box wall 0 0 0 1 1",
                   "4: found the end of the line, expected the corner with the largest coordinates"},
         WrongText{"box wall 0 0 0 1 -1 1",
-                  "4: found a box from 0 to -1 along y, expected the smaller coordinate first"},
+                  "4: found a box from 0 to -1 along y, expected the corner with the smallest"},
         WrongText{"box wall 0 0 0 1 1 1 inward",
                   "4: found 'inward', expected 'divide', then 'inside'"},
         WrongText{"material red reflect 1 0 0",

@@ -93,22 +93,22 @@ INSTANTIATE_TEST_SUITE_P(
                     r.faces[0].normals.resize(4, Vec{0, 0, 1});
                     r.faces[0].normals[2] = {1, 0, -0.1};
                   },
-                  "a.room:7: found the normal (1, 0, -0.1) of corner 3, expected one on "
-                  "the side"},
+                  "a.room:7: found the normal (1, 0, -0.1) of corner 3, expected a normal "
+                  "of non"},
         WrongRoom{
             "NormalWithoutLength",  // the square of its length underflows to 0
             [](Room& r) {
               r.faces[0].normals.resize(4, Vec{0, 0, 1});
               r.faces[0].normals[1] = {0, 0, 1e-320};
             },
-            "a.room:7: found the normal (0, 0, 1e-320) of corner 2, expected one on the side"},
+            "a.room:7: found the normal (0, 0, 1e-320) of corner 2, expected a normal of non"},
         WrongRoom{"NormalNan",
                   [](Room& r) {
                     r.faces[0].normals.resize(4, Vec{0, 0, NAN_});
                   },
                   "a.room:7: found the normal of corner 1 at (0, 0, nan)"},
         WrongRoom{"NoPatches", [](Room& r) { r.faces[0].along = 0; },
-                  "a.room:7: found 0 x 1 patches, expected 1 to 10000 each way"},
+                  "a.room:7: found 0 x 1 patches, expected 1 to 10000 in each "},
         WrongRoom{"TooManyPatches", [](Room& r) { r.faces[0].across = 10001; },
                   "a.room:7: found 1 x 10001 patches"},
         WrongRoom{"NoSuchMaterial", [](Room& r) { r.faces[0].material = 2; },
@@ -166,7 +166,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongRoom{"ViewAngleNan", [](Room& r) { r.view.angle = NAN_; },
                   "view: found a view angle of nan"},
         WrongRoom{"ViewSize", [](Room& r) { r.view.height = 0; },
-                  "view: found a picture of 512 x 0 pixels, expected 1 to 65536 each way"}),
+                  "view: found a picture of 512 x 0 pixels, expected 1 to 65536 in each "}),
     [](const auto& info) { return info.param.name; });
 
 TEST(RoomCheck, SmallestRoomsPass) {
