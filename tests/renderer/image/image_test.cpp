@@ -204,8 +204,7 @@ TEST_F(Png, TooManyPixelsAreAnError) {
     load_png(file);
     ADD_FAILURE() << "loaded";
   } catch (const base::BadInput& error) {
-    EXPECT_EQ(error.what(),
-              file + ": found 4097 x 4096 pixels, expected at most 16777216 pixels");
+    EXPECT_EQ(error.what(), file + ": found 4097 x 4096 pixels, expected at most 16777216 pixels");
   }
 }
 
