@@ -22,11 +22,20 @@ struct Reading {
   std::string skipped = {};  // an entity that Expat cannot resolve
 };
 
+// Expat 2.9 deprecates the function without 64.
+template <typename Parser>
+int line_of(Parser parser) {
+  if constexpr (requires { XML_GetCurrentLineNumber64(parser); })
+    return static_cast<int>(XML_GetCurrentLineNumber64(parser));
+  else
+    return static_cast<int>(XML_GetCurrentLineNumber(parser));
+}
+
 void begin_element(void* data, const XML_Char* name, const XML_Char** attributes) {
   auto& reading = *static_cast<Reading*>(data);
   if (++reading.level > reading.depth) return;
   XmlElement element;
-  element.line = static_cast<int>(XML_GetCurrentLineNumber(reading.parser));
+  element.line = line_of(reading.parser);
   element.name = name;
   if (const auto end = element.name.find(SEPARATOR); end != std::string::npos) {
     element.space = element.name.substr(0, end);
@@ -81,7 +90,7 @@ XmlElement read_xml(const std::string& text, int depth, const std::string& file)
   if (XML_Parse(parser.get(), text.data(), static_cast<int>(text.size()), XML_TRUE) ==
       XML_STATUS_OK)
     return std::move(reading.root);
-  const auto place = fmt::format("{}: line {}", file, XML_GetCurrentLineNumber(parser.get()));
+  const auto place = fmt::format("{}: line {}", file, line_of(parser.get()));
   if (!reading.skipped.empty())
     base::refuse(place, "malformed XML: the entity {} is not defined in this file",
                  base::quote(reading.skipped));
