@@ -156,6 +156,7 @@ PointResult load_record(const fs::path& file) {
 
 StoreGuard::StoreGuard(const fs::path& results)
     : results_(fs::absolute(results)),
+      records_(results_ / records_folder()),
       was_there_(fs::exists(results)),
       undo_([this] { clean_up(); }) {}
 
@@ -165,13 +166,12 @@ StoreGuard::~StoreGuard() {
 }
 
 void StoreGuard::clean_up() const noexcept {
-  const auto folder = results_ / records_folder();
-  remove_left_behind(folder);
-  remove_left_behind(folder.parent_path());
+  remove_left_behind(records_);
+  remove_left_behind(records_.parent_path());
   std::error_code ignored;
   // fails for folders that are not empty, whose images may belong to another process's record
-  fs::remove(folder, ignored);
-  fs::remove(folder.parent_path(), ignored);
+  fs::remove(records_, ignored);
+  fs::remove(records_.parent_path(), ignored);
   if (!was_there_) fs::remove(results_, ignored);
 }
 

@@ -53,7 +53,7 @@ class StoreGuard {
  private:
   void clean_up() const noexcept;
 
-  std::filesystem::path results_;
+  std::filesystem::path results_, records_;
   bool was_there_;
   base::Undo undo_;
 };
