@@ -9,6 +9,7 @@ namespace {
 struct Nearest {
   std::uint32_t object = NO_OBJECT;
   Place place;
+  bool is_close = false;  // to an edge, see Probe
 };
 
 // State and counts of a traversal.
@@ -66,7 +67,7 @@ template <class Primitive>
   const double distance = intersect(primitive, probe);
   walk.probe.roots += probe.roots;
   walk.probe.edges += probe.edges;
-  walk.probe.is_close |= probe.is_close;
+  walk.probe.is_close = probe.is_close;
   return distance;
 }
 
@@ -75,6 +76,7 @@ template <bool MOVES, class Listener>
 [[gnu::always_inline]] inline void consider(Walk& walk, Place place, const Listener& listener) {
   if constexpr (Listener::LISTENS) listener.object(walk, place);
   ++walk.tests[static_cast<int>(place.kind())];
+  walk.probe.is_close = false;
   Tag tag;
   const double distance = visit(
       walk.scene, place, [&](const auto& primitive) __attribute__((always_inline)) {
@@ -89,7 +91,7 @@ template <bool MOVES, class Listener>
   if (distance < reach ||
       (distance == reach && tag.object < best.object && best.object != NO_OBJECT)) {
     reach = distance;
-    best = {tag.object, place};
+    best = {tag.object, place, walk.probe.is_close};
   }
 }
 
@@ -195,7 +197,7 @@ template <bool MOVES>
   }
   hit.inside = dot(geometric, ray.direction) > 0;
   if (hit.inside) hit.normal = -hit.normal;
-  if (walk.probe.is_close) [[unlikely]]
+  if (walk.best.is_close) [[unlikely]]
     hit.point += pull_from_edges(scene, place, still, ray.travelled + hit.distance) - still;
 }
 

@@ -62,7 +62,7 @@ TEST(Scale, AHugeGroundHidesNothing) {
     for (const auto describe : {&describe_square, &describe_triangles, &describe_ball}) {
       const Samples expected = render_with(objects, describe(1e5 * size));
       for (const double extent : {1e7, 1e9, 1e10, 1e12}) {
-        // Its rounding is 1e-16 of a ball's radius, but a flat ground through 0 has none.
+        // A ball's surface is rounded to 1e-16 of its radius. The plane y = 0 is exact.
         if (describe == &describe_ball && extent > 1e10) continue;
         SCOPED_TRACE(fmt::format("size {}, ground {} times", size, extent));
         EXPECT_LT(compare(render_with(objects, describe(extent * size)), expected), 0.01);
