@@ -161,6 +161,7 @@ void translate(Polygon& polygon, const Vec& by, std::vector<PolygonCorner>& pool
   const auto corners = std::span(pool).subspan(polygon.first, polygon.count);
   for (Corner3& c : corners) c = {{c.u + by[polygon.u], c.v + by[polygon.v]}, c.w + by[polygon.w]};
   set_edges(corners);
+  polygon.slack += CLOSE * max_abs(by);
 }
 
 void translate(Cone& cone, const Vec& by) { cone.base += by; }

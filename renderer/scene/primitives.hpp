@@ -2,7 +2,6 @@
 // The four primitives of NFF, prepared for intersection. The make_ functions throw BadInput "found
 // ..., expected ..." for degenerate shapes; readers of files add the position.
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -56,7 +55,7 @@ struct Polygon {
   std::uint8_t u = 0, v = 1, w = 2;    ///< kept axes u and v, and projection axis w
   Shape shape = Shape::concave;
   Tag tag;
-  double slack = 0;  ///< part of eval_closeness(), scene units
+  double slack = 0;  ///< part of eval_closeness(), scene units; infinite if the shape is bent
 };
 
 /// A polygon with normals interpolated between its corners. They point to its front.
@@ -125,7 +124,8 @@ Vec eval_smooth_normal(const Patch& patch, std::span<const PolygonCorner> pool,
 // known and omitted, regardless of rounding. A flat primitive has no other root, a quadric has one.
 // The epsilon applies to other primitives through the origin.
 //
-// All tests are inlined into every traversal, since calls would slow a rendering by a tenth.
+// All tests, except for intersect_closely(), are inlined into every traversal, since calls would
+// slow a rendering by a tenth.
 
 inline constexpr double NO_HIT = std::numeric_limits<double>::infinity();
 
@@ -138,7 +138,7 @@ struct Probe {
   const PolygonCorner* corners;  ///< corner pool of the scene
   /// number of sphere tests with a root, and of polygon tests with the plane ahead
   std::uint32_t roots = 0, edges = 0;
-  bool is_close = false;  ///< intersect_closely() has hit a polygon
+  bool is_close = false;  ///< intersect_closely() has hit the polygon
 
   bool starts_on(const Tag& tag) const { return tag.object == from; }
 };
@@ -177,8 +177,8 @@ struct Probe {
   return least;
 }
 
-/// The same for any polygon, by the even-odd rule. The result is nearer to 0 than the distance of
-/// the nearest edge if the point is level with a corner or with a longer edge's line.
+/// The same for any polygon, by the even-odd rule. The result may be nearer to 0 than the distance
+/// of the nearest edge, but it has the right sign.
 [[gnu::always_inline]] inline double find_depth(std::span<const PolygonCorner> corners, double u,
                                                 double v) {
   bool inside = false;
@@ -204,8 +204,8 @@ inline constexpr double EDGE_MARGIN = 16;
 /// Largest cosine to the normal of a ray that sees the polygon edge-on.
 inline constexpr double EDGE_ON = 1e-6;
 
-/// Largest distance from an edge, in scene units, at which a perpendicular ray is close to it. It
-/// is well above the rounding error of the ray's point in the plane.
+/// Distance from an edge, in scene units, below which intersect_closely() decides on a
+/// perpendicular ray. It is well above the rounding error of the ray's point in the plane.
 [[gnu::always_inline]] inline double eval_closeness(const Polygon& p, double epsilon) {
   return p.slack + EDGE_MARGIN * epsilon;
 }
@@ -218,12 +218,13 @@ inline constexpr double EDGE_ON = 1e-6;
                                                       const Vec& direction, double epsilon);
 
 /// Moves a point of a polygon inside if it is close to an edge. Rays from there then meet the
-/// neighbours at more than `epsilon`, unless the faces enclose less than some 4 degrees.
+/// neighbours at more than `epsilon`, unless the faces enclose less than some 4 degrees. At a
+/// corner of less than 20 degrees, the point may stay closer to the edges.
 Vec pull_inside(const Polygon& polygon, const PolygonCorner* pool, const Vec& point,
                 double epsilon);
 
-// Rejects polygons by a single predictable branch. Half of the feelers go towards a wall of the
-// room, but nearly all end before it.
+// Half of the feelers go towards a wall of the room, but nearly all end before it: such polygons
+// are rejected by predictable branches.
 [[gnu::always_inline]] inline double intersect(const Polygon& p, Probe& ray) {
   if (ray.starts_on(p.tag)) return NO_HIT;
   const Vec &origin = ray.origin, &direction = ray.direction;
@@ -246,7 +247,7 @@ Vec pull_inside(const Polygon& polygon, const PolygonCorner* pool, const Vec& po
     if (depth < -limit) return NO_HIT;
   }
   const double found = intersect_closely(p, ray.corners, origin, direction, ray.epsilon);
-  ray.is_close |= found < NO_HIT;
+  ray.is_close = found < NO_HIT;
   return found;
 }
 

@@ -163,6 +163,30 @@ TEST(Primitives, NeighbouringPolygonsLeaveNoGap) {
   }
 }
 
+// The rounding of a polygon's test grows with its coordinates.
+TEST(Primitives, MovedPolygonsAreAsThoseMadeThere) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    Random random{seed};
+    std::vector<Vec> corners = {random.point(1), random.point(1), random.point(1)};
+    const Vec by = random.point(std::pow(10, random.range(0, 8)));
+    std::vector<PolygonCorner> pool;
+    Polygon moved = make_polygon(corners, {}, pool);
+    translate(moved, by, pool);
+    for (Vec& corner : corners) corner += by;
+    const Polygon there = make_polygon(corners, {}, pool);
+    EXPECT_GE(moved.slack, 0.999 * there.slack);
+    EXPECT_LE(moved.slack, 3.01 * there.slack + 1e-8);
+    const double rounding = 1e-13 * (1 + max_abs(by));
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Line &edge = pool[i].edge, &same = pool[there.first + i].edge;
+      if (moved.w != there.w) continue;  // two axes project the triangle alike
+      EXPECT_NEAR(edge.normal_u, same.normal_u, 1e3 * rounding);
+      EXPECT_NEAR(edge.normal_v, same.normal_v, 1e3 * rounding);
+    }
+  }
+}
+
 TEST(Primitives, PatchNormalsAreInterpolated) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
