@@ -100,6 +100,7 @@ double find_most_height(const Flat& other, const Flat& on) {
   return other.width >= on.patch_width ? on.gap() : std::min(on.gap(), NARROW_GAP * other.width);
 }
 
+// True if `other` is near enough to hang over `on` (see hangs_over()).
 bool may_hang(const Flat& other, const Flat& on) {
   return touch(other, on, find_most_height(other, on));
 }

@@ -239,8 +239,8 @@ Face turn(Face face) {
   return face;
 }
 
-// A slightly larger polygon, so that no ray passes between faces that share an edge, whatever the
-// rounding.
+// A slightly larger polygon, so that no ray passes between faces of which one has a corner in the
+// middle of the other's edge.
 std::vector<Vec> grow(std::vector<Vec> corners) {
   constexpr double SHARE = 1e-9;
   const Vec centre = eval_centre(corners);

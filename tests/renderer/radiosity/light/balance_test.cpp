@@ -103,6 +103,29 @@ Room make_lamp_room(std::uint64_t seed, double below, int patches) {
   return room;
 }
 
+// Rays to corners and edges of the faces, from inside.
+TEST(Balance, NoRayLeavesAClosedRoomBetweenItsFaces) {
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Room room = make_lamp_room(seed, 0.1, 3);
+    const renderer::Scene blockers = make_mesh(room, {}).blockers;
+    renderer::test::Random random{seed};
+    Vec middle;
+    for (std::size_t f = 0; f < 6; ++f) middle += (1 / 6.0) * eval_centre(room.faces[f].corners);
+    for (std::size_t f = 0; f < 6; ++f)
+      for (std::size_t i = 0; i < 4; ++i)
+        for (const double share : {0.0, 0.5, random.unit()}) {
+          const auto& corners = room.faces[f].corners;
+          const Vec target = corners[i] + share * (corners[(i + 1) % 4] - corners[i]);
+          const Vec origin = middle + random.point(1), way = target - origin;
+          const renderer::Ray ray{.origin = origin, .direction = normalize(way), .influence = {}};
+          renderer::Work work;
+          const auto hit = intersect(blockers, ray, renderer::Traversal::nearest, work);
+          ASSERT_TRUE(hit && hit->distance <= length(way) * (1 + 1e-6));
+        }
+  }
+}
+
 // The ceiling behind the lamp neither receives light nor sends any.
 TEST(Balance, ALampInThePlaneOfTheCeilingCoversIt) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
