@@ -9,17 +9,6 @@
 
 #include "renderer/scene/vec.hpp"
 
-// Compiles a function twice: for wide registers, and for other processors. The program selects a
-// version when it starts, which is too early for sanitizers. (Without fused multiply-add, results
-// are the same.) clang requires that the function is private to its source and only calls an
-// inlined one, without Lanes passed by value.
-#if defined(__x86_64__) && defined(__GLIBC__) && defined(__GNUC__) && \
-    !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define TLAB_WIDE_REGISTERS __attribute__((target_clones("avx2", "default")))
-#else
-#define TLAB_WIDE_REGISTERS
-#endif
-
 // Lanes are passed only to inlined functions, so that calling conventions do not matter.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
@@ -93,6 +82,24 @@ struct Rgbs {
 [[gnu::always_inline]] inline Lanes clamp(const Lanes& a, double lo, double hi) {
   const Lanes least = a < lo ? lo - Lanes{} : a;
   return hi < least ? hi - Lanes{} : least;
+}
+
+#if defined(__x86_64__) && defined(__GNUC__)
+template <class Call>
+[[gnu::target("avx2")]] void run_with_avx2(const Call& call) {
+  call();
+}
+#endif
+
+/// Calls a function that computes with Lanes, with wide registers if the processor has them. The
+/// call operator must be declared always_inline, and call only inlined functions with Lanes by
+/// value. (Results are the same without wide registers, since AVX2 has no fused multiply-add.)
+template <class Call>
+void run_in_lanes(const Call& call) {
+#if defined(__x86_64__) && defined(__GNUC__)
+  if (__builtin_cpu_supports("avx2")) return run_with_avx2(call);
+#endif
+  call();
 }
 
 }  // namespace renderer

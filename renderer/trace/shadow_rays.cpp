@@ -144,15 +144,10 @@ struct Slabs {
   work[Op::polygon_edges] += count(counts.edges);
 }
 
-TLAB_WIDE_REGISTERS
-void block_wide(const Scene& scene, ShadowRays& rays, Work& work) {
-  block_lanes(scene, rays, work);
-}
-
 }  // namespace
 
 void find_blocked(const Scene& scene, ShadowRays& rays, Work& work) {
-  block_wide(scene, rays, work);
+  run_in_lanes([&]() __attribute__((always_inline)) { block_lanes(scene, rays, work); });
 }
 
 }  // namespace renderer

@@ -156,12 +156,6 @@ template <class Share, class Receiver>
         eye, sender, points, looks, [](std::size_t k) { return k; }, sum, work);
 }
 
-TLAB_WIDE_REGISTERS
-void add_far_lights(const Eye& eye, const Receivers& receivers, const Sender& sender, Sum& sum,
-                    Mask& near, Work& work) {
-  add_far_lanes(eye, receivers, sender, sum, near, work);
-}
-
 // A delta area seen by a receiver.
 struct Seen {
   const Vertex* vertex;
@@ -193,12 +187,6 @@ using SeenLanes = std::array<Seen, LANES>;
       eye, sender, points, looks, [&](std::size_t k) { return seen[k].receiver; }, sum, work);
 }
 
-TLAB_WIDE_REGISTERS
-void add_near_lights(const Eye& eye, const SeenLanes& seen, const Sender& sender, Sum& sum,
-                     Work& work) {
-  add_near_lanes(eye, seen, sender, sum, work);
-}
-
 // Batch of delta areas seen by receivers. It is evaluated when all lanes are full.
 class Near {
  public:
@@ -224,7 +212,9 @@ class Near {
       seen_[k] = seen_[0];
       seen_[k].vertex = nullptr;
     }
-    add_near_lights(eye_, seen_, sender_, sum_, work_);
+    renderer::run_in_lanes([&]() __attribute__((always_inline)) {
+      add_near_lanes(eye_, seen_, sender_, sum_, work_);
+    });
     count_ = 0;
   }
 
@@ -258,7 +248,9 @@ void for_each(const Receivers& receivers, const F& f) {
 void add_direct_lights(const Eye& eye, const Receivers& receivers, const Sender& sender, Sum& sum,
                        Work& work) {
   Mask near;
-  add_far_lights(eye, receivers, sender, sum, near, work);
+  renderer::run_in_lanes([&]() __attribute__((always_inline)) {
+    add_far_lanes(eye, receivers, sender, sum, near, work);
+  });
   if (!holds_any(near)) return;
   Near rest(eye, sender, sum, work);
   for_each(receivers, [&](const Vertex& v, std::size_t k) {
