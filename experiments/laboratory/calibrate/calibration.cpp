@@ -27,7 +27,8 @@ namespace {
 using base::require;
 using Texts = std::vector<std::string>;
 
-// Reads the experiment with its sweep replaced. Paths of model files are relative to its folder.
+// Reads the experiment with `sweep` and the task's model in place of its own. The model's path
+// becomes absolute, since paths in the file are relative to its folder.
 ExperimentFile read_task(const CalibrationTask& task, const toml::table& sweep) {
   const auto model =
       task.model.ends_with(".toml") ? std::filesystem::absolute(task.model).string() : task.model;
@@ -42,8 +43,8 @@ ExperimentFile read_task(const CalibrationTask& task, const toml::table& sweep) 
   return read_experiment("[program]\nname = \"message\"\n", task.measurements, "", overrides);
 }
 
-// Throws if the experiment overrides entries of the model, which the fitted file would lose, or if
-// it has axes that were not measured.
+// Throws if the experiment overrides entries of the model, because the fitted model file would not
+// contain the overrides. Also throws if the experiment has axes that were not measured.
 void check_experiment(const CalibrationTask& task, const Texts& columns) {
   if (task.experiment.empty()) return;
   const auto file = load_experiment(task.experiment, {});
@@ -130,8 +131,8 @@ void push_back(toml::array& list, const Value& value) {
     list.push_back(to_string(cell));
 }
 
-// Makes a sweep whose coupled axes take every distinct setting once. `which` receives the index of
-// each measurement's point.
+// Makes a sweep whose coupled axes take every distinct setting once. `which` receives, for each
+// measurement, the index of its point in the sweep.
 toml::table make_sweep(const Table& settings, std::vector<std::size_t>& which) {
   std::vector<std::vector<Value>> points;
   toml::array values;
@@ -185,7 +186,7 @@ class Runs {
   std::string column_;
   ExperimentFile file_;
   TemporaryFolder images_;
-  std::vector<double> values_, given_;  // Results and model entries of the last call of eval().
+  std::vector<double> values_, given_;  // model entries of the last call of eval(), and its results
 };
 
 const machine::Entry& find_entry(const machine::Model& model, const std::string& key) {

@@ -30,13 +30,14 @@ struct Calibration {
   std::vector<std::string> unused;  ///< CSV columns that are neither keys nor results
 };
 
-/// Fits the entries by least squares of log(model / measured), as for measurements with equal
-/// relative errors. Simulates every setting with the engine "direct". Throws base::BadInput, with
-/// the file or the entry, for
+/// Fits the entries by least squares of log(model / measured), which assumes that all measurements
+/// have equal relative errors. Simulates every setting with the engine "direct". Throws
+/// base::BadInput, with the file or the entry, for
 ///   - no more measurements than entries, or a measurement of 0 or less;
 ///   - an entry that the model lacks, or whose value is not positive;
 ///   - entries that the measurements do not determine;
-///   - an experiment that changes the machine, or has axes without a column.
+///   - an experiment that changes the machine model, or has an axis that is no column of the
+///     measurements.
 Calibration calibrate(const CalibrationTask& task);
 
 /// Formats the fit as text for a terminal: the entries, the quality of the fit, and each

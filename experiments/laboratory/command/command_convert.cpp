@@ -99,8 +99,8 @@ Texts write_obj(const std::string& source, const std::string& output, LeftOut& l
   return {{library.string(), obj.library()}, {output, obj.text()}};
 }
 
-// CPU seconds allowed for converting a mesh. A .gltf file may refer to further files of its folder,
-// so they count as well.
+// CPU seconds allowed for converting a mesh, by the size of its file. Other files of its folder
+// count too if they have the same name or end in .bin, since a .gltf file may refer to them.
 rlim_t find_time_limit(const std::string& source) {
   constexpr double LEAST_S = 1, S_PER_BYTE = 2e-5;
   std::uintmax_t bytes = 0;

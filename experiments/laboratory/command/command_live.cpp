@@ -74,7 +74,7 @@ fs::path find_recording(const LiveOptions& o, const ExperimentFile& file) {
                   "found the experiment itself, {}, expected another file", o.record);
     return o.record;
   }
-  // Chooses a folder that keeps the recordings of earlier sessions.
+  // Chooses a new file name, so that recordings of earlier sessions are not overwritten.
   const auto name = fs::path(file.path).stem().string() + "-live";
   fs::path recording = fs::path("results") / (name + ".toml");
   for (int number = 2; fs::exists(recording); ++number)
@@ -99,7 +99,7 @@ class Doorway {
   TemporaryFolder folder_;
 };
 
-// Asks the user to open the address by hand if no browser can be started.
+// Opens the file in a browser. Ignores errors, since the user can also open the printed address.
 void open_browser(const std::string& file) {
   std::string program = "xdg-open", argument = file;
   char* arguments[] = {program.data(), argument.data(), nullptr};
@@ -112,8 +112,8 @@ void open_browser(const std::string& file) {
   posix_spawn_file_actions_destroy(&quiet);
 }
 
-// Stores the session's result like the result of a run of its recording. Returns the options of
-// that run.
+// Stores the session's result as the record of its recording, so that `tlab run` of the recording
+// finds it. Returns the options for that run.
 RunOptions keep_result(const RunOptions& options, const Session& session, PointResult result) {
   RunOptions rerun = options;
   if (const auto ended_s = session.ended_by_hand_s()) {
@@ -129,14 +129,15 @@ RunOptions keep_result(const RunOptions& options, const Session& session, PointR
   return rerun;
 }
 
-// Runs the point while live pages watch it. Records the session in options.file in any case.
+// Runs the point while live pages watch it. Writes the recording of the session to options.file
+// even if the run fails.
 RunOptions run_watched(const RunOptions& options, const ExperimentFile& file, Session& session) {
   std::optional<PointResult> result;
   std::exception_ptr failure;
   try {
     result = run_point(file.points[0], options, results_folder(options) / records_folder(),
                        {.controller = &session});
-  } catch (const machine::Fault&) {  // the run of the recording reports the fault
+  } catch (const machine::Fault&) {  // reported by the run of the recording
   } catch (...) {
     failure = std::current_exception();
   }

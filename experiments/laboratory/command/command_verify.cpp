@@ -24,7 +24,7 @@ constexpr std::size_t MOST_SHOWN = 20;
 
 struct VerifyOptions {
   std::vector<std::string> paths;  // experiment files, or folders of them
-  // options of each run; `output`: results folder, or with several files its parent
+  // options of each run; `output` is the results folder, or its parent if there are several files
   RunOptions run;
   bool all = false;  // show every point of a check instead of only the worst ones
 };
@@ -91,7 +91,7 @@ void verify_file(const Candidate& candidate, const VerifyOptions& options, bool 
 }
 
 // Runs the experiments and prints every check with its points. Then throws Failure unless all
-// checks hold and every file and folder contains one. A check without points counts as failed.
+// checks hold and every file and folder contains a check. A check without points counts as failed.
 void verify(const VerifyOptions& options) {
   std::vector<std::vector<Candidate>> candidates;
   for (const auto& path : options.paths) candidates.push_back(find_candidates(path));

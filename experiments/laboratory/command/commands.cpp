@@ -223,7 +223,7 @@ int run_tlab(int argc, char** argv) try {
     complain(is_memory ? "the host is out of memory" : error.what());
     return exit_code_of(error);
   }
-} catch (const std::exception& error) {  // thrown by code around the command
+} catch (const std::exception& error) {  // thrown by secure_streams() or the InterruptWatch
   complain(error.what());
   return exit_code_of(error);
 }

@@ -8,7 +8,7 @@
 namespace laboratory {
 namespace {
 
-constexpr std::size_t ABOUT_COLUMN = 30;  // where descriptions begin
+constexpr std::size_t ABOUT_COLUMN = 30;  // column at which descriptions begin
 
 // "  NAME   ABOUT", with the description on a line of its own if the name is long.
 std::string line_of(const std::string& name, const std::string& about) {

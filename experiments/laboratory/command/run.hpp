@@ -9,16 +9,16 @@ namespace laboratory {
 enum class Missing { run, refuse };
 
 /// Runs every missing point and evaluates the checks. Writes results.csv, run.json, checks.csv,
-/// images, plots and report.html into the folder, all or nothing. Only records appear earlier, each
-/// as soon as its point is done.
+/// images, plots and report.html into the folder, either all of them or none. Only the records of
+/// points are written earlier, each as soon as its point is done.
 ///
 /// The results depend only on the experiment. They are independent of the number of jobs, and of
 /// points kept from an earlier, partial or killed run. If some points fail, or a limit or the user
-/// ends the run early, the results are kept and marked incomplete. The outcome of checks has no
-/// effect here.
+/// ends the run early, the results are kept and marked incomplete. Failed checks do not affect the
+/// results.
 ///
-/// Throws BadInput for results of another experiment, and for missing points under Missing::refuse.
-/// Writes nothing if all points failed.
+/// Throws BadInput if the folder has results of another experiment, and for missing points under
+/// Missing::refuse. Writes nothing if all points failed.
 Simulation simulate(const RunOptions& options, const ExperimentFile& file, const CheckPlan& plan,
                     Missing missing = Missing::run);
 

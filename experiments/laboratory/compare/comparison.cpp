@@ -94,7 +94,8 @@ Texts note_gaps(const Comparison& c) {
   return notes;
 }
 
-// Plots a result's ratio to the first run for each point, with bands if there are intervals.
+// Plots the ratio of a result to the first run's result at each point, with bands if there are
+// intervals.
 std::vector<Plot> plot_ratio(const MatchedRuns& matched, const std::string& column) {
   const auto name =
       fmt::format("{}, relative to {}", without_unit(make_label(column)), matched.runs[0].name);

@@ -45,8 +45,8 @@ void check_everywhere(const std::vector<NamedTable>& runs, const std::string& ax
                   axis, std::ranges::find_if(runs, has)->name, without->name));
 }
 
-// Throws if the second seed varies independently of the first. Samples with the same value of one
-// seed would not be independent. Seeds that change together, as coupled axes, are valid.
+// Throws if the second seed varies independently of the first, since samples that share the value
+// of a seed are not independent. Seeds that change together, as coupled axes, are valid.
 void check_coupled(const std::vector<NamedTable>& runs, const std::string& seed,
                    const std::string& other) {
   for (const auto& [name, table] : runs) {

@@ -18,8 +18,8 @@ bool is_empty(const Table& table, std::size_t row, const std::string& column) {
   return table.rows[row][*table.find(column)] == Value();
 }
 
-// The numbers of a column in the given rows, without empty cells; none if there are none, or if a
-// cell is a string.
+// The numbers of a column in the given rows, without empty cells. No value if all cells are empty
+// or one of them is a string.
 std::optional<Numbers> find_numbers(const Table& table, const Rows& rows,
                                     const std::string& column) {
   Numbers numbers;
@@ -76,7 +76,7 @@ double half_width_apart(const Numbers& a, const Numbers& b) {
 }
 
 // The rows of both runs in the order of the seeds of `a`, without seeds for which the column is
-// empty in either run; none if the two have different seeds.
+// empty in either run; none if the two runs have different seeds.
 std::optional<std::pair<Rows, Rows>> pair_seeds(const Table& a, const Table& b, const Rows& rows_a,
                                                 const Rows& rows_b, const std::string& seed,
                                                 const std::string& column) {

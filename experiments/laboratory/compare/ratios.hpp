@@ -18,7 +18,7 @@ struct Ratio {
 };
 
 /// The ratio at a point, without seeds whose cell is empty in either run. None if no sample is
-/// left, or if a sample of either run is not a number, infinite or not positive.
+/// left, or if a sample of either run is not a finite positive number.
 std::optional<Ratio> find_ratio(const MatchedRuns& matched, const MatchedRuns::Point& point,
                                 std::size_t run, const std::string& column);
 
@@ -32,12 +32,13 @@ struct Spread {
   std::size_t intervals = 0;  ///< number of points whose ratio has an interval
   std::size_t below = 0;      ///< number of intervals that end below 1
   std::size_t above = 0;      ///< number of intervals that begin above 1
-  std::size_t others = 0;     ///< number of points without a ratio at which the two runs differ
+  std::size_t others = 0;     ///< number of points that have no ratio although the two runs differ
   const MatchedRuns::Point* other = nullptr;  ///< first of the points counted in `others`
 
   bool is_same() const { return (points == 0 || (least == 1 && most == 1)) && others == 0; }
 };
-/// Summarises the ratios of a run. The returned pointers refer to points of `matched`.
+/// Summarises the ratios of a run. `least_at`, `most_at` and `other` of the result point into
+/// `matched`.
 Spread find_spread(const MatchedRuns& matched, std::size_t run, const std::string& column);
 
 /// Formats a summary of ratios: "time_s: b is 0.83 times a (geometric mean of 6 points; 0.81 at
@@ -48,9 +49,9 @@ std::string tell_spread(const MatchedRuns& matched, std::size_t run, const std::
 /// The numeric columns that are results in every run.
 std::vector<std::string> find_common_results(const std::vector<NamedTable>& runs);
 
-/// Makes a table for display, with one row for each point: the axes, then the result of each run
-/// ("NAME: COLUMN"), a mean over seeds. For each later run follow its ratio to the first ("NAME /
-/// FIRST"), and the interval ("0.97 to 1.02") if any point has one.
+/// Makes a table for display, with one row for each point. It begins with the axes and the result
+/// of each run ("NAME: COLUMN"), averaged over seeds. Each run after the first also has its ratio
+/// to the first ("NAME / FIRST"), and the ratio's interval ("0.97 to 1.02") if any point has one.
 Table compare_column(const MatchedRuns& matched, const std::string& column);
 
 /// Makes a table for other programs, with one row for each result, point and run after the first.

@@ -35,8 +35,8 @@ struct ComparedRun {
 /// folder with no results or damaged ones.
 std::vector<ComparedRun> load_runs(const std::vector<std::string>& folders);
 
-/// Makes the results tables without rows of incomplete points. An axis of one run becomes an axis
-/// of every other run that sets its key, with a single value.
+/// Makes the results tables without rows of incomplete points. If an axis of one run is a constant
+/// key of another, the other's table also gets this axis, with the constant in every row.
 std::vector<NamedTable> make_tables(const std::vector<ComparedRun>& runs);
 
 /// Makes a table with one row for each difference between the experiments: "setting", then a column

@@ -32,7 +32,7 @@ struct Check {
   std::optional<double> within;  ///< largest allowed relative error at any point
   std::optional<double> within_mean;  ///< largest allowed mean of the relative errors
   std::optional<double> within_abs;   ///< largest allowed absolute error, in the column's unit
-  /// least share of expected values inside the 90 % intervals of the machines drawn
+  /// required share of expected values that lie in the 90 % interval over machines drawn at random
   std::optional<double> covers;
   bool may_be_empty = false;  ///< the check holds if it applies to no point
 
@@ -44,7 +44,7 @@ struct Check {
 /// One [[baseline]]: adds a column with the speed-up of each row over another row of the same
 /// sweep.
 struct BaselineSpec {
-  std::string name;   ///< name of the added column, "speedup_NAME"
+  std::string name;   ///< the NAME in the name of the added column, "speedup_NAME"
   std::string place;  ///< position for errors, "e.toml:12: baseline \"NAME\""
   std::string at;     ///< the baseline row: AXIS = VALUE, ..., as in {COLUMN @ ...}
   /// the compared column; the speed-up is the baseline's value / the row's value
@@ -88,7 +88,7 @@ struct BestSpec {
   /// axes whose values are separate cases, each with its own best
   std::vector<std::string> for_each;
   std::string where;
-  std::string pays;   ///< an axis: find up to which value doubling it pays
+  std::string pays;   ///< numeric axis: finds the value up to which each doubling pays
   double gain = 0.1;  ///< least relative gain for which doubling pays
 };
 

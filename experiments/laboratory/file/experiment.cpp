@@ -35,7 +35,7 @@ void set_key(toml::table& file, const std::string& key, const toml::node& value)
   sweep->insert_or_assign(join_names(key.substr(6)), value);
 }
 
-// Replaces keys of the file by those of a table in it, and of its subtables. `prefix` precedes the
+// Sets keys of the file to the values in the table `by` and its subtables. `prefix` precedes the
 // names of the keys.
 void replace_keys(toml::table& file, const toml::table& by, const std::string& prefix) {
   for (auto&& [name, node] : by) {
@@ -47,7 +47,7 @@ void replace_keys(toml::table& file, const toml::table& by, const std::string& p
   }
 }
 
-// Removes [reduced], after its values have replaced those of the file if `is_reduced`.
+// Removes [reduced] from the file. If `is_reduced`, its values replace those of the file.
 void take_reduced(toml::table& file, bool is_reduced, const std::string& path) {
   const auto* node = file.get("reduced");
   if (!node) return;
@@ -62,7 +62,7 @@ std::map<std::string, double, std::less<>> find_numbers(const toml::table& file,
                                                         const std::vector<Coordinate>& at) {
   std::map<std::string, double, std::less<>> numbers;
   auto add = [&](const std::string& key, const toml::node& node) {
-    if (key.starts_with("model.")) return;  // entries of the model are found in the model itself
+    if (key.starts_with("model.")) return;  // these are taken from the model itself
     if (node.is_number())
       numbers[key] = *node.value<double>();
     else
@@ -111,7 +111,6 @@ std::string Override::text() const {
   return spelled.empty() ? fmt::format("{}={}", key, to_toml(*value)) : spelled;
 }
 
-// The name of an axis may contain dots.
 Override parse_override(const std::string& text) {
   const auto equals = text.find('=');
   base::require(equals != std::string::npos && equals > 0, "--set " + text,

@@ -52,10 +52,11 @@ struct Experiment {
   base::Source topology{"tree", "tree"};  ///< generator (sized by `workers`), specification or file
   std::int64_t workers = 7;               ///< number of processors in the network
   int switches = 0;  ///< C004 link switches on every link not listed in `switches_between`
-  /// numbers of two processors, from 0, and of the switches between them
+  /// three numbers: two processors, counted from 0, and the switches on the links between them
   std::vector<std::array<int, 3>> switches_between;
   base::Source routes;  ///< "xy", or a file with some of the routes; "": shortest routes
-  std::string tree;     ///< broadcast trees: per_root, single; "": single if tree_links are given
+  /// broadcast trees, "per_root" or "single"; "": single if tree_links are given, else per_root
+  std::string tree;
   /// links of the single tree; none: breadth-first tree of the root
   topologies::TreeLinks tree_links;
   std::vector<FaultSpec> faults;                   ///< faults from [[fault]]
@@ -72,7 +73,7 @@ std::vector<std::string> files_of(const Experiment& experiment);
 
 /// The section [uncertain].
 struct Uncertain {
-  /// number of machines drawn from the ranges of the model's entries; 0: none
+  /// number of machines drawn at random from the ranges of the model's entries; 0: none
   std::int64_t machines = 0;
   std::int64_t seed = 1;
 };
@@ -89,7 +90,7 @@ struct Setting {
 /// The keys that do not depend on the program.
 std::vector<Setting> settings();
 
-/// Appends a setting for each field of P, whose default is that of `params`.
+/// Appends a setting for each field of P. Its default is the field's value in `params`.
 template <class P>
 void add_settings(std::vector<Setting>& all, const base::Fields<P>& fields,
                   const std::string& prefix, const P& params = {}) {
@@ -140,7 +141,7 @@ struct ExperimentFile {
   std::vector<BestSpec> bests;          ///< questions for the best values, from [[best]]
   std::vector<BaselineSpec> baselines;  ///< baselines of speed-ups, from [[baseline]]
   ReportSpec report;                    ///< contents of the report, from [report]
-  Uncertain uncertain;                  ///< number of machines to draw, from [uncertain]
+  Uncertain uncertain;                  ///< number of machines to draw at random, from [uncertain]
 
   /// All axes of the sweep, in their order.
   auto axes() const { return sweep | std::views::join; }
@@ -148,9 +149,9 @@ struct ExperimentFile {
 
 /// A value that replaces that of a key.
 struct Override {
-  std::string key;  ///< dotted key, "scene.objects"; of an axis "sweep.workers"
+  std::string key;  ///< dotted key, "scene.objects"; for an axis "sweep.workers"
   Node value;
-  std::string spelled = {};  ///< as the user gave it to --set; "": by the program
+  std::string spelled = {};  ///< text that the user gave to --set; "" if tlab itself set the value
 
   /// The override as an argument of --set.
   std::string text() const;
@@ -163,9 +164,9 @@ Override parse_override(const std::string& text);
 /// Formats the content of a file as TOML, with the axes in the order of the sweep.
 std::string resolve(const ExperimentFile& file);
 
-/// Reads and checks a file. `overrides` follow the values of [reduced], which apply if
-/// `is_reduced`. Paths in the file are relative to its folder. Throws BadInput with the file, the
-/// line or key, the value found, and the nearest valid key.
+/// Reads and checks a file. Applies the values of [reduced] if `is_reduced`, then `overrides`.
+/// Paths in the file are relative to its folder. Throws BadInput with the file, the line or key,
+/// the value found, and the nearest valid key.
 ExperimentFile load_experiment(const std::string& path, const Overrides& overrides,
                                bool is_reduced = false);
 

@@ -11,10 +11,10 @@
 
 namespace laboratory {
 
-/// A reference to another row of the sweep: {COLUMN @ AXIS = VALUE, ...}. It yields the value there
-/// of COLUMN, or of a name of [let]. The other row has the given values on the given axes. On all
-/// other axes it has the values of the row that is evaluated. Axes coupled with a given axis in
-/// [sweep] take that axis's values if no row keeps their own.
+/// A reference to another row of the sweep: {COLUMN @ AXIS = VALUE, ...}. It yields the value of
+/// COLUMN, or of a name of [let], in that row. The other row has the given values on the given
+/// axes, and on all other axes the values of the row that is evaluated. If there is no such row,
+/// axes coupled with a given axis in [sweep] may have any value.
 struct RowReference {
   struct Condition {
     std::string axis, text;  ///< name of an axis, and the text of its VALUE

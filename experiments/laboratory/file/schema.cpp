@@ -47,7 +47,7 @@ bool set_tree_links(Experiment& e, const base::Scalar& value) {
   return true;
 }
 
-// The name of the program, which decides how other keys are read and is therefore read before.
+// The name of the program. It is read before other keys, since their reading depends on it.
 base::Field<Experiment> program_field() {
   base::Domain names{base::Domain::Kind::choice};
   for (const auto& program : programs::all_programs()) names.choices.push_back(program.name);
@@ -112,11 +112,12 @@ const base::Fields<Experiment>& common_fields() {
   return all;
 }
 
-// A section or list of tables, whose keys are settings of their own.
+// A section or list of tables of the experiment file whose keys do not belong to a program, such as
+// [[fault]].
 struct Section {
   std::string key, help;
-  /// Reads it into a point. Null for a section that does not belong to points, so that it is no
-  /// axis; read_judgement reads it.
+  /// Reads the section into a point. Null for sections that do not belong to points. These cannot
+  /// be axes, and read_judgement reads them.
   void (*read)(Experiment&, const Place&) = nullptr;
 };
 
@@ -329,7 +330,8 @@ Axis name_axis(const std::string& name, const Programs& in_play, const std::stri
   for (const auto* program : in_play)
     for (const auto& list : program->lists) try_key(list.key);
   const auto known_here = known;
-  // parameters of programs that the file does not use: known names, but binding their values fails
+  // Also accepts parameters of other programs. Binding their values then throws an error that names
+  // the program.
   for (const auto& other : programs::all_programs())
     for (const auto& p : other.parameters) try_key(programs::key_of(p));
   if (found) return *found;

@@ -15,9 +15,9 @@ Programs programs_in_play(const toml::table& file, const std::vector<Coupled>& s
 /// Lists the programs that use a feature, for an error message: "farm, iirra".
 std::string list_users(bool programs::Uses::*of);
 
-/// Sets every field named in `file`, then those of the axes. Paths are relative to `folder`.
-/// Ignores keys of other programs in `in_play`. Throws for an unknown key, with the nearest valid
-/// one, and for a value of the wrong kind.
+/// Sets every field named in `file`, then the fields of the axes to their values in `at`. Paths are
+/// relative to `folder`. Ignores keys of the other programs in `in_play`. Throws for an unknown
+/// key, with the nearest valid one, and for a value of the wrong kind.
 Experiment bind_settings(const toml::table& file, const std::vector<Coordinate>& at,
                          const Programs& in_play, const std::string& origin,
                          const std::string& folder);

@@ -48,7 +48,7 @@ std::string spell(const toml::node& value) {
 }
 
 // Reads the values of each axis from a list. For coupled axes it is a list of lists with one value
-// for each axis. The values share the ownership of the file.
+// for each axis. Each value keeps `file`, which contains it, alive.
 void read_values(Coupled& axes, const Place& at, const std::shared_ptr<const toml::table>& file) {
   const auto* list = at.node.as_array();
   if (!list || list->empty()) at.refuse("an array of values, at least one");
@@ -137,7 +137,7 @@ std::string resolve(const ExperimentFile& file) {
     return is_short ? axis.name : axis.key;
   };
   for (const auto& coupled : file.sweep) {
-    if (coupled[0].values.empty()) continue;  // the axis of machines drawn
+    if (coupled[0].values.empty()) continue;  // the axis of randomly drawn machines
     std::vector<std::string> names, entries;
     for (const auto& axis : coupled) names.push_back(name_of(axis));
     for (std::size_t i = 0; i < coupled[0].values.size(); ++i) {

@@ -20,7 +20,7 @@ std::vector<Coupled> read_axes(const std::shared_ptr<const toml::table>& file,
 /// axes.
 void name_axes(std::vector<Coupled>& axes, const Programs& in_play, const std::string& origin);
 
-/// The values of the axes at a point, given by number. The last axis varies fastest.
+/// The values of all axes at the point with number `point`. The last axis varies fastest.
 std::vector<Coordinate> find_coordinates(const std::vector<Coupled>& axes, std::size_t point);
 
 /// The number of points in the sweep. Throws BadInput if it exceeds the limit for a run.

@@ -14,7 +14,7 @@ using base::Scalar;
 
 constexpr double LARGEST = 1e300;
 
-// The default of a field that has none.
+// Getter for fields without a default: returns an empty value.
 template <class P>
 Scalar no_value(const P&) {
   return {};
@@ -366,7 +366,7 @@ std::vector<Setting> table_settings() {
   std::vector<Setting> all;
   add_settings(all, fault_fields(), "fault.");
   add_settings(all, processor_fields(), "processor.");
-  for (auto& setting : all) setting.domain.is_required = true;  // so far none has a default
+  for (auto& setting : all) setting.domain.is_required = true;  // none of these has a default
   all.push_back({"model.SECTION.NAME", "replaces an entry of the machine model"});
   add_settings(all, check_fields(), "check.");
   add_settings(all, plot_fields(), "plot.");

@@ -11,8 +11,9 @@ namespace laboratory {
 /// The largest number of a processor.
 inline constexpr int LAST_PROCESSOR = topologies::MAX_PROCESSORS - 1;
 
-/// Reads every [[fault]], in order. An empty list is valid. Throws BadInput with number and line
-/// for unknown, missing or contradictory keys. The names of the faulty parts are checked later.
+/// Reads every [[fault]], in order. An empty list is valid. Throws BadInput with the table's number
+/// and line for unknown, missing or contradictory keys. Whether the faulty parts exist is checked
+/// later.
 std::vector<FaultSpec> read_faults(const Place& at);
 /// Reads every [[processor]], with the same rules as read_faults.
 std::vector<OtherProcessor> read_others(const Place& at);

@@ -32,7 +32,8 @@ base::Scalar read_list(const toml::array& list) {
   return rows.size() == list.size() ? base::Scalar(rows) : base::Scalar();
 }
 
-// A file in the folder, or for `is_source` a name without an extension, such as "tree:7".
+// Makes the path of a file in the folder. If `is_source`, a text without an extension is not a file
+// but a name, such as "tree:7".
 base::Source make_source(const std::string& text, const std::string& folder, bool is_source) {
   const std::filesystem::path path(text);
   const bool is_name = is_source && (!path.has_extension() || path.is_absolute());
@@ -40,7 +41,7 @@ base::Source make_source(const std::string& text, const std::string& folder, boo
   return {text, (std::filesystem::path(folder) / path).string()};
 }
 
-// A text; with `is_expression` also a number as text.
+// Reads a text. If `is_expression`, also accepts a number and formats it.
 std::optional<std::string> find_text(const toml::node& node, bool is_expression) {
   const auto number = is_expression && node.is_number() ? node.value<double>() : std::nullopt;
   return number && std::isfinite(*number) ? fmt::format("{}", *number)

@@ -44,12 +44,13 @@ struct Place {
 };
 
 /// Reads a value. Strings that name files become sources. Throws BadInput for a value outside the
-/// domain; for a choice, with the nearest one.
+/// domain. If the domain is a choice, the message suggests the nearest valid value.
 base::Scalar read_value(const Place& at, const base::Domain& domain);
 /// Reads a text, or a number as text.
 std::string read_expression(const Place& at);
 
-/// The rows of N whole numbers from 0 to `high`; none if the value is no list of them.
+/// Reads a list of rows with N whole numbers each, from 0 to `high`; none if the value is not such
+/// a list.
 template <std::size_t N>
 std::optional<std::vector<std::array<int, N>>> find_rows(const base::Scalar& value, int high) {
   std::vector<std::array<int, N>> all;

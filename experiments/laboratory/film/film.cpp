@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 using base::require;
 using renderer::Frame;
 
-// Samples of the run per frame, at least. A frame shows the last sample before its time.
+// Minimum number of samples of the run for each frame. A frame shows the last sample before its
+// time.
 constexpr int SNAPSHOTS_A_FRAME = 2;
 constexpr double MOST_BYTES = 1e9;  // limit on the memory of sampled pictures
 

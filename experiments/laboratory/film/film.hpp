@@ -15,7 +15,7 @@ namespace laboratory {
 /// Duration of a film, and the additional time its last frame is shown, ms.
 inline constexpr int FILM_MS = 10000, LAST_MS = 2000;
 
-/// The file name of a frame, counted from 0: "film-0001.png" for "film.png".
+/// The file name of the frame with index `frame`: for the index 0 and "film.png", "film-0001.png".
 std::string frame_name(const std::string& file, std::size_t frame);
 
 /// Describes the output: the file of a film, or the first and last file of its frames, "f-0001.png
@@ -26,8 +26,8 @@ std::string describe_files(const std::string& file, int frames);
 /// than .webp and .png.
 std::string first_file(const std::string& file);
 
-/// Throws BadInput for a film of the picture if the program shows none. Throws it also for a film
-/// of the network if that is missing or too large to draw.
+/// Throws BadInput for a film of the picture if the program shows no picture, and for a film of the
+/// network if there is no network or it is too large to draw.
 void check_films(const FilmOptions& options, const Experiment& experiment);
 
 /// Position of the picture in a frame, in pixels. Each picture pixel becomes a square with side
@@ -49,9 +49,9 @@ class Film : public observe::RunObserver {
   void before_change(double now_s) override;
   void end(double now_s) override;
 
-  /// Writes the requested films, up to `end`. `trace` covers the same interval. `title` is drawn
-  /// above each frame. Throws BadInput if no machine was observed, or if the run ended before the
-  /// films begin.
+  /// Writes the requested films, from `from_s` to the end of the run. `trace` covers the same
+  /// interval. `title` is drawn above each frame. Throws BadInput if no machine was observed, or if
+  /// the run ended before the films begin.
   void save(const std::string& title, const observe::Trace& trace) const;
 
  private:

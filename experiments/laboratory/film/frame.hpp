@@ -18,12 +18,12 @@ inline constexpr int FRAME_MARGIN = 24, TITLE_HEIGHT = 40, TIME_SCALE_HEIGHT = 5
 void draw_title(Canvas& canvas, const std::string& title);
 
 /// Draws the film's time axis with tick marks along the lower edge of the canvas. The axis is
-/// filled up to the end of `now`, the interval of the frame, which is darker. A label shows the
-/// current time to 1/100 of the whole film or finer.
+/// filled up to the end of `now`, the interval of this frame; the part for `now` is darker. A label
+/// shows the current time to 1/100 of the whole film or finer.
 void draw_time_scale(Canvas& canvas, const Span& film, const Span& now);
 
-/// Formats a time as the label of the time axis does: "12.5 ms". `whole_s` determines unit and
-/// digits.
+/// Formats a time as the label of the time axis does: "12.5 ms". The length of the axis, `whole_s`,
+/// determines unit and digits.
 std::string format_time(double time_s, double whole_s);
 
 }  // namespace laboratory

@@ -25,7 +25,8 @@ constexpr double WIDTH = 1200, HEIGHT = 720, LEAST_WIDTH = 640;
 constexpr double SMALL_UNIT = 8, MOST_SIDE = 2400;
 constexpr double BOX_HEIGHT = 26, BOX_FONT = 12, SMALLEST_FONT = 6.5, BESIDE_FONT = 10;
 constexpr double DIAMETER = 0.75;  // diameter of a processor, in units
-// Row height and column width above the network: first in units, then minima in pixels.
+// Height of a row and width of a column above the network: ROW_UNITS and COLUMN_UNITS in units, but
+// at least ROW and COLUMN in pixels.
 constexpr double ROW_UNITS = 1.6, ROW = 46, COLUMN_UNITS = 2.6, COLUMN = 120;
 
 struct Bounds {
@@ -79,8 +80,8 @@ std::string number_of(const std::string& name) {
   return begin < name.size() && is_word ? name.substr(begin) : name;
 }
 
-// The curvatures of the topology's links, by the two processors of the machine. Several links
-// between the same two keep their order.
+// The curvatures of the topology's links, grouped by the machine ids of the two processors. Several
+// links between the same two keep their order.
 std::map<std::pair<int, int>, std::vector<Place>> sort_swerves(const Topology& topology,
                                                                const Places& swerves,
                                                                const std::vector<int>& network) {
@@ -127,7 +128,7 @@ MachineDrawing::MachineDrawing(const machine::Machine& machine, const Topology& 
                                  bounds.high.y + row * static_cast<double>(r + 1)};
     }
   for (std::size_t i = 0; i < some.size(); ++i)
-    // draw these as circles, since boxes would overlap their neighbours
+    // outside the rows, processors are circles, since boxes would overlap their neighbours
     if (!some[i]) nodes_[i].is_box = false;
   place(place_others(machine, std::move(some)));
   join(machine, sort_swerves(topology, layout.swerves, network));

@@ -23,13 +23,14 @@ class MachineDrawing {
   struct Node {
     topologies::Place place;  ///< position, pixels
     std::string label;
-    bool is_box = false;  ///< drawn as a box: outside the network
+    bool is_box = false;  ///< true outside the network: drawn as a box
     bool is_root = false;
   };
 
   /// Lays out the network as in reports. Processors outside the network that lead to its root are
-  /// in rows above it; others are beside their neighbours. `network` maps the network's processors
-  /// to machine ids; empty: equal numbers. Throws as make_layout does.
+  /// in rows above it; all others are beside their neighbours. `network` maps the network's
+  /// processors to machine ids; if it is empty, the numbers equal the ids. Throws as make_layout
+  /// does.
   MachineDrawing(const machine::Machine& machine, const topologies::Topology& topology,
                  const std::vector<int>& network);
 

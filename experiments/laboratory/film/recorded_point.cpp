@@ -100,7 +100,7 @@ PointResult run_recorded_point(const Point& point, const RunOptions& options,
   } catch (const machine::Fault&) {
     try {
       save_recordings(point, options, trace, film);
-    } catch (const std::exception& error) {  // the exception to report is the fault
+    } catch (const std::exception& error) {  // only printed: the fault is rethrown
       complain(fmt::format("no trace or chart of the run so far: {}", error.what()));
     }
     throw;

@@ -6,9 +6,9 @@
 
 namespace laboratory {
 
-/// While this object lives, standard error shows "WHAT, 3 s" from `after` on, if it is a terminal.
-/// The display has its own thread, which receives no signals. Processes forked meanwhile must call
-/// exec.
+/// While this object lives and standard error is a terminal, shows "WHAT, 3 s" there after the
+/// delay `after`. The display has its own thread, which receives no signals. Processes forked
+/// meanwhile must call exec.
 class ElapsedTime {
  public:
   explicit ElapsedTime(std::string what, std::chrono::milliseconds after = std::chrono::seconds(2));

@@ -91,7 +91,7 @@ InterruptWatch::~InterruptWatch() {
     const base::Undivided section;
     watched = 0;
   }
-  // blocks for good if a signal arrived before `watched` became 0
+  // If a signal arrived before `watched` became 0, this blocks until the program has ended.
   const base::Undivided unless_it_ends;
   send(WORK_IS_DONE);
   waits_.join();

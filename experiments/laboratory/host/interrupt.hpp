@@ -30,7 +30,7 @@ class InterruptWatch {
   std::thread waits_;
 };
 
-/// While this object lives, interrupts are counted from 0 and do not end the program.
+/// While this object lives, interrupts are counted from 0. The first one does not end the program.
 class InterruptGuard {
  public:
   InterruptGuard();

@@ -35,8 +35,8 @@ struct JobEnd {
 };
 
 /// Runs jobs 0 .. count-1, at most `parallel` at once, and calls `ended` for each in order of
-/// completion. If a job throws, the others are killed and Failure is thrown. If `ended` throws, the
-/// others are killed too. On an interrupt by the user, running jobs are asked to stop
+/// completion. If a job throws, all running jobs are killed and Failure is thrown. Running jobs are
+/// also killed if `ended` throws. On an interrupt by the user, running jobs are asked to stop
 /// (machine::request_stop), and no further ones start. A second interrupt throws Interrupted.
 void for_each_job(std::size_t count, std::size_t parallel, const Job& job,
                   const std::function<void(JobEnd)>& ended);

@@ -5,7 +5,7 @@
 
 namespace laboratory {
 
-/// Makes a folder and its parents. A signal that ends the program early waits for this
+/// Makes a folder and its parents. A signal that arrives meanwhile ends the program only afterwards
 /// (base/early_end.hpp).
 void make_folders(const std::filesystem::path& path);
 

@@ -22,8 +22,8 @@ class Clock {
 
 class Progress {
  public:
-  /// Draws on standard error if that is a terminal. The first `there` items were done before and
-  /// took no time.
+  /// Draws on standard error if that is a terminal. The first `there` items were done before the
+  /// start and do not count for the estimate of time.
   explicit Progress(std::string what, std::size_t there = 0);
   ~Progress();
   void show(std::size_t done, std::size_t total);

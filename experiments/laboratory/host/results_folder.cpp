@@ -144,8 +144,8 @@ void remove_surely(const fs::path& folder) {
   }
 }
 
-// Removes the remains of dead processes. Moves replaced results back if they have no successor, and
-// keeps the records of points.
+// Removes what dead processes left behind, but keeps the records of points. If a process died after
+// it had moved older results aside and before it had replaced them, moves these back.
 void remove_stale(const fs::path& path) {
   std::error_code ignored;
   for (const auto& folder : find_stale(path, OLD))
@@ -157,7 +157,7 @@ void remove_stale(const fs::path& path) {
     }
 }
 
-// Removes replaced results after moving records that other processes added to them. What cannot be
+// Removes replaced results. First moves records that other processes added to them. What cannot be
 // removed is left to a later run.
 void drop_replaced(const fs::path& older, const fs::path& path) {
   std::error_code ignored;

@@ -57,7 +57,8 @@ std::vector<Group> group_by(const Table& table, const std::vector<Measured>& poi
   return groups;
 }
 
-// The relative advantage of the better of two values: the relative excess of the worse.
+// The relative advantage of one value over another, such as 0.5 for 2 s over 3 s if the least is
+// best.
 double share_gained(bool least, double better, double worse) {
   return least ? worse / better - 1 : better / worse - 1;
 }
@@ -74,7 +75,7 @@ std::string value_column(const BestSpec& spec) {
 
 double in_percent(double share) { return std::round(share * 1000) / 10; }
 
-// Adds a sentence such as "least time: mesh in 3, line in 1 of 4 cases, by 12.5 % at most."
+// Adds a sentence such as "least time: mesh in 3, line in 1 of 4 cases, by at most 12.5 %."
 void tell_winners(BestAnswer& answer, const std::map<std::string, std::size_t>& wins) {
   std::vector<std::pair<std::string, std::size_t>> sorted(wins.begin(), wins.end());
   std::ranges::stable_sort(sorted, std::greater(), &std::pair<std::string, std::size_t>::second);
@@ -208,8 +209,8 @@ BestAnswer answer_question(const CheckPlan::Question& question, const Rows& rows
   return answer;
 }
 
-// Joins one table of all answers. Each row begins with the question's name and the text of its
-// combination.
+// Joins the tables `part` of all answers. Each row begins with the question's name and the text of
+// its combination.
 Table make_csv(const std::vector<BestAnswer>& answers, Table BestAnswer::*part,
                std::vector<std::string> columns) {
   columns.insert(columns.begin(), {"question", "at"});

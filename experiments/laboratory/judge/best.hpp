@@ -17,8 +17,8 @@ struct BestAnswer {
   Table best;
   /// A table with one row for each combination of all axes except `pays`. It has the largest value
   /// of `pays` up to which each step gains at least the required share per doubling. The next
-  /// column has the gain of the first step that does not, in % per doubling. It is empty if all
-  /// steps pay.
+  /// column has the gain per doubling, in %, of the step after this value. It is empty if there is
+  /// none.
   Table pays;
   std::vector<std::string> notes;
   std::vector<std::string> findings;  ///< one sentence for each finding
@@ -26,8 +26,8 @@ struct BestAnswer {
 
 std::vector<BestAnswer> find_best(const CheckPlan& plan, const Rows& rows);
 
-/// Makes best.csv and pays.csv: the rows of all answers. Each begins with the question's name and
-/// the text of its combination.
+/// Makes best.csv and pays.csv: the rows of all answers. Each row begins with the question's name
+/// and the text of its combination.
 Table make_best_csv(const std::vector<BestAnswer>& answers);
 Table make_pays_csv(const std::vector<BestAnswer>& answers);
 

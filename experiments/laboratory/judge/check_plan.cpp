@@ -104,9 +104,9 @@ void for_each_expression(const CheckPlan& plan, const Visit& visit) {
   }
 }
 
-// Throws for unknown names with dots. These are keys and model entries, which are known before the
-// run. Names without dots may be result columns, which are not; nor are the strings in them, with
-// which names such as topology_is_net.dot compare.
+// Throws for unknown names with dots. These are keys or model entries, and hence known before the
+// run. Skips names without dots, which may be result columns. Also skips names with "_is_", since
+// the rest may be a text from a result column, as in topology_is_net.dot.
 void check_dotted_names(const CheckPlan& plan, const ExperimentFile& file) {
   ExperimentFile first;
   first.points = {file.points[0]};
@@ -176,8 +176,8 @@ void check_columns(const CheckPlan& plan, const Table& table, const std::vector<
   }
 }
 
-// Adds a note if no row has the text that `name` compares a column with, or if several texts are
-// spelled alike in this name.
+// Adds a note about a name such as topology_is_mesh if no row has this text in the column, or if
+// several different texts of the column match the name.
 void note_comparison(const std::string& name, const std::string& place, const Table& table,
                      std::vector<std::string>& notes) {
   if (table.find(name)) return;

@@ -53,8 +53,8 @@ struct CheckPlan {
 /// dot may be result columns, which are checked after the run.
 CheckPlan plan_checks(const ExperimentFile& file);
 
-/// Makes the table of results and adds a column for each [[baseline]]. A cell is empty if its
-/// baseline row is missing. Throws base::BadInput for unknown names.
+/// Makes the table of results and adds a column for each [[baseline]]. Its cell is empty in rows
+/// whose baseline row is missing. Throws base::BadInput for unknown names.
 Table make_table(const CheckPlan& plan, const ExperimentFile& file, const Results& results);
 
 /// Makes the rows of the table with the definitions of the plan. The file and the table must
@@ -68,8 +68,9 @@ void check_names(const CheckPlan& plan, const Rows& rows, std::size_t row);
 /// the file must outlive it.
 Inspect inspect_names(const CheckPlan& plan, const ExperimentFile& file);
 
-/// Lists every [[baseline]] with an empty column, and every string in braces that no row has on its
-/// axis. Each note gives the position and the nearest value. These are valid in a reduced sweep.
+/// Makes notes about every [[baseline]] with an empty column, and about every text in braces that
+/// no row has on its axis. Each note gives the position and the nearest value. In a reduced sweep
+/// such baselines and texts are valid.
 std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& table);
 
 }  // namespace laboratory

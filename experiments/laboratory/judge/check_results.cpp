@@ -91,7 +91,7 @@ void compare_reference(CheckResult& result, const CheckPlan::Comparison& c, cons
       add_point(result, c, rows, row, expected, left_out);
 }
 
-// Evaluates the points that were not used for calibration; none if there are none.
+// Summarises the points that were not used for calibration. No value without such points.
 std::optional<Predicted> judge_predicted(const std::vector<CheckedPoint>& points) {
   Predicted predicted;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -106,8 +106,8 @@ std::optional<Predicted> judge_predicted(const std::vector<CheckedPoint>& points
   return predicted;
 }
 
-// Judges a check. Without points it fails unless it may be empty; but if the results are not whole,
-// it may apply to points that are still missing.
+// Judges a check. A check without points stays unmatched if some points of the sweep are missing
+// (`is_whole` is false). Otherwise it fails unless it may be empty.
 void judge(CheckResult& result, bool is_whole) {
   auto& points = result.points;
   if (points.empty()) {

@@ -9,8 +9,8 @@
 
 namespace laboratory {
 
-/// Kind of the `expected` value of a point: predicted by the model, fitted during calibration, or a
-/// bound.
+/// How the model is related to the `expected` value of a point: the value was not used for
+/// calibration (predicted), was used for it (calibrated), or is a bound.
 enum class Kind { unknown, predicted, calibrated, at_least, at_most };
 
 /// One point of a check.
@@ -21,7 +21,7 @@ struct CheckedPoint {
   /// Error relative to `expected`, or absolute in the column's unit. For a bound it is the excess,
   /// 0 within bounds. NaN if either value is NaN.
   double error = 0;
-  /// true if this point is within its limit; the limit on the mean is separate
+  /// true if the error is within the limit for a single point; the limit on the mean is separate
   bool holds = false;
   Kind kind = Kind::unknown;
 };
@@ -33,8 +33,8 @@ struct Predicted {
   double mean = 0;
 };
 
-/// unmatched: the check applies to no completed point, but others are incomplete. In complete
-/// results such a check fails unless it may be empty.
+/// unmatched: the check applies to no completed point, and some points are incomplete. If all are
+/// complete, such a check fails unless it may be empty.
 enum class Verdict { holds, fails, unmatched };
 
 struct CheckResult {
@@ -52,8 +52,8 @@ struct CheckResult {
     std::size_t inside = 0;
     double mean = 0, half_width = 0;
   };
-  /// Coverage by drawn machines: the number of points with intervals, and of those whose expected
-  /// value lies inside.
+  /// Coverage by randomly drawn machines: the number of points with intervals, and the number of
+  /// these points whose expected value lies inside its interval.
   struct Covered {
     std::size_t inside = 0, points = 0;
     std::optional<WithOwnError> with_own_error = {};

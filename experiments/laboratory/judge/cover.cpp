@@ -16,7 +16,7 @@ bool contains(const Range& range, double value) {
   return range.first <= value && value <= range.second;
 }
 
-// A predicted point, and the interval that contains 90 % of the drawn machines' results.
+// A predicted point, and the interval that contains 90 % of the results on randomly drawn machines.
 struct Case {
   const CheckedPoint* point;
   Range machines;

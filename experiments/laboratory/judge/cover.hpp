@@ -1,5 +1,5 @@
 #pragma once
-// Coverage: the share of expected values that lie inside the intervals of the drawn machines.
+// Coverage: the share of expected values that lie inside intervals over machines drawn at random.
 #include <optional>
 #include <vector>
 
@@ -18,9 +18,9 @@ struct OwnError {
 std::optional<OwnError> find_own_error(const std::vector<double>& errors);
 
 /// Counts, for each check, the predicted points whose expected value lies in the interval of 90 %
-/// of the drawn machines. A check fails if their share is below its `covers`. Checks of relative
-/// errors get a second count. For this, each interval is shifted and widened by the model's own
-/// error, estimated from the check's other points.
+/// of the drawn machines. A check fails if the share of these points is below its `covers`. For
+/// checks of relative errors, also counts the points in intervals that are shifted and widened by
+/// the model's own error, estimated from the check's other points.
 void check_cover(std::vector<CheckResult>& results, const Table& table,
                  const ConfidenceTables& confidence);
 

@@ -36,7 +36,7 @@ bool are_best(const std::string& names, const std::string& there) {
   });
 }
 
-// Makes an experiment that consists of the points of one drawn machine.
+// Makes an experiment that consists of the points of one randomly drawn machine.
 ExperimentFile make_machine(const ExperimentFile& file, const ExperimentFile& all,
                             std::size_t machine) {
   ExperimentFile own = file;
@@ -60,8 +60,8 @@ Cases find_cases(const Table& answers) {
   return cases;
 }
 
-// Formats the winners on other machines: "mesh on 5, line on 1, others on 3". Names the three most
-// frequent at most.
+// Formats the winners on other machines, of which it names at most three, the most frequent first:
+// "mesh on 5, line on 1, others on 3".
 std::string describe_others(const std::map<std::string, std::size_t>& others) {
   std::vector<std::pair<std::string, std::size_t>> sorted(others.begin(), others.end());
   std::ranges::stable_sort(sorted, std::greater(), &std::pair<std::string, std::size_t>::second);

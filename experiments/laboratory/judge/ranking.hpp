@@ -1,5 +1,6 @@
 #pragma once
-// Robustness of the answers to [[best]]: the number of drawn machines that give the same answer.
+// Robustness of the answers to [[best]]: the number of randomly drawn machines that give the same
+// answer.
 #include <filesystem>
 #include <optional>
 
@@ -7,11 +8,11 @@
 
 namespace laboratory {
 
-/// Makes rankings.csv. Each row has a case of a question, the best value on the nominal model, the
-/// number of machines that agree ("machines" "of"), and the best values on the other machines. A
-/// machine agrees if its best values include those of the nominal model. `all` is the file with the
-/// drawn machines, and `results` has all of its points. Machines with incomplete points are
-/// skipped.
+/// Makes rankings.csv from the file with drawn machines, `all`, and the results of all its points.
+/// Each row has a case of a question, the best value on the nominal model, the number of machines
+/// that agree (column "machines") and of all ("of"), and the best values on the machines that
+/// disagree. A machine agrees if its best values include those of the nominal model. Machines with
+/// incomplete points are skipped.
 Table find_rankings(const CheckPlan& plan, const ExperimentFile& file, const ExperimentFile& all,
                     const Results& results);
 

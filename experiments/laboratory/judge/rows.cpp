@@ -30,7 +30,7 @@ std::string spell_as_name(std::string text) {
 }
 
 // Adds a condition to a reference, for an error message: "{time_s @ workers = 1, objects =
-// objects}". For an axis of strings, the condition uses the row's own string.
+// objects}". For an axis of strings, the condition has the string of the evaluated row, `own`.
 std::string add_condition(const RowReference& reference, const std::string& axis,
                           const Value& own) {
   return fmt::format("{}, {} = {}}}", reference.text.substr(0, reference.text.size() - 1), axis,

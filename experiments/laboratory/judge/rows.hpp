@@ -44,8 +44,8 @@ class Rows {
   std::optional<double> eval(const Expression& expression, std::size_t row) const;
 
   /// The number that a name stands for in a row; none for a name of [let] that has no value there.
-  /// Throws BadInput with the prefix `place` for an unknown name, with the nearest one, and for a
-  /// column of strings, with a hint how to compare it.
+  /// Throws BadInput with the prefix `place` for an unknown name or a column of strings. The
+  /// message names the nearest valid name, or how to compare the column.
   std::optional<double> get(const std::string& name, std::size_t row,
                             const std::string& place) const;
 
@@ -63,12 +63,13 @@ class Rows {
   std::optional<double> find_number(const std::string& name, std::size_t row) const;
   std::optional<double> compare_text(const std::string& name, std::size_t row) const;
   Evaluated eval_at(const Expression& expression, std::size_t row) const;
-  /// True if the name is a column with an empty cell here, or a name of [let] that needs one.
+  /// True if the name is a column whose cell is empty in this row, or a name of [let] that is NaN
+  /// because of an empty cell.
   bool is_gap(const std::string& name, std::size_t row) const;
   std::optional<std::size_t> find_row(const RowReference& reference, const std::string& place,
                                       std::size_t row) const;
-  /// The row with the wanted values on all axes. Otherwise the only row with the wanted values on
-  /// axes that are not free. Throws base::BadInput for several such rows.
+  /// The row with the wanted values on all axes. If there is none, the only row with the wanted
+  /// values on all axes that are not free. Throws base::BadInput if several rows have these.
   std::optional<std::size_t> choose_row(const RowReference& reference, const std::string& place,
                                         const std::vector<Value>& wanted,
                                         const std::vector<bool>& is_free) const;
@@ -87,8 +88,9 @@ std::vector<std::string> axis_names(const Table& table);
 /// unknown axis.
 std::size_t find_axis(const Table& table, const std::string& axis, const std::string& place);
 
-/// The rows of completed points at which the expression is not 0, or all of these rows without an
-/// expression. Leaves out rows without a value. Throws base::BadInput if the value is not a number.
+/// The rows of completed points at which the expression is not 0; without an expression, the rows
+/// of all completed points. Leaves out rows in which the expression has no value. Throws
+/// base::BadInput if the value is not a number.
 std::vector<std::size_t> choose_rows(const Rows& rows, const std::optional<Expression>& where);
 
 /// Reference values: a table, the file it was read from, its column of values, and its columns that
@@ -110,13 +112,14 @@ std::vector<std::pair<std::size_t, double>> match_reference(const Reference& ref
 /// out, ..."; none if there are no such rows.
 std::optional<std::string> note_left_out(const Table& table, const std::vector<std::size_t>& rows);
 
-/// The name that compares a column of strings with this one: "topology_is_mesh_4x4".
+/// The name that tests whether a column of strings has this text: "topology_is_mesh_4x4".
 std::string name_comparison(const std::string& column, const std::string& text);
 
 /// Formats the axes of a row: "objects = 200, workers = 1".
 std::string name_axes(const Table& table, std::size_t row);
 
-/// Suggests a valid name like base::suggest(), or the new name of a renamed column.
+/// Suggests a valid name as base::suggest() does. For the former name of a renamed column, suggests
+/// the new one.
 std::string suggest_column(const std::string& name, const std::vector<std::string>& known);
 
 }  // namespace laboratory

@@ -29,8 +29,8 @@ class RecentLoads {
   void set_interval(double interval_s) { interval_s_ = interval_s; }
 
   /// Lists the loads of every processor and link direction up to `now_s`, in thousandths. Also
-  /// lists queue lengths, and the processors and links that are active, cut or stopped. No event
-  /// before `now_s` may follow. Repeats the previous loads if no time has passed.
+  /// lists queue lengths, links that transfer, cut links and stopped processors. No event before
+  /// `now_s` may follow. Repeats the previous loads if no time has passed.
   nlohmann::ordered_json describe(const machine::Machine& machine, double now_s);
 
  private:

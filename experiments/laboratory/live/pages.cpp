@@ -199,7 +199,7 @@ void Page::send_frame(const Frame& frame) {
   send(pages_.dump(frame), /*is_text=*/true);
 }
 
-// Sends the tiles that differ from the page's copy, after one byte with the kind of the picture.
+// Sends one byte with the kind of the picture, then the tiles that differ from the page's copy.
 void Page::send_picture(char which, const Picture& picture, Picture& known) {
   if (!picture || picture == known) return;
   const int width = pages_.session.outline()->at("picture").at("width").get<int>();

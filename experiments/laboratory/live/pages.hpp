@@ -21,13 +21,14 @@ constexpr auto TO_ASK = std::chrono::seconds(10);  ///< time allowed for a clien
 
 class Page;
 
-/// State common to all pages. While the server runs, only its thread uses it.
+/// State common to all pages. While the server runs, only the thread of the server uses it.
 struct Pages {
   explicit Pages(Session& session) : session(session) {}
 
   /// Sends news to every page that is ready for it.
   void look();
-  /// Tells all pages which one steers the run. A page that does not read may be removed.
+  /// Tells all pages which one steers the run. A page that does not read its messages may be
+  /// removed.
   void tell_steering();
   /// The text of a frame, which all pages share.
   std::shared_ptr<const std::string> dump(const Frame& frame);
@@ -48,9 +49,9 @@ struct Pages {
   std::shared_ptr<const std::string> dumped_;
 };
 
-/// An unauthenticated connection, counted while the object lives. If there are too many, a new one
-/// closes the oldest. A page loses its place only if MOST_CLIENTS others connect before it
-/// authenticates.
+/// An unauthenticated connection, counted while the object lives. If there are too many, a new
+/// connection closes the oldest. A page loses its place only if MOST_CLIENTS other clients connect
+/// before it authenticates.
 class PendingConnection {
  public:
   PendingConnection(Pages& pages, std::function<void()> close);

@@ -40,7 +40,8 @@ const PageFile* find_file(std::string_view target) {
 // Closes the socket in child processes that execute another program.
 void keep_from_children(auto& socket) { fcntl(socket.native_handle(), F_SETFD, FD_CLOEXEC); }
 
-// A client before its request, which asks for a file of the page or for a web socket.
+// A connected client until its first request, which asks for a file of the page or opens a web
+// socket.
 class Client : public std::enable_shared_from_this<Client> {
  public:
   Client(Pages& pages, std::uint16_t port, tcp::socket socket)
@@ -60,7 +61,7 @@ class Client : public std::enable_shared_from_this<Client> {
   }
 
  private:
-  // True for the host names by which our pages address this server.
+  // True if `host` is a name by which our own pages address this server.
   bool is_own(beast::string_view host) const {
     if (port_ == 80 && (host == "127.0.0.1" || host == "localhost")) return true;
     return host == fmt::format("127.0.0.1:{}", port_) || host == fmt::format("localhost:{}", port_);

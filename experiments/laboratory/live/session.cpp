@@ -125,7 +125,7 @@ bool Session::attend(double date) {
   }
 }
 
-// Pauses if the goal is reached. Also pauses while the machine can only wait for the user. Returns
+// Pauses the run if the goal is reached, or while the machine can only wait for the user. Returns
 // true if neither an event nor an order remains.
 bool Session::follow_goal(double date) {
   if (phase_ == Phase::running && goal_ && is_reached(date)) {
@@ -239,7 +239,7 @@ double Session::paced_s() const {
   return pace_from_s_ + since.count() * speed_;
 }
 
-// The simulated time to show: the paced time, but not after the next event.
+// The simulated time to show: the paced time, but at most the time of the next event.
 double Session::shown_s() const {
   const double now_s = machine_->now().value;
   if (phase_ == Phase::over) return now_s;
@@ -331,10 +331,10 @@ void Session::end(const std::string& fault) {
   phase_ = Phase::over;
   goal_.reset();
   fault_ = fault;
-  // Records that the user's part ended, if it had not ended before the run.
+  // Records that the user leaves, if the run was ended by hand before that.
   if (ended_by_hand_s_ && orders_ && view_.take_order && !has_left_)
     actions_.push_back({"order", LATEST_S, {{"leave", "true"}}});
-  // A process that failed has no wait to describe.
+  // After an exception in a process, neither a deadlock nor processors are described.
   has_thrown_ = std::ranges::any_of(machine_->processors(),
                                     [](const auto& on) { return on->failure() != nullptr; });
   selected_.clear();

@@ -30,7 +30,7 @@ struct Frame {
 };
 
 /// Queue of the pages' requests, and their execution by the simulation. Any thread may call the
-/// functions for pages. Neither side ever waits for the other.
+/// functions for pages. Pages never wait for the simulation, nor the simulation for pages.
 class Session : public observe::RunController {
  public:
   /// Receives "" on success, else the reason of the refusal. The simulation's thread calls it.
@@ -51,7 +51,7 @@ class Session : public observe::RunController {
   void want_frame();
   /// The newest frame; null before the first.
   std::shared_ptr<const Frame> frame() const;
-  /// Sets a function that the simulation's thread calls for every new frame.
+  /// Sets the function that the simulation's thread calls for every new frame.
   void on_frame(std::function<void()> told);
 
   // --- for the simulation -------------------------------------------------------------------
@@ -59,7 +59,7 @@ class Session : public observe::RunController {
   bool before(double date) override;
   void end(const std::string& fault) override;
 
-  /// Tells the pages after the run where its results are. Pages are still served.
+  /// Tells the pages where the results of the ended run are. The server continues.
   void say_results(const std::string& text);
   /// Waits until a page asks to quit, or the user interrupts.
   void wait_for_quit();

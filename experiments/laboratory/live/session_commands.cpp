@@ -15,7 +15,7 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr std::size_t MOST_SELECTED = 8;  // limit on selected processors
-// Time grid in s. Orders happen at whole ticks, faults half a microsecond off the grid, so they
+// Time grid in s. Orders happen at whole multiples of it, faults halfway between two, so that they
 // never coincide.
 constexpr double FAULT_GRID_S = 1e-6;
 
@@ -186,8 +186,8 @@ void Session::obey_fault(const Command& fault) {
   actions_.push_back(std::move(action));
 }
 
-// Ends the user's part in the run, if no order remains. Otherwise the machine would wait for the
-// user for ever.
+// Makes the user leave, for whom the machine would otherwise wait for ever. If an order to leave is
+// refused, only closes the orders.
 void Session::leave() {
   if (!orders_ || !view_.take_order || has_left_) return;
   try {

@@ -26,7 +26,7 @@ class Spans : public machine::Observer {
   /// high priority, 1 low, 2 switching), begin and end in s.
   nlohmann::ordered_json take();
   /// Lists the activities that have not ended, in the same format. take() reports them again once
-  /// they have.
+  /// they have ended.
   static nlohmann::ordered_json look_at(const machine::Machine& machine);
   bool is_cut() const { return is_cut_; }  ///< true if the limit was reached since the last take()
 

@@ -57,8 +57,9 @@ void bind_options(CLI::App& app, const base::Fields<P>& fields, P& params,
 nlohmann::ordered_json make_json(const renderer::Work& work);
 nlohmann::ordered_json make_json(const renderer::RayCounts& rays);
 
-/// Throws CLI::ValidationError for an image name without one of the extensions (".png"), for a
-/// missing folder, and for two paths of the same file. A name without an extension is refused too.
+/// Throws CLI::ValidationError for an image name with another extension than `endings` (".png"),
+/// for a missing folder, and if both paths name the same file. A name without an extension is
+/// valid.
 void check_output(const std::string& output, const std::vector<std::string>& endings,
                   const std::string& stats);
 /// Throws if `file`, the value of an option, is also among the files `others`. Empty names never

@@ -89,7 +89,7 @@ void render_progressively(const ProgressiveOptions& o, const RenderTask& task) {
     const auto counts = image.advance(step, was_interrupted);
     seconds += clock.lap();
     if (!counts) is_stopped = true;
-    // Ends when no tree grew: if there are no rays at one depth, there are none below.
+    // Ends when no shading tree has grown: if there are no rays at one depth, there are none below.
     if (!counts || (o.kind == StepKind::depth && counts->rays.fresh.total() == 0)) break;
     all += counts->rays;
     rows.push_back(make_step_json(step, *counts));

@@ -11,8 +11,8 @@
 #include "renderer/files/load_scene.hpp"
 
 // File format: FIRST_LINE, then "name: value" for each member of the identity, and an empty line.
-// Then come numbers in the host's binary format, with its length before each list. The last part is
-// a hash of everything before it.
+// Then come numbers and lists in the host's binary format, each list preceded by its length. The
+// last part is a hash of everything before it.
 namespace laboratory {
 namespace {
 

@@ -65,8 +65,8 @@ class StateFile {
     saved_ = image.done();
     since_s_ = 0;
   }
-  /// Saves a state if `seconds` have passed since the last one, and saving has taken at most
-  /// STATE_SHARE of the time.
+  /// Saves a state if `seconds` have passed since the last one, or longer, so that saving takes at
+  /// most STATE_SHARE of the time.
   void save_after(double seconds, const Refinement& image) {
     since_s_ += clock_.lap();
     if (since_s_ > std::max(seconds, last_cost_s_ / STATE_SHARE)) save(image);

@@ -10,7 +10,7 @@ namespace {
 
 using topologies::Place;
 
-// places compared in the search for a free one; larger machines skip the search
+// limit on the places compared in the search for a free one; larger machines skip the search
 constexpr std::size_t MOST_COMPARED = 2048;
 // Directions from a processor to its neighbours, upwards first.
 constexpr Place BESIDE[] = {{0, 1}, {-1, 1},     {1, 1},     {-1, 0},

@@ -89,8 +89,8 @@ void name_image(const std::string& name, const std::vector<Coordinate>& distinct
 }
 
 // Groups equal images, and names each group by the axes that distinguish it. An image whose name
-// already describes its content is distinguished only from images of the same name. Such are key
-// images of a stage, which depend on each machine's progress.
+// already describes its content, such as the key image of a stage, is distinguished only from
+// images of the same name. Key images depend on the machine's progress.
 std::map<Key, Shared> find_shared(const ExperimentFile& file, const Results& results) {
   std::vector<Key> order;
   std::map<Key, Shared> shared;
@@ -114,7 +114,7 @@ std::map<Key, Shared> find_shared(const ExperimentFile& file, const Results& res
   return shared;
 }
 
-// Throws if points with the same picture key have different images.
+// Throws if points have different images although their programs' picture keys are equal.
 void check_images(const ExperimentFile& file, const Results& results) {
   std::map<std::string, std::string> known;
   for (std::size_t i = 0; i < results.size(); ++i) {

@@ -12,8 +12,8 @@ std::vector<SavedImage> save_images(const std::vector<programs::Image>& images,
                                     const std::filesystem::path& folder);
 
 /// Gives each image a caption and a file in `folder`, named after the image and the axes common to
-/// its points. Equal images share a file. Images are independent of topology, number of processors
-/// and timing. Throws base::InvariantBroken if points that must have the same image differ.
+/// its points. Equal images share a file. The image of a scene must not depend on topology, number
+/// of processors and timing: throws base::InvariantBroken if it does.
 void place_images(const ExperimentFile& file, Results& results,
                   const std::filesystem::path& records, const std::filesystem::path& folder);
 

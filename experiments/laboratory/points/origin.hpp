@@ -24,9 +24,9 @@ inline constexpr const char* POINTS_ORIGIN = "points/experiment.json";
 nlohmann::ordered_json make_origin(const RunOptions& options, const ExperimentFile& file,
                                    const std::filesystem::path& results);
 
-/// Throws BadInput if the results belong to another experiment: one with another file name, or with
-/// the same file name and another title. The message has both names. Accepts results that record no
-/// name.
+/// Throws BadInput if the results belong to another experiment: to a file with another name, or to
+/// a file of the same name in another folder with another title. The message names both
+/// experiments. Accepts results that record no name.
 void check_same_experiment(const std::filesystem::path& results, const ExperimentFile& file);
 
 /// Writes the origin unless it exists. Throws as check_same_experiment does, even if another
@@ -39,8 +39,8 @@ struct Origin {
   RunOptions options;  ///< only file, output, overrides and until_s are set
   ExperimentFile file;
 };
-/// Loads the origin from POINTS_ORIGIN or run.json, with further overrides. Throws BadInput if it
-/// is missing or damaged.
+/// Loads the origin from POINTS_ORIGIN or run.json, and applies `overrides` after those of the run.
+/// Throws BadInput if it is missing or damaged.
 Origin load_origin(const std::filesystem::path& results, const std::filesystem::path& file,
                    const Overrides& overrides = {});
 

@@ -23,8 +23,8 @@ std::vector<std::string> make_keys(const ExperimentFile& file, double until_s);
 /// The path of records and their images inside a results folder. It contains an id of the program,
 /// since versions of the program do not share records.
 std::filesystem::path records_folder();
-/// The path of records that only the results beside them may use. Their points failed, were
-/// interrupted, or depend on the host's speed.
+/// The path of records that depend on the host's speed, or whose points failed or were interrupted.
+/// They are valid only for the results in this folder and are not linked to other folders.
 std::filesystem::path lone_records_folder();
 
 /// Loads a record without the loads of processors and links. None if it is missing, damaged

@@ -57,7 +57,8 @@ PointResult run_and_save(const PointsPlan& plan, std::size_t number) {
   }
 }
 
-// Adds the properties of a failed point that its axes need, and records it.
+// Reports and records a failed point. Adds the topology, its size and the columns known before the
+// run, which identify the point's row.
 void finish_failure(const PointsPlan& plan, std::size_t number, PointResult& failure,
                     Progress& bar) {
   const Point& point = plan.file.points[number];
@@ -79,7 +80,7 @@ void check_points(const RunOptions& options, const ExperimentFile& file) {
       check_point(point.experiment);
       check_threads(options, point.experiment);
       if (networks.insert(network_key(point.experiment)).second) check_network(point.experiment);
-      // from any module: the error is in the experiment file
+      // an error from any module here is an error of the experiment file
     } catch (const std::runtime_error& error) {
       throw base::BadInput(fmt::format("{}: {}", file.path, error.what()));
     } catch (const std::bad_alloc&) {

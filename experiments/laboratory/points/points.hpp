@@ -37,8 +37,8 @@ struct PointsPlan {
   nlohmann::ordered_json origin;  ///< origin of the results (see make_origin)
 };
 
-/// Finds the results of some points, given by number, among the records. Finds none under
-/// --profile, --trace, --timeline or --animate.
+/// Finds the recorded results of the points with these numbers. Finds none under --profile,
+/// --trace, --timeline or --animate.
 Results find_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers);
 
 /// Runs the points with these numbers and records each result as soon as it exists. A failure is

@@ -17,12 +17,12 @@ std::vector<std::string> find_coupled(const ExperimentFile& file, const std::str
 
 /// Makes the table of results, with one row for each row that a point measured, or one for a point
 /// that measured nothing. Columns are:
-///   - the axes, and parts of the program that count as axes;
+///   - the axes, and the columns that a program declares as its parts, which count as axes;
 ///   - network and parameters, if the program shows them;
 ///   - the measurements, and how the point ended.
 /// With several programs in the sweep, the table has the columns of all, empty where they do not
 /// apply. Speed-up and efficiency are relative to the row with one processor and otherwise equal
-/// axes, or to PointResult::single_s. Without either they stay empty, and so do the serial
+/// axes, or to PointResult::single_s. If both are missing, they stay empty, and so do the serial
 /// fractions of laws.hpp.
 Table make_table(const ExperimentFile& file, const Results& results);
 
@@ -34,7 +34,7 @@ Table make_growth_table(const ExperimentFile& file, const Results& results);
 bool is_complete_row(const Table& table, const std::vector<Value>& row);
 
 /// Fills empty cells of speed-up and efficiency, relative to the row with one processor and
-/// otherwise equal axes. `processors` is the column with the number of processors.
+/// otherwise equal axes. `processors` is the name of the column with the number of processors.
 void add_speedups(Table& table, const std::string& processors);
 
 /// Fills serial_karp_flatt and serial_gustafson (laws.hpp) in each row with a speed-up.

@@ -67,8 +67,8 @@ PointResult describe(const Experiment& experiment, const topologies::Topology& t
   return result;
 }
 
-// Throws unless there is exactly one row. A program with parts may have any number of rows with
-// distinct parts.
+// Throws unless there is exactly one row. A program that declares columns as `parts` may have
+// several rows, each with other values in these columns.
 void check_rows(const programs::Program& program, const std::vector<base::Row>& rows) {
   if (program.parts.empty()) return base::check_equal("rows of a point", rows.size(), 1u);
   std::set<std::vector<base::Cell>> known;

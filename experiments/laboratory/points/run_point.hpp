@@ -20,7 +20,7 @@ PointResult describe_point(const Experiment& experiment);
 
 /// Runs the program of a point. Saves its images in the folder `images`, in files named by a hash
 /// of their content. Throws all exceptions of the program except Unfinished. `monitor` names the
-/// trace, the controller and the observer of the run; the options set its interval.
+/// trace, the controller and the observer of the run; `options` sets the interval that it records.
 PointResult run_point(const Point& point, const RunOptions& options,
                       const std::filesystem::path& images, observe::RunMonitor monitor = {});
 

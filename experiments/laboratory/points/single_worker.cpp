@@ -38,7 +38,7 @@ bool is_of_network(const std::string& key) {
          (key.starts_with("network.") && key != "network.switches");
 }
 
-// The file without points and without the axes of the network.
+// The file without points, and without the axes that concern the network.
 ExperimentFile without_network(const ExperimentFile& file) {
   ExperimentFile single = file;
   single.points.clear();
@@ -80,7 +80,7 @@ void run_missing(const PointsPlan& plan, Results& results) {
 void measure_single_workers(const PointsPlan& plan, Results& results, SingleWorker single_worker) {
   ExperimentFile file = without_network(plan.file);
   std::map<std::string, double> times;  // times of single workers, by the name of their point
-  // points that need a single worker's time, by its name
+  // points that need the time of a single worker, by the name of the single worker's point
   std::map<std::string, std::vector<std::size_t>> needed;
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Point& point = plan.file.points[i];

@@ -1,5 +1,5 @@
 #pragma once
-// Selection of columns for display. A program may have sixty.
+// Selection of columns for display, since a program may have sixty columns.
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,10 +18,11 @@ struct TableView {
   std::vector<std::string> unknown;  ///< one sentence for each requested name that is not a column
 };
 
-/// Chooses the columns. With [report] columns these are the axes and the listed columns, or all
-/// columns. Otherwise they are the axes, inputs that vary, and results. Results used in [[check]],
-/// [[plot]] and [[best]], also through [let], come first. The farm's remaining results are limited
-/// to the most useful ones. `ended` is shown only if a point failed or was cut short.
+/// Chooses the columns. With [report] columns these are the axes and the named columns, or all
+/// columns if one of the names is "all". Otherwise they are the axes, inputs that vary, and
+/// results. Results used in [[check]], [[plot]] and [[best]], also through [let], come first. The
+/// farm's other results are limited to the most useful ones. `ended` is shown only if a point
+/// failed or was cut short.
 TableView choose_view(const ExperimentFile& file, const Table& table);
 
 /// Formats the view: its constants in lines, its table, and the number of hidden columns. The table

@@ -189,7 +189,8 @@ Series draw_law(const FittedLaw& law, const Fit& fit, const Series& curve,
 
 // Returns a warning if the confidence interval contains impossible serial fractions, else "".
 const char* judge_interval(const Estimate& p) {
-  // the points lie exactly on the law, so a fraction of 0 or 1 is possible
+  // In a narrower interval, the points lie exactly on the law, and fractions of 0 and 1 are
+  // possible.
   constexpr double EXACT = 1e-6;
   if (p.name != "serial fraction" || p.high - p.low < 2 * EXACT) return "";
   if (p.high < 0 || p.low > 1) return ", which is not a share of the work: the law does not hold";
@@ -262,7 +263,7 @@ std::string describe_after(const Series& curve, std::size_t best, bool& falls) {
   return fmt::format("still rising at {:g}", curve.x.back());
 }
 
-// Adds marks at the maxima. The legend has only the first.
+// Adds marks at the maxima. Only the first mark has an entry in the legend.
 void add_optima(Exhibit& exhibit, const Figure& figure, const std::vector<Series>& curves) {
   const auto& y = figure.spec.y;
   const std::string of_y = y.size() == 1 && base::Formula::is_name(y[0]) ? y[0] : "y";

@@ -111,8 +111,8 @@ struct Limit {
   double from;                 // x from which on this resource is the limit
 };
 
-// The role of a resource, which groups resources of the same role. At different points, different
-// links may be the busiest.
+// The name under which limits by this resource are counted together. All links share a name, since
+// at different points different links may be the busiest.
 std::string part_of(const programs::Load* limit) {
   if (!limit) return "";
   const auto& name = limit->resource;
@@ -136,8 +136,8 @@ std::optional<Limit> find_limit_of(const Series& s, const Table& table,
   return Limit{&s, &last->loads[0], s.x[from]};
 }
 
-// Tells where the same resource limits several curves: "from 4 workers on for line, throughout for
-// ring".
+// Tells from which x on the same resource limits several curves: "from 4 workers on for line,
+// throughout for ring".
 std::string tell_since(const Plot& plot, const std::vector<Limit>& limits, std::size_t all) {
   std::map<std::pair<bool, double>, Curves> since;  // curves limited throughout (false) sort first
   for (const auto& limit : limits) {

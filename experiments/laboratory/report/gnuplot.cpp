@@ -17,8 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Runs a script and returns the drawing that gnuplot writes to standard output. All calls of
-// gnuplot pass here. Throws std::runtime_error with the plot's name on failure.
+// Runs a script and returns the drawing that gnuplot writes to standard output. No other function
+// starts gnuplot. Throws std::runtime_error with the plot's name on failure.
 std::string run_script(const std::string& script, const std::string& name) {
   return base::run_program({.name = "gnuplot",
                             .arguments = {"-d", "-"},

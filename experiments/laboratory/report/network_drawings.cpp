@@ -23,10 +23,10 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr int MAX_SHOWN = 1024;  // largest network in the report, whose drawing takes 2 MB
+constexpr int MAX_SHOWN = 1024;  // workers of the largest network shown (2 MB of SVG)
 
-// Busy shares of processors by name. Rounding may exceed 1 slightly, so the shares are clamped to
-// the range 0 to 1.
+// Busy shares of processors by name. Rounding can make a share slightly larger than 1, so they are
+// clamped to the range 0 to 1.
 using Busy = std::unordered_map<std::string, double>;
 
 double busy(const ordered_json& of) { return std::clamp(of.at("busy").get<double>(), 0.0, 1.0); }
@@ -86,7 +86,8 @@ std::string draw(topologies::Topology topology, const std::string& caption,
     loads.processors.push_back(cpus.at(worker(topology, id)));
     loads.labels.push_back(name_of(topology, id, std::to_string(id + 1)));
   }
-  // Drops the link that the farm opens to free a link of the root.
+  // Drops the link that is missing in the record, because the farm disconnects it to free a port of
+  // the root.
   std::erase_if(topology.links, [&](const topologies::Link& link) {
     const auto both = take_both_ways(links, worker(topology, link.a.processor),
                                      worker(topology, link.b.processor));
@@ -104,8 +105,8 @@ std::string draw(topologies::Topology topology, const std::string& caption,
   return to_load_svg(topology, loads);
 }
 
-// Makes a file name such as "topology-tree-workers-16" from the axes, or from the topology without
-// axes.
+// Makes a file name such as "topology-tree-workers-16" from the axes, or from the topology if there
+// are no axes.
 std::string file_name(const Point& point) {
   std::string name;
   for (const auto& at : point.at) name += "-" + at.axis + "-" + to_string(to_value(at));
@@ -115,7 +116,7 @@ std::string file_name(const Point& point) {
   return name.substr(1);
 }
 
-// True for the points with the most workers among those that differ only in workers.
+// For each point, true if it has the most workers among the points that differ only in workers.
 std::vector<bool> find_largest(const Simulation& s) {
   std::map<std::string, std::size_t> largest;
   const std::size_t column = *s.table.find("workers");

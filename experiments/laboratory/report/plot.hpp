@@ -28,8 +28,8 @@ struct Series {
   std::size_t of = 0;
   RowList rows = {};        ///< for a curve: the table row of each point
   std::string column = {};  ///< for a curve: the table column of y; "": none
-  /// For a curve: the interval of 90 % of the drawn machines at each point; empty without drawn
-  /// machines.
+  /// For a curve: the interval that contains 90 % of randomly drawn machines, at each point; empty
+  /// without such machines.
   std::vector<double> low = {}, high = {};
   /// result of a fit, shown after the name in the legend: "s = 0.01 ± 0.02"
   std::string fitted = {};
@@ -41,7 +41,7 @@ struct Plot {
   std::string name;  ///< file name of the plot, without extension
   std::string title, x_label, y_label;
   std::vector<Series> series;
-  /// series of a lower panel with the same x; each names its curve
+  /// series of a lower panel with the same x axis, each with the index `of` of its curve
   std::vector<Series> differences = {};
   std::string difference_label = {};  ///< label of the lower panel's y axis
   bool ideal_line = false;            ///< adds y = x, dashed, named "ideal"

@@ -69,7 +69,7 @@ struct Extent {
 struct Axes {
   Extent x, y, difference;
   std::set<double> marks;    // x of all points of the upper panel, except those of laws
-  bool is_doubling = false;  // x is logarithmic with ticks at powers of two
+  bool is_doubling = false;  // true if x is logarithmic with ticks at powers of two
 };
 
 bool is_power_of_two(double value) {
@@ -97,7 +97,8 @@ Axes measure_axes(const Plot& plot) {
   return axes;
 }
 
-// The base of logarithmic scales: 2 if x doubles, also for y if there is an ideal line; else 10.
+// The base of a logarithmic scale is 2 for x if its ticks are powers of two, and then also for y if
+// there is an ideal line. Otherwise it is 10.
 std::string make_scales(const Plot& plot, const Axes& axes) {
   const int x_base = axes.is_doubling ? 2 : 10;
   std::string text;
@@ -113,8 +114,9 @@ std::string make_x_range(const Plot& plot, const Extent& x) {
                      plot.log_x ? x.high * ratio : x.high + margin);
 }
 
-// Makes the ticks of x: integers if the values are, and one at each point if a logarithmic scale
-// has few points. `labelled` is false for an upper panel, whose numbers stand below the lower one.
+// Makes the ticks of x. A logarithmic scale with few points has a tick at each point; a short
+// linear scale of integers has a tick at each integer. `labelled` is false for an upper panel,
+// since the numbers are below the lower panel.
 std::string make_x_ticks(const Plot& plot, const Axes& axes, bool labelled) {
   if (plot.log_x && axes.marks.size() <= 12) {
     std::vector<std::string> ticks;
@@ -128,7 +130,7 @@ std::string make_x_ticks(const Plot& plot, const Axes& axes, bool labelled) {
   return "";
 }
 
-// Limits y if the ideal line lies far above the points, which it would otherwise flatten.
+// Limits y if the ideal line lies far above the points, since they would otherwise look flat.
 std::string make_linear_y_range(const Plot& plot, const Axes& axes) {
   const Extent &x = axes.x, &y = axes.y;
   std::string low = "*", high = "*";

@@ -16,9 +16,9 @@ struct PointLoads {
   std::vector<programs::Load> loads;  ///< non-zero loads, the busiest first
 };
 
-/// Loads the loads of each point of the table, from the records in `folder`. They are those of the
-/// program's own categories ("coordination", "workers"), else those of the busiest processor and
-/// link.
+/// Reads the loads of each point of the table from its record in `folder`. These are the loads of
+/// the program's own categories ("coordination", "workers") if it has any, else those of the
+/// busiest processor and link.
 std::vector<PointLoads> load_loads(const std::filesystem::path& folder, const Simulation& s);
 
 /// A resource limits a point if it is the busiest and busy for at least this share of the time.

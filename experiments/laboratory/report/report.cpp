@@ -47,8 +47,9 @@ std::vector<bool> find_groups(const Table& table) {
   return begins;
 }
 
-// Makes the page's data for a table, with its axes first. Rows refer to the first `points` points,
-// which have details. Moves large data into place, since an initializer list would copy them.
+// Makes the page's data for a table, with its axes first. Only rows of the first `points` points
+// refer to details of their point. Moves large data into place, since an initializer list would
+// copy them.
 data make_table(const Table& table, const std::vector<std::string>& columns,
                 std::size_t points = 0) {
   auto shown = find_all(table, columns);
@@ -213,7 +214,7 @@ std::string make_report(const Report& report) {
   page["script"] = REPORT_SCRIPT;
   page["data"] = make_data(report);
   // Makes a nonce, with which the page permits only its own scripts. A script injected by a text of
-  // the results does not know it, since it is a hash over that text.
+  // the results does not know the nonce, which is a hash over that text.
   page["nonce"] = hash_of(report.title + to_csv(report.table) + make_data(report));
   page["title"] = report.title;
   add_text(page, "question", report.question);

@@ -167,7 +167,7 @@
 
     // ---- Visibility ----
 
-    // The legend entry that shows or hides a series. Its curve's entry does so as well.
+    // The legend entry that shows or hides a series. Hiding a curve also hides its series.
     entryOf(s) { return s.name ? s : this.data.series.find(t => t.name && t.kind === s.kind) ?? s; }
     isShown(s) { return !this.hidden.has(this.entryOf(s)) && !this.hidden.has(this.curves[s.of]); }
     canBeDrawn([x, y]) { return (!this.log.x || x > 0) && (!this.log.y || y > 0); }
@@ -178,7 +178,7 @@
           this.data.series.every(s => s.points.every(p => p[axis === "x" ? 0 : 1] > 0));
     }
 
-    // Shows the laws of speed-up if both axes are linear, where their shapes are familiar.
+    // Shows the laws of speed-up by default if both axes are linear, where their shapes are familiar.
     followLaws() {
       if (this.lawsAreChosen || !this.data.laws) return;
       const are = !this.log.x && !this.log.y && this.curves.length <= 3;

@@ -64,8 +64,8 @@ bool is_void(const Experiment& e, const programs::Parameter& p) {
   return e.program->voids && !e.program->voids(e.params, programs::key_of(p)).empty();
 }
 
-// Adds the program's parameters that are not listed yet: all, or only axes and those that differ
-// from their defaults.
+// Adds the program's parameters that are not listed yet. If the program does not show its
+// parameters, adds only axes and values that differ from the defaults.
 void add_parameters(Facts& facts, const ExperimentFile& file) {
   const Experiment& e = file.points[0].experiment;
   for (const auto& p : e.program->parameters) {
@@ -317,8 +317,8 @@ Table choose_rows(Table table, const Texts& columns) {
   return table;
 }
 
-// Adds the uncertainty of the results, from drawn machines, and a tornado chart of the first
-// result.
+// Adds the uncertainty of the results, from randomly drawn machines, and a tornado chart of the
+// first result.
 void add_confidence(Report& report, Texts& undrawn, const fs::path& folder) {
   const auto found = load_confidence(folder);
   if (!found) return;

@@ -17,7 +17,7 @@ namespace laboratory {
 struct Simulation {
   ExperimentFile file;     ///< the experiment, with only the points that were run
   HostSpeeds host_speeds;  ///< measured speeds of the host for cost = "timed"
-  Results results;         ///< result of each point, without "use", which is in its record
+  Results results;         ///< result of each point, without `use`, which only its record has
   /// path of the record of each point, relative to the results
   std::vector<std::filesystem::path> records;
   Table table;
@@ -26,8 +26,8 @@ struct Simulation {
   std::string ended;                 ///< the reason why the run ended, a sentence
   bool complete = false;             ///< true if every point was completed
   std::size_t there = 0;             ///< number of points that already had results
-  std::size_t asked = 0;             ///< number of points, including those of drawn machines
-  std::size_t left_out = 0;          ///< number of drawn machines with incomplete points
+  std::size_t asked = 0;             ///< number of points, also those of randomly drawn machines
+  std::size_t left_out = 0;          ///< number of randomly drawn machines with incomplete points
   double wall_s = 0;
 };
 
@@ -39,9 +39,9 @@ void save_run_json(const std::filesystem::path& folder, const RunOptions& option
                    const Simulation& simulation);
 
 /// Reads `folder`/run.json and the records of its points. Makes the table and evaluates the checks
-/// anew. `file` is the experiment in run.json. host_speeds, there and wall_s keep their defaults.
-/// Throws nlohmann::json::exception for a damaged run.json. Throws base::BadInput if run.json has
-/// no points, or a record is damaged or from another experiment.
+/// anew. `file` is the experiment in run.json. The members `host_speeds`, `there` and `wall_s` keep
+/// their defaults. Throws nlohmann::json::exception for a damaged run.json. Throws base::BadInput
+/// if run.json has no points, or a record is damaged or from another experiment.
 Simulation load_simulation(const std::filesystem::path& folder, const ExperimentFile& file);
 
 }  // namespace laboratory

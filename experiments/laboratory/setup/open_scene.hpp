@@ -12,14 +12,14 @@ namespace laboratory {
 /// Prints each sentence as "tlab: warning: ...".
 void warn(const std::vector<std::string>& sentences);
 
-/// Loads a scene as renderer::load_scene() does, and warns of all losses.
+/// Loads a scene as renderer::load_scene() does, and warns of everything that was left out.
 renderer::Scene open_scene(const std::string& source, int frame = 0);
 
-/// Loads a room as radiosity::load_room() does, and warns of all losses.
+/// Loads a room as radiosity::load_room() does, and warns of everything that was left out.
 radiosity::Room open_room(const std::string& path);
 
-/// Warns of losses in the OBJ files of an experiment's points, once for each file. Ignores errors
-/// in them, because programs report these.
+/// Warns of everything that is left out of the OBJ files of an experiment's points, once for each
+/// file. Ignores errors in them, because programs report these.
 void warn_of_scenes(const ExperimentFile& file);
 
 }  // namespace laboratory

@@ -31,7 +31,7 @@ struct Estimate {
 };
 
 /// A least-squares fit of a curve to points. The intervals assume independent residuals of equal
-/// variance. If a law does not hold, they are too narrow and `rms` is large.
+/// variance. If a law does not hold, the intervals are too narrow and `rms` is large.
 struct Fit {
   std::string law;
   std::vector<Estimate> parameters;
@@ -47,13 +47,13 @@ struct Fit {
 /// Points with values that are not finite and positive are ignored.
 std::optional<Fit> fit_amdahl(const std::vector<double>& n, const std::vector<double>& speedup);
 
-/// Fits Gustafson's serial fraction to efficiencies S/n: 1 - S/n = s (1 - 1/n). Unlike those of S,
-/// their errors do not grow with the machine. None for fewer than two points with n > 1.
+/// Fits Gustafson's serial fraction to efficiencies S/n: 1 - S/n = s (1 - 1/n). Errors of S grow
+/// with the machine, those of efficiencies do not. None for fewer than two points with n > 1.
 std::optional<Fit> fit_gustafson(const std::vector<double>& n, const std::vector<double>& speedup);
 
-/// Fits Sun and Ni's serial fraction to efficiencies by iteration, with a growth G for each point.
-/// The law solved for s would have the measured S on both sides. None for fewer than two points
-/// with n > 1, and without convergence.
+/// Fits Sun and Ni's serial fraction to efficiencies, with a growth G for each point. Iterates,
+/// because the law solved for s would have the measured S on both sides. None for fewer than two
+/// points with n > 1, and without convergence.
 std::optional<Fit> fit_sun_ni(const std::vector<double>& n, const std::vector<double>& speedup,
                               const std::vector<double>& growth);
 

@@ -11,7 +11,7 @@ namespace {
 constexpr int MOST_MOVES = 200;
 constexpr double TOLERANCE = 1e-10;
 
-using Columns = std::vector<std::vector<double>>;  // one for each parameter
+using Columns = std::vector<std::vector<double>>;  // one column of the Jacobian for each parameter
 
 bool are_finite(const std::vector<double>& values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
@@ -47,8 +47,8 @@ void require_determined(const Columns& jacobian) {
   }
 }
 
-// Levenberg's and Marquardt's iteration. Each parameter is measured in units of the greatest length
-// that its column of the Jacobian has had.
+// Levenberg's and Marquardt's iteration. `scales` has, for each parameter, the greatest length so
+// far of its column of the Jacobian.
 struct Descent {
   const Residuals& residuals;
   const Step& step;
@@ -64,7 +64,7 @@ void differentiate(Descent& d) {
     d.scales[p] = std::max(d.scales[p], std::sqrt(dot(d.jacobian[p], d.jacobian[p])));
 }
 
-// Whether the gradient is zero, for the precision wanted.
+// True if the gradient is zero to within TOLERANCE.
 bool is_level(const Descent& d) {
   for (std::size_t p = 0; p < d.at.size(); ++p)
     if (std::abs(dot(d.jacobian[p], d.left) * std::max(d.at[p], 1.0)) >
@@ -86,8 +86,8 @@ LinearFit find_move(const Descent& d) {
   return fit_linear(std::move(terms), std::move(values));
 }
 
-// Tries a move and takes it if it reduces the squares. Returns false for a move too small to
-// matter.
+// Computes a move, and applies it if it reduces the sum of squares. Returns false for a move too
+// small to matter.
 bool try_move(Descent& d) {
   const auto move = find_move(d);
   auto next = d.at;

@@ -34,8 +34,9 @@ using Step = std::function<double(std::size_t parameter, double value)>;
 using Residuals = std::function<std::vector<double>(const std::vector<double>& parameters)>;
 
 /// Finds parameters near `start` that minimise the sum of squared residuals (Levenberg and
-/// Marquardt). Throws std::invalid_argument unless there are more residuals than parameters. Throws
-/// Undetermined for the start or the result, Unsettled, and exceptions of `residuals`.
+/// Marquardt). Throws std::invalid_argument unless there are more residuals than parameters,
+/// Undetermined if the residuals do not determine the parameters at some step, Unsettled without
+/// convergence, and exceptions of `residuals`.
 LeastSquares fit_least_squares(const Residuals& residuals, const std::vector<double>& start,
                                const Step& step);
 

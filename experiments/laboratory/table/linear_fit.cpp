@@ -11,9 +11,11 @@ namespace {
 using Vector = std::vector<double>;
 using Matrix = std::vector<Vector>;
 
-constexpr double DEPENDENT = 1e-12;  // the length of a dependent term's rest over the term's
+// a term whose orthogonal rest is shorter than this share of the term depends on earlier terms
+constexpr double DEPENDENT = 1e-12;
 
-// Takes the share of `direction`, of length 1, out of `from`, and returns that share.
+// Subtracts from `from` its component along the unit vector `direction`, and returns that
+// component.
 double take_share(const Vector& direction, Vector& from) {
   const double share = dot(direction, from);
   for (std::size_t i = 0; i < from.size(); ++i) from[i] -= share * direction[i];
@@ -60,7 +62,7 @@ LinearFit fit_linear(Matrix terms, Vector values) {
   for (std::size_t k = 0; k < count; ++k) {
     Vector unit(count);
     unit[k] = 1;
-    const auto column = solve_triangle(upper, unit);  // of the inverse of the triangle
+    const auto column = solve_triangle(upper, unit);  // a column of the inverse of `upper`
     for (std::size_t j = 0; j < count; ++j) fit.spreads[j] += column[j] * column[j];
   }
   fit.squares = dot(fit.residuals, fit.residuals);

@@ -6,8 +6,8 @@ namespace laboratory {
 
 /// The fit of values by a sum of factors times terms.
 struct LinearFit {
-  std::vector<double> factors;    ///< of each term; 0 for a term that depends on those before it
-  std::vector<double> spreads;    ///< the factors' variances over the variance of one value
+  std::vector<double> factors;    ///< factor of each term; 0 if it depends on earlier terms
+  std::vector<double> spreads;    ///< variance of each factor divided by the variance of one value
   std::vector<double> residuals;  ///< of each value
   double squares = 0;             ///< sum of the squared residuals
 
@@ -15,8 +15,8 @@ struct LinearFit {
   double variance(std::size_t factor) const;
 };
 
-/// Fits by modified Gram-Schmidt orthogonalisation. `terms` holds the values of each term; each has
-/// as many as `values`.
+/// Fits by modified Gram-Schmidt orthogonalisation. `terms` holds one list for each term, as long
+/// as `values`.
 LinearFit fit_linear(std::vector<std::vector<double>> terms, std::vector<double> values);
 
 double dot(const std::vector<double>& a, const std::vector<double>& b);

@@ -10,7 +10,7 @@
 namespace laboratory {
 namespace {
 
-// minimum number of points; a broken line fits almost any fewer points
+// minimum number of points; a broken line fits almost any smaller number of points
 constexpr std::size_t FEWEST = 5;
 constexpr double LEAST_CHANGE = 0.2, MOST_LEFT = 0.25;
 

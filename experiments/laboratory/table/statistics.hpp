@@ -11,8 +11,8 @@ double find_median(std::vector<double> samples);
 double find_variance(const std::vector<double>& samples);  ///< sample variance, divided by n - 1
 double find_deviation(const std::vector<double>& samples);
 
-/// Quantile of ascending samples. `share` is 0 for the first sample and 1 for the last; between
-/// samples the quantile is linear.
+/// Quantile of ascending samples. `share` is 0 for the first sample and 1 for the last.
+/// Interpolates linearly between samples.
 double find_quantile(const std::vector<double>& ascending, double share);
 /// Spearman's rank correlation. Equal samples share their mean rank. NaN if a sample is constant.
 double correlate_ranks(const std::vector<double>& a, const std::vector<double>& b);

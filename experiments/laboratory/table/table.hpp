@@ -17,7 +17,7 @@ struct Table {
   std::vector<std::string> columns;  ///< names of the columns, distinct and not empty
   std::size_t axes = 0;              ///< number of axes of the sweep, which are the first columns
   std::vector<std::vector<Value>> rows;
-  std::vector<std::size_t> points = {};  ///< point of each row, ascending; empty: row numbers
+  std::vector<std::size_t> points = {};  ///< point of each row, ascending; empty: row i is point i
 
   std::size_t point_of(std::size_t row) const;
   std::size_t row_of(std::size_t point) const;  ///< first row of a point; every point has one
@@ -56,9 +56,10 @@ std::string unit_of(std::string_view column);
 /// Removes the unit from a label: "time per ray [ms]" becomes "time per ray".
 std::string without_unit(const std::string& label);
 
-/// Formats the cells of a column for display. All doubles have the same precision: four significant
-/// digits of the largest. If the column spans more than three decades, or two with all values below
-/// 1, each has four significant digits.
+/// Formats the cells of a column for display. All doubles of the column have the same number of
+/// decimals, so that the largest has four significant digits. If they span more than three decades
+/// (two if all are below 1), each has four significant digits. Columns whose names end with % have
+/// two decimals.
 std::vector<std::string> format_column(const Table& table, std::size_t column);
 
 /// The indices of the columns to show; all columns if `shown` is empty. Throws BadInput with the
@@ -77,7 +78,7 @@ std::string to_text(const Table& table, const std::vector<std::string>& shown = 
 /// exponent, or is inf or nan. Strings that look like numbers are quoted. `axes` is not stored.
 std::string to_csv(const Table& table);
 
-/// Puts a ' before each string that a spreadsheet would take for a formula.
+/// Puts a ' before each text that a spreadsheet would take for a formula.
 Table guard_formulas(Table table);
 /// Reads the output of to_csv, and everything that base::CsvReader accepts. Blank lines are
 /// skipped, except as rows of a table with one column. A quoted cell is a string. A bare cell is an

@@ -22,8 +22,8 @@ std::string of_rows(std::size_t rows) {
   return rows > 1 ? fmt::format(" (the median of {} rows)", rows) : "";
 }
 
-// Reads a row of intervals.csv or assumptions.csv, from the computed table or from one loaded from
-// a file.
+// Reader of a row of intervals.csv or assumptions.csv, whether the table was computed or loaded
+// from a file.
 class Reader {
  public:
   Reader(const Table& table, std::size_t row) : table_(table), row_(row) {}

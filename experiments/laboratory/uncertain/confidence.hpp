@@ -1,5 +1,5 @@
 #pragma once
-// Uncertainty of an experiment's results, from drawn machines.
+// Uncertainty of an experiment's results, from machines drawn at random.
 #include <filesystem>
 #include <optional>
 
@@ -18,9 +18,9 @@ struct Confidence {
 
 constexpr std::size_t LEAST_MACHINES = 3;
 
-/// Evaluates the drawn machines. `table` has the file's own points, and `results` all points of the
-/// file with drawn machines. There are no intervals if fewer than LEAST_MACHINES machines have
-/// completed all their points.
+/// Evaluates the results of the randomly drawn machines. `table` has only the points of the nominal
+/// model, `results` also those of the drawn machines. There are no intervals if fewer than
+/// LEAST_MACHINES machines have completed all their points.
 Confidence find_confidence(const ExperimentFile& file, const Table& table, const Results& results);
 
 /// Tables of the results folder that describe the uncertainty of the results.
@@ -34,8 +34,8 @@ void save_confidence(const std::filesystem::path& folder, const ConfidenceTables
 /// Loads the tables; none without drawn machines. Throws BadInput for damaged files.
 std::optional<ConfidenceTables> load_confidence(const std::filesystem::path& folder);
 
-/// The interval of 5 to 95 % of the machines for a cell of the table of results; none if the cell
-/// has no interval.
+/// The interval of a cell of the table of results: the 5 and 95 % quantiles over the machines; none
+/// if the cell has no interval.
 std::optional<std::pair<double, double>> find_interval(const ConfidenceTables& confidence,
                                                        const Table& table, std::size_t row,
                                                        const std::string& column);
@@ -43,8 +43,8 @@ std::optional<std::pair<double, double>> find_interval(const ConfidenceTables& c
 /// The influence of a model entry on a result column.
 struct Weight {
   std::string entry;
-  /// Half the relative change of the result over 5 to 95 % of the entry's range; the median over
-  /// the rows.
+  /// Half of the result's relative change when the entry moves from 5 to 95 % of its range; the
+  /// median over the rows.
   double share;
   std::size_t rows;  ///< number of rows in which the entry is among the strongest
 };

@@ -37,15 +37,17 @@ std::vector<std::size_t> shuffle_slices(std::uint64_t stream, std::size_t machin
   return slices;
 }
 
-// The value of an entry at a number of its range, which may be a share of the entry's value.
+// The value of an entry for a number drawn from its range. If `is_share`, the number multiplies the
+// entry's nominal value.
 machine::EntryValue make_value(const machine::Entry& entry, double number, bool is_share) {
   if (!is_share) return number;
   if (entry.formula.empty()) return entry.value * number;
   return fmt::format("({}) * {}", entry.formula, number);
 }
 
-// The factor for a calibrated entry in the machine `set` that restores its `holds` formula to its
-// value in `before`. The formula is linear in the entry, so two evaluations determine the factor.
+// The factor by which a calibrated entry must be multiplied, with the other entries in `set`, so
+// that its `holds` formula has the same value as in the model `before`. The formula is linear in
+// the entry, so two evaluations determine the factor.
 double fit_to_held(const machine::Entry& entry, const machine::Model& before,
                    machine::Overrides set,
                    const std::function<machine::Model(const machine::Overrides&)>& make) {
@@ -153,7 +155,7 @@ ExperimentFile spread(const ExperimentFile& file) {
         spec.entries = found->second;
       };
       draw(point.experiment.model);
-      // the engine with direct links yields results equal up to rounding in half the time
+      // the engine "direct" takes half the time, and its results are equal up to rounding
       point.experiment.links = machine::Links::direct;
       point.experiment.processes = machine::Processes::fibers;
       for (auto& other : point.experiment.others) draw(other.model);

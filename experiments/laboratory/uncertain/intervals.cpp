@@ -15,7 +15,7 @@ constexpr double LOW = 0.05, HIGH = 0.95;
 constexpr double CHANCE = 0.05;  // probability of selecting an entry if none has an effect
 constexpr std::size_t MOST_CHOSEN = 8;
 
-// The row of another table with the same axes; none if it is missing.
+// The row of another table with the same values on the axes; none if there is no such row.
 std::optional<std::size_t> find_row(const Table& table, const std::vector<Value>& row,
                                     std::size_t likely, std::size_t axes) {
   const auto is_it = [&](const std::vector<Value>& other) {
@@ -28,7 +28,7 @@ std::optional<std::size_t> find_row(const Table& table, const std::vector<Value>
   return static_cast<std::size_t>(found - table.rows.begin());
 }
 
-// The results of a cell on all machines; empty if a machine lacks it.
+// The results of a cell on all machines; empty if one of them has no result.
 std::vector<double> gather(const Table& table, std::size_t row, std::size_t column,
                            const std::vector<Table>& machines) {
   std::vector<double> all;
@@ -78,7 +78,7 @@ std::vector<Interval> find_intervals(const Table& table, const std::vector<Table
       auto sorted = all;
       std::ranges::sort(sorted);
       if (sorted.front() == sorted.back()) continue;
-      // Estimates a quantile such that a further machine lies below it with that probability. Its
+      // Estimates the quantile below which a further machine lies with probability `share`. Its
       // rank is share * (n + 1), counted from 1 and clamped to the samples.
       const auto at = [&](double share) {
         const auto n = static_cast<double>(sorted.size());

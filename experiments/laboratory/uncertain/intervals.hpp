@@ -1,5 +1,6 @@
 #pragma once
-// Uncertainty of results: their intervals over the drawn machines, and the entries that cause it.
+// Uncertainty of results: their intervals over randomly drawn machines, and the model entries that
+// cause it.
 #include <initializer_list>
 #include <string>
 #include <vector>
@@ -8,7 +9,7 @@
 
 namespace laboratory {
 
-/// Distribution of a result over the drawn machines.
+/// Distribution of a result over randomly drawn machines.
 struct Interval {
   std::size_t row, column;       ///< row and column of the result in the table of the nominal model
   double value;                  ///< result of the nominal model
@@ -23,17 +24,18 @@ std::vector<Interval> find_intervals(const Table& table, const std::vector<Table
 /// The influence of one model entry on a result.
 struct Influence {
   std::string entry;
-  double swing;  ///< change of the result over 5 to 95 % of the entry's range
+  double swing;  ///< change of the result when the entry moves from 5 to 95 % of its range
   double error;  ///< standard error of the swing
-  /// Spearman's rank correlation with the residual of the entries selected before
+  /// Spearman's rank correlation of the entry with the residual of the fit on the entries selected
+  /// before it
   double correlation;
 };
 
 /// Selects the entries that affect a result by stepwise regression, sorted by swing. Each step adds
 /// the entry with the strongest rank correlation with the residual of a linear fit on the entries
 /// selected so far. The selection stops when entries without effect would reach such a correlation
-/// in more than 5 % of results. `quantiles` has those of each entry, by machine. Throws BadInput
-/// for fewer than three machines.
+/// in more than 5 % of results. `quantiles` has the quantiles of each entry, by machine. Throws
+/// BadInput for fewer than three machines.
 std::vector<Influence> find_influences(const std::vector<double>& results,
                                        const std::vector<std::string>& entries,
                                        const std::vector<std::vector<double>>& quantiles);
