@@ -30,8 +30,8 @@ using Wire = std::tuple<int, int, int, int>;
 // headport; "" without one.
 using Edge = std::tuple<int, int, std::string, std::string, std::string, std::string>;
 
-// Makes the topology of a graph, by the rules for files: `roots` are the texts of the vertices'
-// attribute root, `root` that of the graph's.
+// Makes the topology of a graph by the rules for files. `roots` has the text of each vertex's
+// attribute root, and `root` that of the graph.
 Topology make_graph(const std::string& name, const std::vector<std::string>& names,
                     const std::vector<std::string>& roots, const std::string& root,
                     const std::vector<Edge>& edges, bool has_arrows) {

@@ -59,8 +59,8 @@ class Topology:
         """A dict of the metrics that `tlab topology` prints, optionally with other routes than the shortest.
 
         farm_messages counts the messages over the busiest direction of a link, farm_link, if every processor sends
-        the root a message and gets a reply. all_to_all_messages does so if each processor sends one to each other.
-        With routes there is closes_cycle too. bisection_width is None if it is unknown.
+        the root a message and gets a reply. all_to_all_messages counts them if every processor sends a message to
+        every other. With routes there is closes_cycle too. bisection_width is None if it is unknown.
         """
         found = self._native.metrics()
         if routes:
@@ -114,7 +114,7 @@ class Topology:
             raise BadInput(f"{path}: cannot be written: {error.strerror}") from None
 
     @functools.cached_property
-    def _numbers(self):  # by name, and by name as a text
+    def _numbers(self):  # number of each name, and of the text of each name
         named = list(zip(self.names, range(self.processors)))
         return {**{str(name): number for name, number in named}, **dict(named)}
 
