@@ -11,7 +11,7 @@ namespace {
 
 // No two tasks are equal: each has its own place in the image.
 Task random_task(std::mt19937_64& random, int number) {
-  Task task{{2 * (number % 100), 2 * (number / 100), 2, 1}};
+  Task task{{{2 * (number % 100), 2 * (number / 100), 2, 1}}};
   task.next = random() % 4 == 0 ? Advance::none : Advance::sample;
   task.importance = {static_cast<double>(random() % 5) / 4, random() % 3};
   task.has_just_come = random() % 3 == 0;
@@ -133,7 +133,7 @@ TEST(IirraTasks, WorkIsCounted) {
   TaskStores stores;
   TaskWork work;
   for (int i = 0; i < 8; ++i) {
-    Task task{{2 * i, 0, 2, 1}};
+    Task task{{{2 * i, 0, 2, 1}}};
     task.importance.sum = i;  // each new task becomes the most important
     stores.add(task, work);
   }
