@@ -26,7 +26,7 @@ TEST(HostProgram, ReadsItsInputAndArgumentsAsTheyAre) {
             "in\ntwo words|$HOME'\n");
 }
 
-// Transfers more data than a pipe holds in both directions, and input that the program never reads.
+// Transfers more data than a pipe holds: in both directions, and to a program that never reads it.
 TEST(HostProgram, TakesMuchInputAndOutput) {
   const std::string much(3 << 20, 'x');
   EXPECT_EQ(run_program(shell("cat", much)), much);
@@ -45,8 +45,8 @@ TEST(HostProgram, MissingProgramsComeWithTheRemedy) {
             "plot p: drawing needs the program no-such-program, which was not found: install it");
 }
 
-// Several threads start programs at the same time. A program must not inherit the pipe that signals
-// the start of another program. That start would seem to last until the program ends.
+// Several threads start programs at the same time. If a program inherited the pipe that signals
+// another program's start, that start would seem to last until the first program ends.
 TEST(HostProgram, StartsDoNotWaitForOtherProgramsToEnd) {
   const HostProgram program{.name = "find",
                             .arguments = {"/proc/self/fd", "-lname", "pipe:*"},

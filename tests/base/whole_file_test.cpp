@@ -123,7 +123,7 @@ bool install(const std::vector<sock_filter>& filter) {
 }
 
 // Simulates, for the rest of this process, a file system that does not support flags of renames,
-// such as NFS, and optionally no hard links. Returns false if the kernel refuses the filter.
+// such as NFS, nor hard links if `links_too`. Returns false if the kernel refuses the filter.
 bool forget_renames_with_flags(bool links_too) {
   std::vector<sock_filter> filter;
   const auto load = [&](std::size_t at) {
