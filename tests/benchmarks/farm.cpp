@@ -25,8 +25,8 @@ farm::Result run_farm(observe::RunMonitor* monitor, bool profile, machine::Engin
   return farm::run_farm(model(), workers, scene, params);
 }
 
-// Records all times when a process has a CPU, and all messages on links. The activities of each
-// processor are in the order of their start.
+// Records all intervals in which a process has a CPU, and all messages on links. The activities of
+// each processor are in the order of their start.
 std::vector<Activity> record() {
   observe::Trace trace;
   observe::RunMonitor monitor;

@@ -41,7 +41,7 @@ double time_of(Body&& body) {
   return cpu_time_s() - start;
 }
 
-// Measures wall-clock time instead, for work by several threads.
+// Measures wall-clock time instead of CPU time, for work by several threads.
 template <class Body>
 double wall_time_of(Body&& body) {
   const auto start = std::chrono::steady_clock::now();

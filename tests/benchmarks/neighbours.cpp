@@ -56,7 +56,7 @@ struct Exchange {
 // is 0. Memory includes the construction of the machine and its growth during the run.
 Sample exchange(int side, int work, machine::EngineParams engine, int threads = 0) {
   // Returns free memory to the system. Otherwise the machine would reuse memory that the parent has
-  // freed, and it would not be counted.
+  // freed, and this memory would not be counted.
   malloc_trim(0);
   mallopt(M_MMAP_THRESHOLD, 128 * 1024);
   const double before_kb = memory_kb();

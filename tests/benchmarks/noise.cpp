@@ -15,7 +15,7 @@ using namespace renderer;
 namespace {
 
 constexpr int SIZE = 96;
-constexpr int OURS = 16;        // samples per pixel, whose error is the target for both programs
+constexpr int OURS = 16;        // tlab's samples per pixel; their error is POV-Ray's target
 constexpr int REFERENCE = 256;  // samples per pixel of the converged pictures
 
 Scene make_scene() {
@@ -54,7 +54,7 @@ class Contest {
   const Scene scene = make_scene();
   double error = 0;        // error of tlab's picture with OURS samples
   double apart = 0;        // difference of the converged pictures of both programs
-  PovraySamples theirs;    // the fastest samples that reach the error
+  PovraySamples theirs;    // POV-Ray's fastest samples that reach the error
   double their_error = 0;  // error of POV-Ray's picture with these samples
 
   Contest() {
@@ -86,7 +86,7 @@ class Contest {
     return {samples, rms_difference(made.image, reference_), made.sample.cpu_s};
   }
   // Finds the number of camera rays that reaches the error, with `side` x `side` feelers. Doubles
-  // the number until it does, then interpolates between the last two.
+  // the number until the error is reached, then interpolates between the last two numbers.
   std::optional<Tried> find_samples(int side) const {
     Tried before = attempt({4, side});
     while (before.samples.lens < REFERENCE / 2) {

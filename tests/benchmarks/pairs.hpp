@@ -9,8 +9,8 @@
 
 namespace benchmarks {
 
-// Adds a benchmark "what/who". Its samples determine the time, and it reports items per second.
-// `run` is called in this process.
+// Adds a benchmark "what/who", which calls `run` in this process. The benchmark reports the CPU
+// time of its samples, and items per second.
 benchmark::internal::Benchmark* add(const std::string& what, const std::string& who,
                                     std::function<Sample(benchmark::State&)> run);
 
@@ -18,8 +18,8 @@ benchmark::internal::Benchmark* add(const std::string& what, const std::string& 
 benchmark::internal::Benchmark* add_simulation(const std::string& what, const std::string& who,
                                                std::function<Sample()> run);
 
-// Runs all benchmarks, repeated and interleaved. Then prints a table. For each "what" it has the
-// medians of "what/tlab" and of every other "what/who", and their ratio.
+// Runs all benchmarks, repeated and interleaved. Then prints a table: for each "what", the medians
+// of "what/tlab" and of every other "what/who", and their ratio.
 int run_all(int argc, char** argv);
 
 }  // namespace benchmarks

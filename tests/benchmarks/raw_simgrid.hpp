@@ -10,7 +10,7 @@ namespace benchmarks {
 
 Sample raw_line(const machine::Model& model);
 Sample raw_mesh(const machine::Model& model, const Traffic& traffic);
-// Two actors of one host meet at semaphores, and sleep for the duration of the copy.
+// Two actors of one host meet at semaphores, and sleep as long as the copy of a message takes.
 Sample raw_rendezvous(const machine::Model& model, int messages);
 // Suspends a long execution for a short one, every `period_s`.
 Sample raw_preemptions(const machine::Model& model, int times, double period_s, double cycles);
