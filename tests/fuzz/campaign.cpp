@@ -28,7 +28,7 @@ constexpr std::uint64_t BATCH = 500;
 
 // Progress of a child process in shared memory, which survives a crash of the child.
 struct Progress {
-  std::uint64_t next = 0;  // number of the case being read, or of the first that has not run
+  std::uint64_t next = 0;  // number of the current case, or of the next one between cases
   std::uint64_t accepted = 0, refused = 0;
   char what[2000] = "";
 };

@@ -43,7 +43,7 @@ struct Campaign {
   Tell tell;  ///< called for each finding as soon as it occurs
 };
 
-/// Limit on the findings of a trial, since more are likely to be of the same kinds.
+/// Limit on the findings of a trial, since further ones are likely to be of the same kinds.
 constexpr std::uint64_t MOST_FINDINGS = 20;
 
 /// Makes the text of a case. It depends only on the reader's name, its corpus, the seed and the

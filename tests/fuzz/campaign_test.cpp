@@ -88,7 +88,7 @@ TEST(FuzzCampaign, CountsWhatIsRefused) {
   const auto told = run(fail_at_fourth([] { throw base::BadInput("line 1"); }), 10);
   EXPECT_TRUE(told.numbers.empty());
   EXPECT_EQ(told.counts.cases, 10u);
-  EXPECT_EQ(told.counts.refused, 1u);  // a single child refuses one text
+  EXPECT_EQ(told.counts.refused, 1u);  // one child reads all texts, and refuses the fourth
   EXPECT_EQ(told.counts.accepted, 9u);
 }
 

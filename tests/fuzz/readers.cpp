@@ -11,7 +11,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Length limit on corpus files. In longer files, a change of one of many lines tests little.
+// Length limit on corpus files, bytes. In a longer file, a change in one of many similar lines
+// tests little.
 constexpr std::uintmax_t LONGEST = 4096;
 
 // Adds the files in path order, so that a case depends only on their contents.

@@ -29,8 +29,8 @@ struct Reader {
 /// All readers; their names are distinct.
 std::vector<Reader> all_readers();
 
-/// Readers that run the program `tlab` in its own process, with the texts as files. They write
-/// files in the current folder from the start.
+/// Makes readers that run the program `tlab` in its own process, with the texts as files. This call
+/// itself writes files in the current folder.
 std::vector<Reader> command_readers(const std::string& tlab);
 
 /// Loads the texts for a reader: its corpus, and files of the project.

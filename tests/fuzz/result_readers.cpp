@@ -89,7 +89,7 @@ const laboratory::Results& two_results() {
   return results;
 }
 
-// Reads a run.json whose points have the two records.
+// Reads a text as the run.json of a folder with the records 0.json and 1.json.
 void read_simulation(const std::string& text) {
   const fs::path folder = "results";
   save_two_records(folder / "points/fuzz");

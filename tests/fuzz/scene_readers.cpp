@@ -11,7 +11,7 @@ namespace {
 
 const std::string SCENES = "experiments/scenes";
 
-// Names a scene in the project's folder of scenes, where files that a text refers to are searched.
+// Names a scene in the project's folder of scenes, so that its references to other files are found.
 std::string name_scene(const std::string& ending) { return place_of(SCENES + "/fuzz" + ending); }
 
 void read_nff(const std::string& text) {

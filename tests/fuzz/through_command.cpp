@@ -33,7 +33,7 @@ using Arguments = std::vector<std::string>;
 
 // What the program does with the file.
 enum class Task {
-  read,     // reads it; the time depends on the size of the input
+  read,     // reads the file; the time depends on its size
   compute,  // reads the file and computes for a long time, until it is interrupted
   judge     // reads the file and computes; may end with a failed check or a simulated fault
 };
