@@ -86,7 +86,8 @@ TEST(Calibration, LeavesNothingBehind) {
     unsetenv("TMPDIR");
 }
 
-// The written file is a model: calibrated from these numbers, on its base, with its interval.
+// The written file loads as a model. Its fitted entries are marked as calibrated, and have
+// intervals.
 TEST(Calibration, TheFittedModelIsRead) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "m.csv") << make_measurements(1);
@@ -158,7 +159,8 @@ TEST(Calibration, AModelFileHasEachSectionOnceAndSaysHowWellItFits) {
   for (const auto& entry : fitted.entries) EXPECT_EQ(value_of(model, entry.key), entry.value);
 }
 
-// From any start and with any measurements, entries stay positive and the written file is a model.
+// From any start and with any measurements, entries stay positive and the written file is a valid
+// model.
 TEST(Calibration, FarStartsAndBadMeasurements) {
   const TemporaryFolder folder;
   const auto fit = [&](const std::string& csv, const std::string& entries) {
@@ -178,7 +180,7 @@ TEST(Calibration, FarStartsAndBadMeasurements) {
   EXPECT_FALSE(std::filesystem::exists(folder.path / "mine.toml"));
 }
 
-// A new model equals its base, even with every # removed.
+// A new model equals its base. It still does if every entry in its comments is uncommented.
 TEST(Calibration, AModelOfOnesOwnBeginsAsItsBase) {
   const TemporaryFolder folder;
   const auto begun = tlab(folder.path, {"model", "mine", "--new", "--base", "t800-20"});

@@ -1,4 +1,4 @@
-// experiments/cluster/Snakefile on this host: its results equal those of tlab run byte for byte.
+// experiments/cluster/Snakefile on this host. Its results equal those of `tlab run` byte for byte.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -35,7 +35,7 @@ TEST(Cluster, ThroughSnakemakeTheResultsAreTheSame) {
        {"results.csv", "report.html", "image-spheres-9.png", "image-spheres-20.png"})
     EXPECT_EQ(read_file(folder.path / "direct" / name), read_file(folder.path / "jobs" / name))
         << name;
-  // A change that is part of no point's key causes a new merge.
+  // The change affects no point's key, so only the merge runs again.
   std::ofstream(folder.path / "e.toml", std::ios::app) << "[report]\nnetworks = \"all\"\n";
   ASSERT_EQ(shell(folder.path, program + " run e.toml -o direct --set image.height=9"), 0);
   ASSERT_EQ(shell(folder.path, snakemake), 0) << read_file(folder.path / "log");

@@ -72,7 +72,7 @@ TEST(ExperimentsCommand, AsManyJobsAsTheHostHasProcessors) {
   EXPECT_EQ(options.jobs, std::max(1u, std::thread::hardware_concurrency()));
 }
 
-// The profile has a line for each point below the title.
+// Below its title, the profile has a line for each point.
 TEST(ExperimentsCommand, ProfileShowsTheHostsTimeOfEachPoint) {
   const TemporaryFolder folder;
   const auto done = tlab(folder.path, small({"-o", "r", "--profile"}));
@@ -188,7 +188,8 @@ TEST(ExperimentsCommand, OnlyOnePointOfCountedCostsIsShownLive) {
   for (const auto& [setting, message] :
        {std::pair("sweep.workers=[1, 2]", "the experiment has 2 points, expected one"),
         std::pair("run.cost=timed", "found cost = \"timed\", expected \"counted\"")}) {
-    // The recording's name is invalid as well. No page opens for a refused command.
+    // The command is refused before a page opens, and before the invalid name of the recording
+    // matters.
     const auto refused = tlab(
         folder.path, {"live", "e.toml", "--no-browser", "--record", "e.txt", "--set", setting});
     EXPECT_EQ(refused.exit_code, 2) << setting;

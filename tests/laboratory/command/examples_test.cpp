@@ -105,8 +105,8 @@ TEST(Examples, HaveAtMost100Lines) {
   EXPECT_GE(examples, 5);
 }
 
-// The time is the sum of: out and in of a word on four soft channels, a PAR of two, four loop ends,
-// adc.
+// The time is the sum of: `out` and `in` of a word on four soft channels, a PAR of two branches,
+// four loop ends, and one `adc`.
 TEST(Examples, CommstimeIsTheSumOfItsInstructions) {
   const auto model = machine::override_model(
       "t800-20",
@@ -145,8 +145,8 @@ TEST(Examples, SortSortsOnAnyNumberOfProcessors) {
   output_of("example_sort 3 4 2>&1", 2);
 }
 
-// A station holds the token for 100 ticks; it and its link add 8.03 us. Since only whole ticks
-// count, a station takes 108 ticks. The monitor's ALT makes it 109 there.
+// A station holds the token for 100 ticks of 1 us. Its processes and its link add 8.03 us. Since
+// only whole ticks count, a station takes 108 ticks, and the monitor 109 because of its ALT.
 TEST(Examples, TokenRingTurnsAtItsFormulaAndMissesTheTokenAfterItsTimeout) {
   std::istringstream lines(output_of("example_token_ring"));
   std::vector<double> back;

@@ -57,7 +57,7 @@ class Experiments : public testing::TestWithParam<std::string> {};
 
 constexpr double ROUNDING = 1e-9;
 
-// Numbers may differ by the rounding of dates; all else must be equal.
+// Numbers may differ by the rounding of simulated times; all else must be equal.
 void expect_near(const Table& table, const Table& expected) {
   ASSERT_EQ(table.columns, expected.columns);
   ASSERT_EQ(table.rows.size(), expected.rows.size());
@@ -71,8 +71,8 @@ void expect_near(const Table& table, const Table& expected) {
     }
 }
 
-// These take long on SimGrid's engine. Both engines run similar experiments: figure 4.19 and table
-// 4.2.
+// True for experiments that take long on SimGrid's engine. Similar ones run on both engines: figure
+// 4.19 and table 4.2.
 bool is_on_one_engine(const std::string& experiment) {
   return experiment == "thesis/figure-4.18" || experiment == "thesis/figure-4.20";
 }

@@ -46,7 +46,7 @@ struct Interrupt : Sweep {
     setenv("STARTED", started.c_str(), 1);
   }
 
-  // Starts tlab, and sends the signal while it waits for one of these programs.
+  // Starts tlab, and sends it the signal while it waits for one of the sleeping programs.
   Outcome interrupt_drawing(int signal, const Arguments& arguments) {
     next_tlab();
     const pid_t tlab = start_tlab(folder.path, arguments);

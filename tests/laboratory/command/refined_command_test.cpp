@@ -89,7 +89,8 @@ std::pair<ino_t, std::int64_t> identity_of(const fs::path& path) {
   return {found.st_ino, found.st_mtim.tv_nsec};
 }
 
-// Starts tlab, and sends a signal after it has written `states` more states, unless it ends first.
+// Starts tlab. Sends a signal once tlab has written `states` more states, unless it has ended
+// before.
 Outcome stop_after(const TemporaryFolder& folder, const Arguments& arguments, int states,
                    int signal) {
   auto before = identity_of(folder.path / "s");
@@ -108,8 +109,8 @@ Outcome stop_after(const TemporaryFolder& folder, const Arguments& arguments, in
   return wait_for_tlab(folder.path, pid);
 }
 
-// Stops and resumes renderings until 25 stops have happened before the end. The picture must not
-// change.
+// Stops and resumes renderings until 25 signals have come before a rendering's end. The picture
+// must not change.
 void expect_same_after_stops(int signal, std::uint64_t seed) {
   const TemporaryFolder folder;
   const auto plain = render(folder, slow({}));
@@ -152,7 +153,7 @@ TEST(RefinedCommand, KeyImagesShowHowItGrows) {
     EXPECT_EQ(
         render(folder, quick({"--pixel-samples", "4", "--budget", std::string(percent) + "%"})),
         key(percent));
-  // Renders in parts: each file is written by the run that reaches it.
+  // Renders in two runs. Each run writes only the key images of the percentages that it reaches.
   fs::remove_all(folder.path / "k");
   render(folder, quick(join(sampling, {"--budget", "5%", "--state", "s"})));
   EXPECT_TRUE(fs::exists(folder.path / "k/percent-5.png"));

@@ -74,7 +74,7 @@ TEST_F(Compare, RunsThatAreTheSameAreSaidToBe) {
   EXPECT_FALSE(contains(outcome.out, "differ")) << outcome.out;
 }
 
-// Parameters are settings, even those that [report] shows.
+// A program's parameters are settings, not results, even if [report] shows them.
 TEST_F(Compare, SettingsAreNoResults) {
   write_file(folder.path / "e.toml",
              "[program]\nname = \"message\"\n[report]\ncolumns = [\"bytes\", \"latency_s\"]\n");
@@ -110,7 +110,8 @@ TEST_F(Compare, LeavesOutWhatDidNotComeToItsEnd) {
   EXPECT_TRUE(contains(outcome.out, "the same in all runs: time_s")) << outcome.out;
 }
 
-// A sweep over models contains the point of a run with one model.
+// The model is an axis of one run and a setting of the other. The sweep contains the point of the
+// other run.
 TEST_F(Compare, AnAxisOfOneRunIsASettingOfAnother) {
   ASSERT_EQ(run({"-o", "one"}).exit_code, 0);
   ASSERT_EQ(run({"-o", "two", "--set", "sweep.model=[\"t805-25\",\"t805-30\"]"}).exit_code, 0);

@@ -10,7 +10,8 @@
 namespace laboratory {
 namespace {
 
-// Makes a run with values of t over 1 to `workers` workers, and over `seeds` seeds from `first` on.
+// Makes a run with a value of t for each number of workers up to `workers`, and for each of `seeds`
+// seeds from `first` on.
 NamedTable make_run(const std::string& name, int workers, int seeds, int first,
                     const std::function<double(int worker, int seed)>& t) {
   NamedTable run{name, {.columns = {"workers", "farm_seed", "t"}, .axes = 2, .rows = {}}};
@@ -74,7 +75,7 @@ TEST(Ratios, PointsOfOneRunAloneAreLeftOut) {
   EXPECT_TRUE(find_spread(matched, 1, "t").is_same());
 }
 
-// Seeds with an empty cell in one run count in neither.
+// A seed with an empty cell in one run counts in neither run.
 TEST(Ratios, EmptyCellsLeaveTheirSeedOut) {
   const auto run = [](const std::string& name, double factor, std::vector<int> empty) {
     auto made = make_run(name, 1, 5, 1, [&](int, int s) { return factor * std::exp(s) + s; });
@@ -162,7 +163,7 @@ TEST(Ratios, AreThoseOfTwoRuns) {
   }
 }
 
-// An axis with one value in each run distinguishes no points, whatever the values.
+// An axis with a single value in each run tells no points apart, even if the runs' values differ.
 TEST(Matching, AnAxisWithOneValueIsNoPoint) {
   auto a = make_run("a", 2, 1, 1, [](int, int) { return 1.0; });
   auto b = a;
@@ -200,7 +201,8 @@ TEST(Matching, RunsOverOtherAxesAreRefused) {
             "expected at least one");
 }
 
-// Independent seeds would count a sample several times. Coupled seeds are ordinary samples.
+// Two seeds with all combinations of their values would count a sample several times, and are
+// refused. Two coupled seeds are accepted like one.
 TEST(Matching, OneSeedTellsSamplesApart) {
   auto run = make_run("a", 1, 2, 1, [](int, int) { return 1.0; });
   run.table.columns.insert(run.table.columns.begin(), "seed");

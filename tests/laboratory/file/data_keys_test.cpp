@@ -43,8 +43,8 @@ TEST_F(DataKeys, AreRefusedWithWhatIsExpected) {
   }
 }
 
-// The image is the same whichever processors hold the scene. Different images of one scene are
-// refused.
+// The image is the same whichever processors hold the scene. Otherwise the sweep would fail, since
+// it refuses different images of one scene.
 TEST_F(DataKeys, AddColumnsWhereWorkersShareTheScene) {
   const std::string blocks = BLOCKS;
   ASSERT_EQ(run(blocks).exit_code, 0);

@@ -107,7 +107,7 @@ TEST(ExperimentsNetworkKeys, ProcessorsMayBeOfOtherModels) {
             std::string::npos);
 }
 
-// A vertex keeps its name from the file in tables, drawings, records and sentences.
+// Tables, drawings, records and sentences name each vertex as the DOT file does.
 TEST(ExperimentsNetworkKeys, NamesOfADotFileAreKept) {
   const TemporaryFolder folder;
   write_file(folder.path / "board.dot",

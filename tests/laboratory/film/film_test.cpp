@@ -178,7 +178,7 @@ TEST(Film, ProcessorsAreCalledByTheirNumbers) {
   EXPECT_EQ(labels, (std::vector<std::string>{"12", "root", "node2.1"}));
 }
 
-// The machine has a host of the root, and a processor attached to the host.
+// A host processor is linked to the root, and another processor to the host.
 TEST(Film, WhatHangsOnTheRootIsInRowsAboveTheNetwork) {
   occam::Lab lab(occam::make_exact_model(), machine::Code::bare, {.links = machine::Links::direct});
   auto& root = lab.cpu();

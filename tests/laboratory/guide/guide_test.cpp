@@ -1,4 +1,5 @@
-// tlab list, help and init: they name what exists, and the files they make work.
+// `tlab list`, `help` and `init`. All names that they print exist, and all files that they write
+// work.
 
 #include "base/text.hpp"
 #include "experiments/laboratory/guide/catalogue.hpp"

@@ -61,7 +61,8 @@ TEST(Streams, ALineOnATerminalTakesThePlaceOfAProgressBar) {
   EXPECT_NE(shown.find("\r\x1b[Ktlab: interrupted"), std::string::npos) << shown;
 }
 
-// An earlier line could not be written. Its error code is lost, and nothing is left to write.
+// A write has failed earlier. Its error code is lost by now, and the stream has nothing left to
+// write.
 TEST(Streams, AnEarlierErrorOfStandardOutputIsTold) {
   if (access("/dev/full", W_OK) != 0) GTEST_SKIP() << "no /dev/full";
   EXPECT_EQ(test::isolated([]() -> std::string {

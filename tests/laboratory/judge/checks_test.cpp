@@ -289,7 +289,8 @@ TEST(ExperimentsChecks, ComparisonsThatAreNeverOrOftenTrueAreNoted) {
       << twice;
 }
 
-// A mean of nothing is empty. Formulas that need it have no value; others are as before.
+// If a formula needs an empty cell, directly or through a mean of no values, its point does not
+// count. Other points count as before.
 TEST(ExperimentsChecks, EmptyCellsLeavePointsOut) {
   const std::string let = "[let]\ntwice = \"2 * latency_s\"\n";
   for (const auto& [rest, points] : std::vector<std::pair<std::string, std::size_t>>{

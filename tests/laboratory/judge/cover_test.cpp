@@ -53,8 +53,8 @@ TEST(Cover, CountsWhatIsInItsInterval) {
   EXPECT_EQ(sure.covered().inside, 4u);
 }
 
-// References 20 % higher lie outside every interval. The model error at a point is estimated from
-// the other points.
+// All references are 20 % above the simulated values, and so outside every interval. The model
+// error at a point is estimated from the other points.
 TEST(Cover, OwnErrorMovesTheInterval) {
   const Sure sure({1.2, 1.2, 1.2, 1.2, 1.2, 1.2});
   EXPECT_EQ(sure.covered().inside, 0u);
@@ -80,8 +80,8 @@ TEST(Cover, MachinesBesideTheModelAreNoWiderThanTheyAre) {
   EXPECT_NEAR(sure.covered().with_own_error.value().half_width, 0.1, 1e-9);
 }
 
-// A point is compared with the model error of the other points only. The point of twice the value
-// stays outside, and does not widen its own interval.
+// The model error at a point is estimated from the other points only. So the reference of twice the
+// simulated value does not widen the interval at its own point, and stays outside.
 TEST(Cover, APointTellsNothingOfItself) {
   const Sure sure({1.01, 0.99, 1.0, 2.0, 1.01, 0.99});
   EXPECT_EQ(sure.covered().inside, 5u);

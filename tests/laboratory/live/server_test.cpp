@@ -171,7 +171,7 @@ TEST(LiveServer, APageSeesTheRunAndSteersIt) {
     EXPECT_EQ(nlohmann::json::parse(enter(served, second)).at("steers"), false);
     say(second, "{\"do\": \"pause\", \"id\": 1}");
     EXPECT_NE(hear(second).find("another page controls the run"), std::string::npos);
-    // The user's part may not have begun when the command to end it arrives, so the command is
+    // The command to end the interactive phase may arrive before this phase begins, so it is
     // repeated.
     for (std::string reply; reply != "{\"reply\":2,\"refusal\":\"\"}";) {
       say(socket, "{\"do\": \"order\", \"order\": {\"non_interactive\": true}, \"id\": 2}");

@@ -106,7 +106,7 @@ TEST(LiveSession, OrdersInOneMomentAfterTheOtherAreRunAgainAsTheyWere) {
   compare_dense_sessions(IIRRA + "[[stage]]\n", 302, 8);
 }
 
-// The file has an order long after the picture is complete.
+// The experiment file has an order that is due long after the picture is complete.
 TEST(LiveSession, ALateOrderOfTheFileIsWaitedFor) {
   compare_session(FARM + "[[order]]\nat_s = 100\nsave = \"late\"\n", {});
 }
@@ -121,7 +121,8 @@ TEST(LiveSession, FaultsOfRoutersAreRunAgainAsTheyWere) {
   compare_session(text, {{calls / 3, Command{{"do", "fault"}, {"processor", 4}}}});
 }
 
-// Routers have full buffers, so a process throws an exception and has no wait to describe.
+// The routers' buffers are full, so a process throws an exception. It then waits for nothing that
+// the page could describe.
 TEST(LiveSession, AProcessThatThrewIsNotLookedAt) {
   const test::TemporaryFolder folder;
   const std::string text =
@@ -168,7 +169,7 @@ TEST(LiveSession, WhoWatchesChangesNothing) {
   }
 }
 
-// The speed lets frames follow each other immediately.
+// At the speed of 1e9, frames may follow each other immediately.
 TEST(LiveSession, FramesAreMadeForPagesThatWantThem) {
   const test::TemporaryFolder folder;
   run_isolated([&] {

@@ -12,7 +12,7 @@
 namespace laboratory {
 
 // Forwards all calls to a session. Gives each command after a number of calls, or as soon as the
-// run waits. At the end it ends the user's part.
+// run waits. When the run waits for the user and no command is left, it ends the interactive phase.
 struct Driven : observe::RunController {
   Driven(Session& session, std::multimap<int, Session::Command> commands)
       : session(session), commands(std::move(commands)) {}

@@ -78,8 +78,8 @@ TEST(ExperimentsImages, EqualOnesArePlacedOnceUnderWhatSetsThemApart) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(placed), {}), 4);
 }
 
-// Key images of a stage show the progress of each machine. Their names contain the axes that change
-// them. An image that is the same for all keeps its own name.
+// A stage's key image may differ from machine to machine. Its name then contains the axes that
+// change it. An image that is the same on all machines keeps its own name.
 TEST(ExperimentsImages, NamedOnesAreToldApartOnlyWhereTheyDiffer) {
   const TemporaryFolder folder;
   const auto records = folder.path / "records", placed = folder.path / "placed";

@@ -35,7 +35,8 @@ TEST(ExperimentsChoices, AreTextsInTheFile) {
   }
 }
 
-// Three processors in a line or a ring, with pairs all or root: six rows, three per point.
+// Three processors in a line or a ring, with `pairs` of all or root: four points of three rows
+// each.
 struct Parts : Sweep {
   Parts() {
     std::ofstream(folder.path / "ref.csv")

@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The second point deadlocks, or runs out of memory.
+// The first and the third point run out of memory.
 const char* const SOME_FAIL =
     "[image]\nwidth = 16\nheight = 12\n[[check]]\nname = \"c\"\nof = \"rays\"\nwithin = 1e-9\n"
     "formula = \"rays\"\n[sweep]\n"
@@ -51,7 +51,7 @@ TEST_F(Sweep, PointsThatFailAreNamedAndTheOthersKept) {
   EXPECT_EQ(json["complete"], false);
   EXPECT_TRUE(contains(json["points"][0]["message"], "out of memory"));
   EXPECT_TRUE(json["points"][1].contains("use"));
-  // Failed points run again. A single point has its own exit code.
+  // Failed points run again. With --point, the exit code is that of this point.
   EXPECT_TRUE(contains(run({"-o", "r1", "--list"}).out, "workers = 2\tthere"));
   const auto again = run({"-o", "r1"});
   EXPECT_EQ(again.exit_code, 3);
@@ -80,8 +80,8 @@ TEST_F(Sweep, NothingIsWrittenIfAllPointsFail) {
   EXPECT_EQ(folder.names(), Arguments{"e.toml"});
 }
 
-// The first point fails, although it has the same images as another. That point provides the key
-// images and the report.
+// The first point fails. The second has the same images, and provides the key images and the
+// report.
 TEST_F(Sweep, KeyImagesOutliveAPointThatFails) {
   ASSERT_EQ(run({"-o", "whole", "--set", "sweep.objects=[20]"}).exit_code, 0);
   write_file(folder.path / "e.toml",
@@ -159,7 +159,7 @@ TEST_F(Sweep, ResultsOfAnotherExperimentAreNotTouched) {
       EXPECT_TRUE(contains(refused.err, told)) << refused.err;
       EXPECT_EQ(visible("r"), before);
     }
-  // A file with another title is the same experiment, and so are results without a name.
+  // The results are accepted under another title, and by any experiment if they name none.
   EXPECT_EQ(run({"-o", "r"}).exit_code, 0);
   fs::remove_all(folder.path / "r/points");
   EXPECT_EQ(tlab(folder.path, {"run", "other.toml", "-o", "r"}).exit_code, 2);
@@ -167,8 +167,8 @@ TEST_F(Sweep, ResultsOfAnotherExperimentAreNotTouched) {
   EXPECT_EQ(tlab(folder.path, {"run", "other.toml", "-o", "r"}).exit_code, 0);
 }
 
-// The results folder has records for all points of the other experiment, so its run would write no
-// new record. The check must come before the run.
+// The folder already has records for all points of other.toml, so running it would write no record.
+// The experiments must be compared before the run.
 TEST_F(Sweep, AnotherExperimentWithTheSamePointsIsRefused) {
   std::ofstream(folder.path / "other.toml") << "title = \"other\"\n" << SWEEP;
   ASSERT_EQ(run({"-o", "r"}).exit_code, 0);
@@ -332,7 +332,7 @@ TEST_F(Sweep, MistakesAreNamed) {
   EXPECT_EQ(folder.names(), Arguments{"e.toml"});
 }
 
-// JSON cannot express the name, which is refused before anything runs.
+// JSON cannot express the file's name, so the file is refused before anything runs.
 TEST_F(Sweep, AFileWhoseNameIsNoUtf8IsRefused) {
   const std::string name = "e\xff.toml", folder_name = "f\xff";
   fs::copy(folder.path / "e.toml", folder.path / name);

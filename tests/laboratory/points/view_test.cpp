@@ -9,8 +9,8 @@
 namespace laboratory {
 namespace {
 
-// Two points of a program with a parameter that is no axis. Of its results, [let] uses one, one is
-// constant, and one does not apply. The others are shown if the width permits.
+// Two points with the axis `refine`, three constant parameters, and results. The result `speedup`
+// is empty, and `ended` is constant; the other results are shown if the width permits.
 const Table OF_RADIOSITY = {.columns = {"refine", "processors", "mean", "sends", "time_s", "rays",
                                         "speedup", "useful", "ended"},
                             .axes = 1,
@@ -65,8 +65,8 @@ TEST(TableView, NamedColumns) {
             OF_RADIOSITY.columns);
 }
 
-// At any width, the first columns are present and nothing is cut. No line is wider than requested
-// if they leave room.
+// At any width, the first columns are present and nothing is cut. If there is room for more
+// columns, no line is wider than requested.
 TEST(TableView, FitsTheWidth) {
   const auto view = choose_view(read(""), OF_RADIOSITY);
   Texts before;

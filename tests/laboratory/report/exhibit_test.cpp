@@ -11,8 +11,8 @@
 namespace laboratory {
 namespace {
 
-// Speed-ups by Amdahl's law with serial fractions of 1/20 and 1/5. With 32 workers those of the
-// second curve fall.
+// Speed-ups by Amdahl's law with serial fractions of 1/20 and 1/5. At 32 workers, the second curve
+// is 20 % below its law.
 struct LawsCase {
   TemporaryFolder folder;
   ExperimentFile file;
@@ -140,7 +140,8 @@ TEST(ExperimentsExhibits, ReferencesStandBesideWithTheirDifferences) {
             "Speed-up: 4.8 % from the thesis on average, 4.8 % at worst, for 1 points.");
 }
 
-// Efficiencies vary around 1 with only four points, or around a mean above 1.
+// The efficiencies vary around 1, where the points do not determine the serial fraction, or around
+// 1.5, where the law does not hold.
 TEST(ExperimentsExhibits, IntervalsThatSayNothingAreToldSo) {
   for (const auto& [mean, told] : std::vector<std::pair<std::string, std::string>>{
            {"1", ", so the points do not determine it."},

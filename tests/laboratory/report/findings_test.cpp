@@ -12,8 +12,9 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-// Speed-ups of two problem sizes. The smaller size grows as the square root of the workers from 4
-// on, and coordination limits it from 8 on. The larger size is ideal.
+// Speed-ups of two problem sizes. From 4 workers on, the speed-up of the smaller size grows as the
+// square root of their number; from 8 on, coordination limits it. The speed-up of the larger size
+// is ideal.
 struct Sweep {
   Table table{.columns = {"workers", "objects", "speedup"}, .axes = 2, .rows = {}};
   std::vector<PointLoads> points;

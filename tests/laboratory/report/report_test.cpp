@@ -212,7 +212,7 @@ TEST(ExperimentsReport, ThePageKnowsItsPlotsAndPoints) {
 }
 
 // The page's policy names its scripts by a nonce. The author of a text in the page does not know
-// it.
+// the nonce.
 TEST(ExperimentsReport, NoOtherScriptRuns) {
   const TemporaryFolder folder;
   auto report = make_example(folder);

@@ -20,7 +20,7 @@ struct Outcome {
 };
 
 /// Starts tlab with `folder` as its current folder, and `handler` for the signals that ask it to
-/// end. Its output goes to the files .out and .err there.
+/// end. Its output goes to the files .out and .err in that folder.
 inline pid_t start_tlab(const std::filesystem::path& folder, std::vector<std::string> arguments,
                         void (*handler)(int) = SIG_DFL) {
   arguments.insert(arguments.begin(), "tlab");

@@ -45,7 +45,8 @@ TEST(LeastSquares, IntervalsHoldTheirNumber) {
   for (const int count : inside) EXPECT_NEAR(count / double(TRIALS), 0.95, 0.015);
 }
 
-// A model that rounds is a step function. Differences over more than one step find its slope.
+// A model that rounds its results is a step function. Finite differences over more than one step of
+// this function find its slope.
 TEST(LeastSquares, StepsAreWiderThanARoundingModels) {
   std::vector<double> y;
   for (const double x : X) y.push_back(20 + x / 1.7);

@@ -17,7 +17,7 @@ Vector draw_values(std::mt19937_64& random, std::size_t count) {
   return values;
 }
 
-// The residuals are what the terms leave, and orthogonal to each term.
+// The residuals are the values minus the fitted terms, and are orthogonal to each term.
 TEST(LinearFit, ResidualsAreOrthogonalToTheTerms) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -39,7 +39,7 @@ TEST(LinearFit, ResidualsAreOrthogonalToTheTerms) {
   }
 }
 
-// For a line a + b x, the variance of b is that of a value over the sum of (x - mean)^2.
+// For a line a + b x, b has the variance of a value, divided by the sum of (x - mean)^2.
 TEST(LinearFit, VariancesOfALineAreTheTextbooks) {
   std::mt19937_64 random(2611);
   for (int trial = 0; trial < 50; ++trial) {

@@ -1,4 +1,4 @@
-// Machines drawn from the ranges of a model's entries.
+// Machines drawn at random from the ranges of a model's entries.
 #include "experiments/laboratory/uncertain/draw.hpp"
 
 #include <fmt/format.h>
@@ -65,8 +65,8 @@ TEST(Draw, SetsEveryEntryThatHasARangeButThoseThatAreSet) {
             std::string::npos);
 }
 
-// A calibrated cell keeps its value for any cost of operations, once the entry's own drawn share is
-// removed.
+// Whatever costs of operations are drawn, a calibrated entry is fitted so that its `holds` formula
+// keeps its value. (The entry's own drawn share is divided out before the comparison.)
 TEST(Draw, WhatIsCalibratedHoldsItsCell) {
   const auto before = machine::load_model("t805-25");
   for (std::size_t machine = 0; machine < 16; ++machine) {
@@ -88,7 +88,8 @@ TEST(Draw, WhatIsCalibratedHoldsItsCell) {
   }
 }
 
-// Throws if the other costs in a calibrated cell exceed its value, whatever the value of the entry.
+// Throws if no value of the entry gives its `holds` formula the old value, or if the formula is not
+// linear in the entry.
 TEST(Draw, WhatCannotBeHeldIsRefused) {
   const auto draw = [](const std::string& holds) {
     const test::TemporaryFolder folder;

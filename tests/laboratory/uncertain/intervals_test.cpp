@@ -87,7 +87,8 @@ TEST(Influences, AreFoundAmongMany) {
   EXPECT_LE(others, 4);
 }
 
-// The function y = exp(2 x1) exp(x2) grows from 1 to 20. Influences are its slopes in the middle.
+// The function y = exp(2 x1) exp(x2) grows from 1 to 20. The influences are the function's slopes
+// in the middle of the ranges.
 TEST(Influences, OfAProductNameItsFactors) {
   const auto s =
       sample(4, 256, 3, [](const auto& x) { return std::exp(2 * x[0]) * std::exp(x[1]); });
