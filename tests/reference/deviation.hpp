@@ -9,9 +9,9 @@ namespace radiosity::reference {
 inline constexpr double OFF = 0.15;
 
 /// Deviation of a picture. The value of a colour is the mean of its components. Pixels that show a
-/// lamp or nothing are ignored. The error of a pixel is relative to the reference there, but at
-/// least to 2 % of the mean. Its square e^2 is replaced by max(0, e^2 - s^2), where s is the
-/// reference's standard error.
+/// lamp or nothing are ignored. The error of a pixel is relative to the reference's value there, or
+/// to 2 % of the mean if that is more. Its square e^2 is replaced by max(0, e^2 - s^2), where s is
+/// the reference's standard error.
 struct Deviation {
   double rmse = 0;  ///< root mean square of the differences, relative to the mean radiosity
   double bias = 0;  ///< mean of the differences, relative to the mean radiosity; negative: too dark

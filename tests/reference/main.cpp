@@ -157,7 +157,8 @@ class Comparison {
   }
 
  private:
-  // Uses the first reconstruction for the error estimate.
+  // Lights the room. The first of the reconstructions determines the error for which the mesh is
+  // adapted.
   LitRoom light_adapted(const Room& room, const LightParams& light) const {
     const auto shown = make_reconstruction(o_.reconstructions.front());
     AdaptedMesh adapted =
