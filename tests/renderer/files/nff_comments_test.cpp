@@ -110,7 +110,7 @@ TEST(NffComments, EveryKindOfObjectMoves) {
   EXPECT_GT(hits, 200);
 }
 
-// Files older than statements in comments have prose comments such as these.
+// Comments that begin like statements but are prose, as they occur in older files.
 TEST(NffComments, ProseIsNoStatement) {
   const Scene plain = parse(COMMENTED_VIEW + COMMENTED_SURFACE + "s 0 0 0 1\nl 1 1 1\n");
   const Scene scene =
@@ -131,7 +131,7 @@ TEST(NffComments, ProseIsNoStatement) {
 }
 
 struct WrongComment {
-  std::string text;   // follows the view (7 lines) and the surface (line 8)
+  std::string text;   // text after the view (7 lines) and the surface (line 8)
   std::string error;  // expected message, after "test.nff:"
 };
 class NffCommentsWrong : public testing::TestWithParam<WrongComment> {};

@@ -67,7 +67,7 @@ TEST(Nff, LineEndsAndMarksOfOtherSystems) {
 }
 
 struct Wrong {
-  std::string text;   // follows the view (7 lines) and the surface (line 8)
+  std::string text;   // text after the view (7 lines) and the surface (line 8)
   std::string error;  // expected message, after "test.nff:"
 };
 

@@ -13,9 +13,9 @@
 namespace renderer::test {
 namespace {
 
-// A face as a reader must find it.
+// A face of the file, as the reader must return it.
 struct KnownFace {
-  std::vector<Vec> corners;  // without repeated ones
+  std::vector<Vec> corners;  // each corner once
   Rgb colour;
   bool is_bent = false, has_normals = false;
 };
@@ -25,7 +25,7 @@ struct Habits {
   const char* head;
   const char* number;  // printf's format of a coordinate
   const char* line_end = "\n";
-  const char* blank = " ";  // between a statement and its values
+  const char* blank = " ";  // separates a statement and its values
   const char* face_end = "";
   std::vector<std::string> materials{};  // names
   enum class Corners { v, v_vt, v_vn, all, wings } corners = Corners::all;
@@ -120,7 +120,7 @@ class Exporter {
     text = ended;
   }
 
-  // Some programs forget the library, some name one that is not there.
+  // Some programs do not name the MTL file, some name one that does not exist.
   void write_materials() {
     for (const auto& name : habits_.materials) {
       const Rgb colour{0.001 * random_.below(1000), 0.001 * random_.below(1000), 0.5};
@@ -212,7 +212,7 @@ class Exporter {
     write_face(vertices, statements, corners, corners, true);
   }
 
-  // A corner twice: a triangle as a quadrilateral.
+  // Writes one corner twice, as programs do that write a triangle as a quadrilateral.
   void write_repeated(std::string& vertices, std::string& statements) {
     const auto corners = make_flat();
     auto repeated = corners;
@@ -304,7 +304,7 @@ class Exporter {
   const Habits& habits_;
   std::string stem_;
   std::map<std::string, Rgb> colours_;
-  std::optional<Rgb> colour_;  // of the material in use; none: unknown
+  std::optional<Rgb> colour_;  // colour of the current material, if known
   bool has_library_ = false, is_library_missing_ = false;
   std::size_t vertices_ = 0, coordinates_ = 0, normals_ = 0;
 
@@ -341,8 +341,9 @@ Vec sum_area(const std::vector<Vec>& corners) {
   return sum;
 }
 
-// Compares a face with what was found from `at` on; returns the number of its parts. The parts of a
-// bent one are triangles between its corners; together they have its border, so its area too.
+// Compares a face with the first faces of `found`, and returns how many of these are its parts. A
+// bent face is found as triangles between its corners, with the same border, and hence the same
+// area.
 std::size_t compare(const KnownFace& known, std::span<const FoundFace> found) {
   const auto count = known.is_bent ? known.corners.size() - 2 : 1;
   if (found.size() < count) {

@@ -12,8 +12,8 @@
 namespace renderer::test {
 namespace {
 
-// Describes what it is told: "0.8,0.8,0.8: 0,0,0 1,0,0 0,1,0", with "n" for normals, and "t" and
-// the first coordinate of corners on a picture.
+// Describes each polygon by its colour and its corners: "0.8,0.8,0.8: 0,0,0 1,0,0 0,1,0". Appends
+// "n" if it has normals, and "t" with the first corner's coordinates if it has a picture.
 struct ToldFaces : NffTarget {
   std::vector<std::string> faces;
   std::string surface;
@@ -47,7 +47,7 @@ struct ObjReading : testing::Test {
     std::ofstream(folder.path / name, std::ios::binary) << text;
   }
 
-  // Reads a text; the names of files are without their folder.
+  // Reads a text. Removes the folder from the names of files in remarks.
   void read(const std::string& text) {
     target = {};
     left_out = {};

@@ -36,7 +36,7 @@ struct Compared {
   int pixels = 0, other_object = 0, off_silhouette = 0, other_sums = 0;
 };
 
-// Compares a preview with the rendering of the same scene with trees of `depth` levels.
+// Compares a preview with a ray-traced picture of the scene, whose ray trees have `depth` levels.
 void compare(const Scene& scene, Params params, int depth, Compared& all) {
   const Preview preview = make_preview(scene, params, PreviewStep::shadows);
   const auto objects = find_objects(scene, params);
@@ -183,7 +183,7 @@ TEST(Preview, GouraudInterpolatesTheColoursOfCorners) {
 }
 
 TEST(Preview, PointsAreTheCornersAndFade) {
-  // At the largest distance, a quarter of the colour is blended with the background.
+  // At the largest distance, a quarter of the colour remains, mixed with the background.
   const Scene scene = parse(SQUARE_VIEW + "f 1 0 0 1 0 0 0 0\np 3 -1 -1 0 1 -1 0 -2 2 -4\n");
   const Preview preview = make_preview(scene, make_params(4, 4, 1), PreviewStep::points);
   EXPECT_EQ(show(preview, &Rgb::r), "0 0 0 0\n0 0.25 0 0\n0 0 0 0\n0 1 0 1\n");
@@ -195,7 +195,8 @@ TEST(Preview, PointsFadeOnlyWhereOthersAreNearer) {
     const Scene scene = parse(SQUARE_VIEW + "f 1 0 0 1 0 0 0 0\n" + triangle);
     return show(make_preview(scene, make_params(4, 4, 1), PreviewStep::points), &Rgb::r);
   };
-  // First one corner is in the image, then two, the second half a unit farther away.
+  // The first triangle has one corner in the image. The second has two, one half a unit farther
+  // away.
   EXPECT_EQ(red("p 3 -1 -1 0 50 -1 0 -1 50 0\n"), "0 0 0 0\n0 0 0 0\n0 0 0 0\n0 1 0 0\n");
   EXPECT_EQ(red("p 3 -1 -1 0 1.125 -1.125 -0.5 -1 50 0\n"),
             "0 0 0 0\n0 0 0 0\n0 0 0 0\n0 1 0 0.25\n");
@@ -203,7 +204,8 @@ TEST(Preview, PointsFadeOnlyWhereOthersAreNearer) {
 
 TEST(Preview, EdgesAreThoseThatNothingHides) {
   const std::string back = "f 1 0 0 1 0 0 0 0\np 4 -2 -2 0 2 -2 0 2 2 0 -2 2 0\n";
-  // At half the distance, a wall hides the right half of the image. Its own edges are outside.
+  // A green wall at half the distance hides the rightmost column. Red pixels belong to the back
+  // square.
   const std::string front = "f 0 1 0 1 0 0 0 0\np 4 0.25 -9 2 9 -9 2 9 9 2 0.25 9 2\n";
   const Params params = make_params(4, 4, 1);
   const auto red = [&](const std::string& objects) {
@@ -269,7 +271,7 @@ TEST(Facets, AreOffTheirObjectByHalfAPixelAtMost) {
     Scene scene;
     scene.view.from = {0, 0, 6};
     scene.surfaces.push_back({});
-    // Some cylinders are so near that their distance is far below that of their axis.
+    // Some cylinders are so near that their surface is much nearer to the eye than their axis.
     const bool is_sphere = seed % 2, is_near = seed % 8 == 2;
     const double radius = random.range(is_near ? 0.5 : 0.01, 2), turn = random.range(0, 0.3);
     // Some cylinders stand along a coordinate axis. All three axes are equivalent.

@@ -105,7 +105,8 @@ TEST(Cells, InterpolationPassesThroughEverySampleOnTheBorder) {
 }
 
 TEST(Cells, NeighboursOfAnySizeAgreeOnTheirBorder) {
-  // One cell of 8 beside four of 4. Its right side has a sample in the middle.
+  // One cell of side 8 beside four of side 4. The right side of the large cell has a sample in the
+  // middle.
   Sampled sampled(13, 9);
   Random random{5};
   for (const auto& [x, y] :
@@ -227,7 +228,7 @@ TEST(Progressive, OnlyTheAreaOfInterestIsMadeBetter) {
   EXPECT_LT(counts.samples + counts.deepened, 2u * 10 * 12);
 }
 
-// Makes small spheres in front of a wall of nearly their colour, which contrast does not reveal.
+// Makes small spheres and polygons, which tests of contrast alone do not find.
 Scene make_small_objects(std::uint64_t seed, int objects) {
   Random random{seed};
   Scene scene;
@@ -291,7 +292,7 @@ TEST(Pyramid, SavesSamplesWhereNothingHides) {
   EXPECT_LT(image.advance({.contrast = 1, .depth = 1, .area = {}}).samples, 128u * 128 / 20);
 }
 
-// A small box around a point of any ray between the four corners lies in the pyramid.
+// For any ray between the four corners, the pyramid meets a small box around any point of the ray.
 TEST(Pyramid, MeetsWhatARayWithinMeets) {
   Random random{9};
   for (int i = 0; i < 2000; ++i) {

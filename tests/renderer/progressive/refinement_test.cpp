@@ -51,7 +51,8 @@ TEST(Refinement, EndsWithThePictureAndTheCountsOfRender) {
   }
 }
 
-// With steps of any size, a step stops at its limit, and a copy of the state continues.
+// A rendering advances in steps of any size, and stops somewhere. A second rendering resumes from
+// its state, and ends with the picture of render().
 TEST(Refinement, StoppedAnywhereItGoesOnToTheSamePicture) {
   const Scene scene = test::make_random_scene(7, 10);
   for (const auto& [samples, adaptive] : {std::pair{6, 0.0}, {20, 0.05}}) {

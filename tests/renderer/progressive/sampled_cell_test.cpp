@@ -16,7 +16,8 @@ using Place = std::pair<int, int>;
 
 constexpr int SIDES[] = {2, 4, 8, 16, 64};
 
-// Calls `act` for every cell with samples, at each of its levels, away from the origin.
+// Calls `act` for cells of several sides, at each level that has samples. The cells are not at the
+// origin.
 template <class Act>
 void for_cells(Act act) {
   for (const int side : SIDES)
@@ -144,7 +145,8 @@ TEST(SampledCell, TrianglesTileTheCell) {
   });
 }
 
-// In a cell of side 2, two samples belong to neighbours, and no pixel lies between.
+// A cell of side 2 is an exception at level 2: two corners of its triangles are samples of
+// neighbours, which none of its own pixels needs.
 TEST(SampledCell, TrianglesHaveSamplesAtTheirCorners) {
   for_cells([](const SampledCell& cell) {
     if (cell.side == 2 && cell.level == 2) return;

@@ -125,10 +125,11 @@ TEST(Ssim, PropertiesOnRandomPictures) {
 }
 
 TEST(BorderEnergy, ByHand) {
-  // Second differences around the pixels 1 to 4 are 0, 10, -10, 0. The outer two lie in one cell.
+  // Second differences around the pixels 1 to 4 are 0, 10, -10, 0. The first and the last lie
+  // inside a cell.
   EXPECT_DOUBLE_EQ(border_energy(make_grey(6, 1, {0, 0, 0, 10, 10, 10}), 3), 100.5 / 0.5);
   EXPECT_DOUBLE_EQ(border_energy(make_grey(1, 6, {0, 0, 0, 10, 10, 10}), 3), 100.5 / 0.5);
-  // A bend at the border between cells: 0, 0, 4, 0.
+  // A bend at the border between cells: the second differences are 0, 0, 4, 0.
   EXPECT_DOUBLE_EQ(border_energy(make_grey(6, 1, {0, 0, 0, 0, 4, 8}), 3), 8.5 / 0.5);
   // A step inside a cell: second differences of -7 and 7 around pixels 4 and 5 of 9. Three second
   // differences lie inside cells.

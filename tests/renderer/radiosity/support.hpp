@@ -113,7 +113,7 @@ double eval_mean(const Mesh&, const Patch& patch, int n, const auto& f) {
   return total / area;
 }
 
-/// eval_factor() plus the light over mirrors, each colour scaled by their reflectance.
+/// eval_factor() plus the light over mirrors, each colour scaled by the mirrors' reflectances.
 inline Rgb eval_factors(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work) {
   return eval_light(eye, vertex, {patch, Glow(grey(1))}, work);
 }

@@ -28,7 +28,7 @@ struct Eye {
 
 using Corners = std::vector<Scanner<1>::Corner>;
 
-// Corners, each with its result of `value`.
+// The corners of a polygon, each with what `value` returns for it.
 template <class Value>
 Corners make_corners(const View& view, const std::vector<Vec>& points, const Value& value) {
   Corners corners;

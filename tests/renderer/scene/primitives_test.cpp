@@ -217,7 +217,7 @@ TEST(Primitives, PatchNormalsAreInterpolated) {
 
 TEST(Primitives, PatchNormalsAtEdgesAndCorners) {
   const std::vector<Vec> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  // The normals define the front as below, whatever the order of the corners.
+  // The normals have z < 0, so the front is the side of low z, whatever the order of the corners.
   const std::vector<Vec> normals = {{0, 0, -2}, normalize({1, 0, -1}), normalize({0, 1, -1})};
   const Scene scene = make_scene_of([&](Scene& s) { add_patch(s, corners, normals); });
   const auto at = [&](double x, double y) { return meet(scene, {x, y, -1}, {0, 0, 1}); };

@@ -14,7 +14,7 @@ double area_of(const std::vector<Vec>& corners, const Triangle& t) {
   return dot(eval_area_normal(part), normalize(eval_area_normal(corners))) / 2;
 }
 
-// If no triangle is turned, parts with the sum of the areas do not overlap.
+// If all triangles have the polygon's winding and their areas add up to its area, none overlap.
 void expect_parts(const std::vector<Vec>& corners) {
   const auto triangles = triangulate(corners);
   EXPECT_EQ(triangles.size(), corners.size() - 2);

@@ -40,8 +40,8 @@ TEST(Adaptive, RoundsDoubleTheSamples) {
   EXPECT_EQ(ends, (std::vector<int>{16, 32, 64, 100}));
 }
 
-// The sample's point in the unit square of its group. In the pixel, the square of a group is a
-// quarter.
+// The sample's point in the unit square of its group. In the dimension `pixel`, the square of each
+// group is a quarter of the pixel.
 SquarePoint sample_in_group(const Params& params, int group, int place, Dimension dimension,
                             std::uint32_t pixel) {
   const auto at = sample(params, GROUPS * place + group, dimension, pixel);
@@ -49,8 +49,8 @@ SquarePoint sample_in_group(const Params& params, int group, int place, Dimensio
   return {2 * at.u - std::floor(2 * at.u), 2 * at.v - std::floor(2 * at.v)};
 }
 
-// Each of equal rectangles has one sample of a group: for the pixel, with any power of two of
-// samples; for other dimensions, after whole rounds.
+// If the square is divided into as many equal rectangles as a group has samples, each contains one
+// sample. In the dimension `pixel` this holds for any power of two, in others after whole rounds.
 TEST(Adaptive, RectanglesOfAllShapesHaveASampleEach) {
   const Params params = make_adaptive(1, 0.1, 1000);
   for (const auto dimension : {Dimension::pixel, Dimension::lens, Dimension::gloss})
@@ -119,7 +119,8 @@ TEST(Adaptive, TimesAreSpreadEvenlyToo) {
 }
 
 TEST(Adaptive, EachSampleIsAnywhereInItsSquare) {
-  // The mean of a pixel's samples is the pixel's mean, for any number of samples.
+  // Over many pixels, every sample is uniform in its pixel. So the mean of samples is unbiased, for
+  // any number of them.
   const Params params = make_adaptive(1, 0.1, 64);
   for (const int pass : {0, 1, 7, 40}) {
     double u = 0, v = 0, uv = 0;
@@ -170,7 +171,7 @@ TEST(Adaptive, TheErrorIsWhatSquaresDoNotExplain) {
   std::set<int> seen;
   for (int i = 0; i < 16; ++i)
     samples.push_back(make_sample(seen.insert(group_of(i)).second ? 1 : 0));
-  // With 16 samples, half of the error for 64 is allowed.
+  // With 16 samples, the allowed error is half of that with 64.
   EXPECT_EQ(find_wanted(0.252, samples, 7), 16);
   EXPECT_EQ(find_wanted(0.248, samples, 7), 32);
   // Values brighter than white count as white.

@@ -135,7 +135,7 @@ TEST(Colour, TimesTheSurfacesInAmbientAndDiffuseLight) {
   EXPECT_NEAR(colour.r, 0.8 * 1.1 * 0.5, 1e-9);
   EXPECT_NEAR(colour.g, 0.8 * 1.1 * 0.5 * 0.2, 1e-9);
   EXPECT_EQ(colour.b, 0);
-  // Once for ambient light, and once for all feelers.
+  // The texture is mapped once for ambient light, and once for all feelers.
   EXPECT_EQ(found.work[Op::texture_mapped], 2u);
   EXPECT_EQ(found.work[Op::texel_mixed], 8u);
 }

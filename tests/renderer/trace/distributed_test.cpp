@@ -201,8 +201,9 @@ TEST(Distributed, PenumbraOfASphere) {
 }
 
 // The share of rays that a surface sends beyond an edge. Directions fill a disc of radius S at
-// distance 1, perpendicular to the axis. The edge lies in a perpendicular plane at distance D, e
-// from the axis. It cuts off a segment at q = e / (D S) of the disc's radius.
+// distance 1, perpendicular to the axis. The edge lies in a plane parallel to the disc at distance
+// D, and passes the axis at distance e. It cuts off a segment of the disc at q = e / (D S) of its
+// radius.
 double eval_beyond(const std::string& surface, bool is_mirror, double angle, double edge,
                    double distance, int samples) {
   const Vec in{std::sin(angle), 0, -std::cos(angle)};

@@ -1,4 +1,4 @@
-// Positions of samples: one in every region, for any number.
+// Positions of samples: one in every region, for any number of samples.
 
 #include "renderer/trace/sampling.hpp"
 

@@ -189,7 +189,7 @@ bool is_in_front(const Closed& mesh, const Target& target, const Vec& origin) {
       return std::ranges::find(face, corner) != face.end();
     };
     if (!std::ranges::all_of(target.corners, has)) continue;
-    // Bent quads: each of the corners counts.
+    // Each corner counts, since the normal of a bent quad differs from corner to corner.
     for (std::size_t i = 0; i < face.size(); ++i) {
       const Vec& p = mesh.points[face[i]];
       const Vec n = cross(mesh.points[face[(i + 1) % face.size()]] - p,
@@ -320,8 +320,8 @@ TEST(Watertight, NoRayLeavesARoomOfMirrors) {
   }
 }
 
-// From outside, in the plane of a side of a cube and on its borders: the sides that the ray meets
-// edge-on must not hide those behind the border.
+// Rays from outside run in the plane of a cube's side, some along its borders. Sides that a ray
+// meets edge-on must not hide the side behind them.
 TEST(Watertight, RaysInThePlanesOfFaces) {
   const Scene scene = make_scene(make_cube(4), false, false);
   for (const double side : {-1.0, 1.0})
@@ -342,7 +342,7 @@ TEST(Watertight, RaysInThePlanesOfFaces) {
       }
 }
 
-// The cases' pictures: a cube's edge and a square's diagonal lie exactly on samples.
+// Pictures in which a cube's edge or a square's diagonal lies exactly on samples.
 TEST(Watertight, NoPixelShowsTheBackgroundThroughAnEdge) {
   const auto count_seen_through = [](const Scene& scene, int side, int left, int width, int top,
                                      int height) {

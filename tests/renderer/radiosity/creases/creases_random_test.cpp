@@ -105,8 +105,8 @@ TEST(Discontinuities, LightChangesOnlyAtCreases) {
   EXPECT_GT(changes, 300);
 }
 
-// One bit for each corner of a polygon that lies inside the other. They change exactly where the
-// visible part of the light changes its form.
+// One bit for each corner of either polygon: whether it lies inside the other polygon. The bits
+// change exactly where the visible part of the light changes its form.
 std::uint64_t eval_form(const Case& c, const Vec& from) {
   const Polygon light = project(c.light, from), blocker = project(c.blocker, from);
   std::uint64_t form = 0;

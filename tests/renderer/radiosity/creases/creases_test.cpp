@@ -1,4 +1,4 @@
-// Creases of rooms in which their places are known.
+// Creases of rooms, compared with their known positions.
 
 #include <gtest/gtest.h>
 
@@ -113,13 +113,13 @@ TEST(Discontinuities, WhereAScreenStandsOnTheFloor) {
   Room room = make_floor();
   add_face(room, {{-1, 0, 0}, {1, 0, 0}, {1, 0, 1}, {-1, 0, 1}}, GREY);
   EXPECT_TRUE(is_crease({-1, 0, 0}, {1, 0, 0}, find_creases(room)));
-  // An occluder through the floor causes the same creases.
+  // An occluder that extends below the floor causes the same creases.
   room.faces.back().corners = {{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}};
   EXPECT_TRUE(is_crease({-1, 0, 0}, {1, 0, 0}, find_creases(room)));
 }
 
 // The penumbra of an upright edge is a fan from its foot. Lines inside the fan mark where further
-// corners of the lamp become visible. They come after all borders.
+// corners of the lamp become visible. These lines come after all borders.
 TEST(Discontinuities, FromAFootOneGoesOutForEveryCornerOfTheLight) {
   Room room = make_room();
   add_face(room, make_rectangle(-5, -5, 5, 5, 0), GREY);
@@ -138,7 +138,7 @@ TEST(Discontinuities, FromAFootOneGoesOutForEveryCornerOfTheLight) {
       return crease.a.z == 0 && crease.b.z == 0 && is_crease({1, 0, 0}, end, std::array{crease});
     });
   };
-  // Seen from the foot, the lamp lies between two of its corners.
+  // Lines of the lamp's outermost corners, as seen from the foot, come first.
   EXPECT_LT(find(-0.3, 1), find(-0.3, 2));
   EXPECT_LT(find(-0.3, 1), find(0.7, 1));
   EXPECT_LT(find(0.7, 2), find(-0.3, 2));
@@ -158,7 +158,8 @@ TEST(Discontinuities, WhereAShelfIsSeenFromItsEdge) {
   add_face(room, {{0, -1, 1}, {0, 1, 1}, {0, 1, 2}, {0, -1, 2}}, LIGHT);
   add_face(room, {{6, -9, -9}, {6, -9, 9}, {6, 9, 9}, {6, 9, -9}}, GREY);
   add_face(room, make_rectangle(2, -1, 3, 1, 1.5), GREY);
-  // Above and below it, the wall sees less of the light.
+  // At z = 1.5 the wall sees the shelf edge-on. Above and below, the shelf hides a part of the
+  // light.
   EXPECT_TRUE(is_crease({6, -5, 1.5}, {6, 5, 1.5}, find_creases(room)));
   EXPECT_FALSE(is_crease({6, -5.1, 1.5}, {6, 5.1, 1.5}, find_creases(room)));
 }

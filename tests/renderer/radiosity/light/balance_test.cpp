@@ -138,8 +138,8 @@ TEST(Balance, ALampInThePlaneOfTheCeilingCoversIt) {
   }
 }
 
-// Beyond 1 cm of gap nearly no light falls on the lamp's back. Large patches of the ceiling must
-// end at the lamp's shadow.
+// Through a gap of 1 cm, nearly no light reaches the lamp's back. For this, large patches of the
+// ceiling must end at the lamp's shadow.
 TEST(Balance, ALampCloseToACoarseCeilingShadesIt) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed)
     for (const int patches : {2, 4}) {

@@ -43,7 +43,8 @@ struct Errors {
     for (const double e : fixed) line += fmt::format(" {:+.5f}", e);
     fmt::print("{:.6f}:{} {:+.5f}\n", exact, line, adaptive);
   }
-  // Checks 64 samples, twice as many along a side, and default parameters.
+  // Limits the errors with 64 samples and with default parameters. With twice as many samples along
+  // a side, the error must fall to a tenth.
   void expect_small_and_converging() const {
     EXPECT_LT(std::abs(fixed[3]), 0.02);
     EXPECT_LT(std::abs(adaptive), 0.01);
@@ -51,7 +52,7 @@ struct Errors {
       EXPECT_LT(std::abs(fixed[k + 1]), std::max(std::abs(fixed[k]) / 10, 1e-5));
   }
   std::vector<double> fixed;
-  double adaptive = 0, both = 0;  // adaptive: default; both: 64 samples, halved if they are wide
+  double adaptive = 0, both = 0;  // with default parameters; with 64 samples, halved if wide
 };
 
 Errors find_errors(const Face& face, double exact) {
@@ -132,8 +133,8 @@ TEST(ClosedForms, OfParallelRectangles) {
   }
 }
 
-// Near the common edge, a 64th of a patch is wider than its distance. Equal delta areas are
-// accurate only to 9 %, halved ones to 0.5 %.
+// Near the common edge, a 64th of a patch is wider than its distance from the lit point. With equal
+// delta areas, the error is up to 9 %; with halved ones, 0.5 %.
 TEST(ClosedForms, OfUprightRectanglesWithAnEdgeInCommon) {
   for (const double height : DISTANCES) {
     const auto errors = find_errors(make_quad(ORIGIN, {1, 0, 0}, {0, 1, 0}),

@@ -16,7 +16,7 @@ struct Range {
   }
 };
 
-// The factor sums of every vertex, or of every step-th.
+// The range of the factor sums of all vertices, or of every step-th.
 Range sum_all(const Mesh& mesh, const FactorParams& params, std::size_t step = 1) {
   Range sums;
   for (std::size_t v = 0; v < mesh.vertices.size(); v += step)
@@ -41,7 +41,8 @@ TEST(ClosedRoom, FactorsOfAVertexSumToOne) {
   }
 }
 
-// A delta area is either visible or not. Behind obstacles, some count too much and some too little.
+// A delta area is either visible or not. So behind obstacles, some delta areas count too much and
+// some too little.
 TEST(ClosedRoom, FactorsSumToOneWithThingsInside) {
   Range all, all_fine;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {

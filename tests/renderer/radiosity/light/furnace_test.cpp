@@ -29,8 +29,9 @@ void expect_furnace(Room room, double reflectance, const SolveParams& params, do
              lost);
 }
 
-// Uses default parameters, with the estimate of the unsent light. An error of the factor sum grows
-// by rho / (1 - rho), so 0.5 % at 0.9 requires less than 0.05 %.
+// Uses default parameters, with the estimate of the unsent light. A relative error of the factor
+// sum becomes rho / (1 - rho) times as large in B. So at rho = 0.9, B within 0.5 % requires the sum
+// within 0.06 %.
 TEST(Furnace, IsAsBrightAsTheFormulaSays) {
   const auto make = [](int n) {
     Room room;

@@ -6,7 +6,8 @@
 
 namespace radiosity::test {
 
-// The radiosity of a vertex lit by all patches (Eq 1.8). `patches` has all their light as unsent.
+// The radiosity of a vertex lit by all patches (Eq 1.8). In `patches`, the light of every patch
+// counts as unsent.
 inline Rgb collect(const Eye& eye, const Vertex& vertex, const State& patches, Work& work) {
   const Mesh& mesh = eye.mesh;
   const Material& material = mesh.materials[vertex.material];

@@ -66,8 +66,8 @@ TEST(Glow, OfCornersIsTheirsThere) {
   }
 }
 
-// The patch is near and far, and seen over mirrors. A constant radiosity yields the form factor
-// times its value.
+// The lit point is near the patch or far from it, and sees it over mirrors too. If the radiosity is
+// constant, the light is the form factor times this value.
 TEST(Glow, IsWhatManyEvenPiecesGive) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -121,8 +121,8 @@ TEST(Glow, OfAShotHasThePatchsPower) {
   }
 }
 
-// In the edge between wall and ceiling, each is lit by the other's light there, and not by the mean
-// of its patches.
+// At the edge between wall and ceiling, each receives the light that the other sends right there,
+// not the mean of the other's patches.
 TEST(Glow, OfCornersIsRightInTheRoomsEdges) {
   Room room;
   room.materials = {{"wall", grey(0.7), {}}, {"lamp", grey(0), grey(1)}};

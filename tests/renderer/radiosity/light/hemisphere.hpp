@@ -1,6 +1,6 @@
 #pragma once
-// Independent calculator of form factors, which shares only the intersection of rays with the
-// first. It counts hits in cosine-distributed directions over a vertex's hemisphere (N. Malley).
+// Independent calculation of form factors, to check eval_factor(). Both share only the intersection
+// of rays. This one counts hits of cosine-distributed rays from a vertex (N. Malley).
 
 #include <map>
 
@@ -13,7 +13,7 @@ namespace radiosity::test {
 using Side = std::pair<std::uint32_t, bool>;
 
 /// The share of n x n directions that first hit each side of a face. There is one random direction
-/// in each stratum. Objects of the blockers have the numbers of the faces.
+/// in each stratum. The mesh's blockers must be numbered like the faces.
 inline std::map<Side, double> eval_hemisphere(const Mesh& mesh, const Vertex& vertex, int n,
                                               Random& random) {
   const auto [u, v] = renderer::test::make_plane(vertex.normal);

@@ -1,7 +1,7 @@
-// Mirrors show the unfolded room: the same delta areas through the same window. The adaptive pieces
-// (FactorParams::mirror_pieces = 0) agree with it to a millionth at any patch size, if they are cut
-// as in direct view (mirror_share without effect). Delta areas with the centre on the edge of a
-// mirror or an object are exceptions.
+// A mirror shows the same as a window into the unfolded room. With adaptive pieces
+// (FactorParams::mirror_pieces = 0), light over mirrors equals that of the unfolded room to a
+// millionth at any patch size, if delta areas are cut as in direct view (mirror_share without
+// effect). Exceptions are delta areas whose centre lies on the edge of a mirror or an object.
 
 #include <gtest/gtest.h>
 
@@ -83,8 +83,8 @@ TEST(MirrorImages, OfTwoFaceToFace) {
   }
 }
 
-// Every vertex has an image with equal light, including reflected light of the lamp. The two
-// converge with smaller delta areas.
+// Solves the room with a mirror, and the unfolded room without. With smaller delta areas, the two
+// solutions converge at every vertex.
 TEST(MirrorImages, HaveTheRoomsRadiosity) {
   Room room = make_cube("xyYzZ", true, 2);
   add_walls(room, "X", 1, 2);

@@ -93,7 +93,7 @@ TEST(Mirrors, DoNotChangeAFurnace) {
 }
 
 // A parabolic trough of flat mirrors. At its focal line, z = 1, a point looking down sees far more
-// of a distant lamp than over a flat mirror, but its total is not larger. Without mirror_share,
+// of a distant lamp than over a flat mirror, but not more light in total. Without mirror_share,
 // delta areas wider than the view of a facet would count completely or not at all.
 TEST(Mirrors, BentOnesFocusLight) {
   constexpr int FACETS = 16;

@@ -156,7 +156,8 @@ TEST(Blocks, CreasesAreLeftOutBeyondABudget) {
   EXPECT_GT(emptiest, 0.8);
 }
 
-// Vertices at the foot of a block lie on one side of it. Those below the block are dark.
+// A vertex at the foot of a block belongs either to the outside or to the block's base. Vertices of
+// the base are dark.
 TEST(Blocks, NoLightPassesUnderThem) {
   std::size_t inside = 0, doubled = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {

@@ -94,9 +94,9 @@ TEST(Contacts, WithoutStripsWhatHangsWithinHalfAPatchTouches) {
   }
 }
 
-// A low block on the floor touches it only by its feet. A bottom in two parts, and a plate, touch
-// it by the outline of the lower side. An object behind a face touches it only if the face is
-// two-sided.
+// A low block on the floor touches it only by its feet. An object that hangs close above the floor
+// touches it by the outline of its underside, even if that has two parts. An object behind a face
+// touches it only if the face is two-sided.
 TEST(Contacts, OnlyOpenEdgesOfWhatHangsCount) {
   Room low = make_floor();
   add_block(low, {4.2, 4.1, 0, 0.1, 1.5, 1.5, 0.3}, false, 1, 1);
@@ -269,7 +269,8 @@ TEST(Contacts, AtTheEndOfAScreenLightDependsOnTheSide) {
   }
 }
 
-// A shadow along a foot that is too narrow for the patches does not spread over a whole patch.
+// If the shadow along a foot is too narrow to cut the patches, it does not spread over a whole
+// patch.
 TEST(Contacts, VerticesAtAFootAreLitBeyondCreasesThatAreNotKept) {
   Room room = make_floor();
   const Block block{4.2, 4.1, 0, 1, 1.5, 1.5, 0.3};

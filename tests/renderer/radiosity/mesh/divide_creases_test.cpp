@@ -81,7 +81,8 @@ void check_creases(const Flat& flat, const Division& division, std::span<const C
       double nearest = 1e9;
       for (const auto& [a, b] : division.creases)
         nearest = std::min(nearest, eval_distance(p, division.points[a], division.points[b]));
-      // The end of a crease may run through a corner of a cell over up to one touch.
+      // Near its end, a crease may cut through the corner of a cell, over a length of up to one
+      // `touch`.
       ASSERT_LE(nearest, 1.5 * touch) << "crease not covered";
     }
   for (const auto& [a, b] : division.creases)

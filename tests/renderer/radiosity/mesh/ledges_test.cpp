@@ -75,9 +75,9 @@ TEST(Ledges, MayNarrowToAPoint) {
   }
 }
 
-// The light of a ledge is evaluated where it makes the mean of the patch right. For a ledge wider
-// than four times the patch, that is at its foot. (There, the ledge of this test, a single patch,
-// is too near for its factor.)
+// Beside a ledge, light is computed at the height that makes the mean of the patch right. For a
+// ledge wider than four times the patch's height, that is at the foot. (The test does not check the
+// mean there, since its ledge, a single patch, is too near for an accurate form factor.)
 TEST(Ledges, GiveAPatchItsMeanLight) {
   for (const double width : {0.03, 0.1, 0.25, 0.5, 0.9, 1.1, 3.0, 5.0}) {
     SCOPED_TRACE(testing::Message() << "width " << width);
@@ -101,8 +101,8 @@ TEST(Ledges, GiveAPatchItsMeanLight) {
   }
 }
 
-// An object hangs just above a floor, level or sloping along its edge. Patches beside its edge have
-// the right means of the light that enters under it.
+// An object hangs just above a floor, level or sloping along its edge. Light enters under the
+// object. In patches beside its edge, the mean of this light is right.
 TEST(Hanging, GivesPatchesBesideItsEdgeTheirMeanLight) {
   const auto check = [](double gap, double slope) {
     SCOPED_TRACE(testing::Message() << "gap " << gap << ", slope " << slope);

@@ -129,7 +129,8 @@ TEST(Mesh, VerticesAreSharedWithinASurface) {
   }
 }
 
-// Vertices on a border are lit slightly inside, others in place, and none off the face.
+// Light is computed slightly inside the border for vertices on it, at the vertex itself for others,
+// and for all of them in the plane of the face.
 TEST(Mesh, BordersAreLitInside) {
   Room room;
   room.materials = {{"wall", grey(0.5), grey(1)}};

@@ -26,8 +26,8 @@ Room make_floor(double width) {
   return room;
 }
 
-// Root mean square error of the mesh's surfaces on a grid of points around the origin, relative to
-// that of the light there.
+// Root mean square error of the mesh's surfaces on a grid of points around the origin, divided by
+// the root mean square of the light there.
 double find_error(const Mesh& mesh, double width) {
   const Solution solution = solve(mesh, {});
   const auto shown = reconstruct(mesh, solution.vertices, BILINEAR);
@@ -139,7 +139,8 @@ TEST(Adapt, OnlyWhatThePictureShowsCounts) {
   EXPECT_GT(seen, 20 * turned.mesh.patches.size());
 }
 
-// The floor is seen over a mirror that reflects half of each colour, hence a quarter of the square.
+// The view shows the floor over a mirror that reflects half of each colour. In squares of colours,
+// the floor's share is therefore a quarter.
 TEST(Adapt, SharesAreOfThePictureAndOfItsSquare) {
   Room room = make_floor(10);
   room.materials.push_back({"glass", grey(0.5), {}});
@@ -156,7 +157,7 @@ TEST(Adapt, SharesAreOfThePictureAndOfItsSquare) {
   all = 0;
   const Mesh mirrored = make_mesh(room, {});
   for (const Rgb& share : find_shares(mirrored, room.view, picture)) all += share.r;
-  EXPECT_NEAR(all, 1, 1e-12);  // the shares include the lamp, 2.5 above
+  EXPECT_NEAR(all, 1, 1e-12);  // the view shows only the lamp, 2.5 above the eye
   room.view.from = {3, 0, 0.5};
   room.view.at = {3, 0, 1};
   all = 0;

@@ -142,7 +142,8 @@ TEST(TracePicture, ImpossibleParametersAreErrors) {
   EXPECT_THROW(renderer::make_image_plane({{1, 2, 3}, {1, 2, 3}}), base::BadInput);
 }
 
-// Sample points are equal, so pixels differ only where rounding decides which of two faces is hit.
+// Both pictures have the same sample points, so pixels differ only where rounding decides which of
+// two faces is hit.
 TEST(PreviewPicture, IsTheTracedPicture) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Random random{seed};

@@ -30,8 +30,8 @@ TEST(ReconstructError, FallsWithTheThirdPowerOfTheStepBilinearWithTheSecond) {
   for (const Twist twist : {Twist::zero, Twist::estimated})
     for (const bool inside : {true, false}) {
       const ReconstructionParams params = make_unlimited(twist);
-      // Without twists, the mixed term is missing. Like its basis, it is of second order in the
-      // step.
+      // Without twists, the term in s t is missing. It is of second order in the step, so the error
+      // falls with the second power only.
       const double expected = twist == Twist::estimated ? 6 : 3.5;
       EXPECT_GT(find(8, params, inside) / find(16, params, inside), expected);
       EXPECT_GT(find(16, params, inside) / find(32, params, inside), expected);

@@ -95,7 +95,7 @@ TEST(Reconstruct, QuadraticFunctionsAreExactOnParallelLines) {
 }
 
 // The largest gaps of value and slope between two patches, at random points of their common edges.
-// The corners of the grid's nu x nv patches all begin at the same place.
+// All nu x nv patches of the grid must begin at the same of their corners.
 struct Gaps {
   double value = 0, slope = 0;
 };

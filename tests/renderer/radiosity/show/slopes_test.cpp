@@ -48,8 +48,8 @@ TEST(Slopes, OfAnEvenGridAreCentralDifferences) {
   }
 }
 
-// Follows figures 3.3 and 3.4 literally: in space, B along the geometric normal; the normal N_i of
-// each plane; their mean.
+// Follows figures 3.3 and 3.4 literally: lifts points by B along the geometric normal, takes the
+// normal N_i of each plane through lifted points, and averages these normals.
 TEST(Slopes, AreTheMeanOfTheNormalsOfFigure34) {
   Random random{2};
   const Mesh mesh = make_grid(make_lines(2), make_lines(2), make_plane(random));
@@ -133,7 +133,7 @@ TEST(Slopes, AtBordersAreTheParabolas) {
     EXPECT_NEAR(along(slopes[v], up).r, values[v % 4 + 4].r - values[v % 4].r, 1e-12);
 }
 
-// The slope on the other side of a crease, with other patches, is therefore the same.
+// The slope along a crease is therefore the same on both sides, even if their patches differ.
 TEST(Slopes, AlongAStraightBorderDependOnItsVerticesOnly) {
   Random random{5};
   const auto plane = make_plane(random, true);
