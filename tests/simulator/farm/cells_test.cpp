@@ -165,7 +165,8 @@ TEST(FrameBuffer, SmoothCellsAreBilinear) {
   EXPECT_GT(work[renderer::Op::pixel_interpolated], 16u);
 }
 
-// A pixel shows the mean of the samples that have begun, and finally their sum.
+// A pixel shows the mean of the samples that have begun. In the end this is the sum of the
+// contributions, each weighted by 1 / pixel_samples.
 TEST(FrameBuffer, ShowsTheMeanOfSamples) {
   renderer::Sampling sampling;
   sampling.pixel_samples = 4;

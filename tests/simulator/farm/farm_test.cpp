@@ -88,7 +88,8 @@ TEST(Farm, ImageDoesNotDependOnLimitsOrdersSeedsOrCells) {
   }
 }
 
-// The scene is sent first, and takes longer than the time of the order.
+// The transfer of the scene, which precedes the first task, takes longer than 0.05 s, the order's
+// time.
 TEST(Farm, OrdersCountFromTheFirstTask) {
   run_isolated([] {
     Params params = small_params();
@@ -177,9 +178,9 @@ TEST(Farm, MissesAreShorterThanHits) {
   });
 }
 
-// Eq 4.24 and 4.25: the rays in the farm never exceed its buffers, nor waiting feelers their
-// descendants. A worker has a buffer in its router, in each sender, before and in its application,
-// and in its results router. The coordinator has one in its sender.
+// Eq 4.24 and 4.25: the rays in the farm are never more than its buffers. The waiting feelers are
+// never more than these rays can create. A worker has a buffer in its router, in each sender,
+// before and in its application, and in its results router. The coordinator has one in its sender.
 TEST(Farm, RaysInFarmAndFeelersAreBounded) {
   for (int workers : {1, 2, 5, 13}) {
     const std::size_t buffers = 1 + static_cast<std::size_t>(workers) * 4 +

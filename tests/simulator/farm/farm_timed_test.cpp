@@ -62,7 +62,7 @@ TEST(FarmTimed, BlocksAreTimed) {
   });
 }
 
-// A block that waits for data is charged, as it continues, the time of a block with all data.
+// A block that has waited for data is charged, when it continues, as if it had had all data.
 TEST(FarmTimed, BlocksThatWaitForDataAreTimed) {
   const auto scene = renderer::make_spheres(20);
   run_isolated([&] {

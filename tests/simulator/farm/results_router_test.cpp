@@ -13,8 +13,9 @@ using namespace occam;
 
 constexpr int WAYS = 4, ROUNDS = 6;
 
-// Runs the results router, and returns the input of each result in output order. Each input sends a
-// result whenever possible, then a stop. -1 marks the stop that comes out.
+// Runs the results router. Returns the number of the input from which each result came, in the
+// order of output, and -1 for the stop. Each input sends its results as fast as possible, then a
+// stop.
 Numbers run_results_router() {
   return isolated_numbers([] {
     Lab lab;

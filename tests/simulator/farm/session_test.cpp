@@ -128,8 +128,8 @@ TEST(Session, EndsWithTheImageOfSeveralSamples) {
   }
 }
 
-// In key images, only pixels that are black in the scene are black. Their level is that of the last
-// one.
+// In a key image, a pixel is black only if the scene is black there. The mean level of each key
+// image is near that of the last.
 TEST(Session, KeyImagesAreWholePictures) {
   for (const auto light : {CellLight::constant, CellLight::smooth}) {
     const std::string told = isolated([light] {
@@ -223,7 +223,7 @@ TEST(Session, APreviewComesFirst) {
   EXPECT_EQ(told, "preview true true");
 }
 
-// Orders while the last rays come in have no effect.
+// An order that comes together with the last rays has no effect.
 TEST(Session, NothingIsOrderedAfterAnAbort) {
   const std::string told = isolated([] {
     Params params = small_params();

@@ -52,7 +52,8 @@ std::string describe(const SharedParams& data) {
                      data.waiting_queue, int(data.method));
 }
 
-// Every access is to one box or object that the sequential renderer tests, and is found once.
+// There is one access for each test of a box or object in the sequential renderer. Each access is
+// either local or a request.
 void expect_equal(const farm::Params& params, const std::string& topology,
                   const renderer::Scene& scene, const SharedParams& data) {
   run_isolated([&] {
@@ -104,7 +105,8 @@ TEST(SharedFarm, OfACacheThatHoldsAllEveryRecordIsAskedForOnce) {
   });
 }
 
-// Without InPathTo, only the coordinator answers. Requests must be offered to be queued.
+// If requests are not offered to processors on their route (InPathTo), only the coordinator answers
+// them, and no waiting queue does.
 TEST(SharedFarm, RequestsAreAnsweredOnTheWayOnlyIfTheyAreOffered) {
   const auto scene = renderer::make_spheres(60);
   SharedParams data = shared_params(20);

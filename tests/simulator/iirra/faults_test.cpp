@@ -1,5 +1,5 @@
-// Stopping processors and cut links. The image is right, or a fault names the cause; it is never
-// wrong, and the run always ends.
+// Stopping processors and cut links. The run always ends, either with the right image or with a
+// fault that names the cause.
 #include <gtest/gtest.h>
 
 #include "simulator/machine/faults.hpp"
@@ -42,7 +42,7 @@ TEST(IirraFaults, AProcessorThatStopsIsNamed) {
     }
 }
 
-// Each balancing method sends other messages, which must take another route.
+// Each balancing method sends messages of its own kinds, which must all go around the cut link.
 TEST(IirraFaults, ACutLinkIsGoneAround) {
   for (int balance = 0; balance < 7; ++balance)
     for (const std::uint64_t seed : {1, 2, 3}) {
@@ -69,7 +69,8 @@ TEST(IirraFaults, ACutLinkIsGoneAround) {
     }
 }
 
-// Without another route, a part of the picture is missing, or some workers do not learn of the end.
+// Without another route, a part of the picture is missing, or some workers do not learn that the
+// run ends.
 TEST(IirraFaults, ACutLinkWithoutAnotherWayIsTold) {
   for (int balance = 0; balance < 7; ++balance)
     for (const std::uint64_t seed : {1, 2, 3}) {

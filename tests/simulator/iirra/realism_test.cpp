@@ -35,7 +35,7 @@ TEST(IirraOrder, BayersMatrixHasEachNumberOnce) {
   }
 }
 
-// The first numbers of a matrix are where those of the next smaller matrix are, spread out.
+// The first 4, 16 or 64 numbers are spread evenly: each of as many equal blocks contains one.
 TEST(IirraOrder, BayersMatrixIsEvenAtAnyTime) {
   for (const int drawn : {4, 16, 64}) {
     const int block = 16 / (drawn == 4 ? 2 : drawn == 16 ? 4 : 8);
@@ -194,8 +194,8 @@ TEST(IirraAdvance, IsPossibleAndAllowed) {
   }
 }
 
-// Without limits every cell is finished, whatever its samples. Then all its pixels are sampled, and
-// no ray waits.
+// Without limits, every cell is finished at some time, whatever its samples. All its pixels are
+// then sampled, and no ray waits.
 TEST(IirraAdvance, EndsWithoutLimits) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

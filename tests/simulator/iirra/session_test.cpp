@@ -213,7 +213,7 @@ TEST(IirraSession, StagesThatWereNotNeededAreNoted) {
   EXPECT_EQ(told({coarse(8), Limits{}}), "");
 }
 
-// Once the coordinator knows the end, orders have no effect.
+// Once the coordinator knows that the run ends, orders have no effect.
 TEST(IirraSession, OrdersAfterTheEndAreNoted) {
   run_isolated([] {
     Params params = small_params();

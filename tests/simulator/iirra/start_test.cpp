@@ -48,8 +48,8 @@ TEST(IirraStart, EveryWorkerHasItsShare) {
   }
 }
 
-// Macro-cells that the image's borders cut off omit some workers in one row and one column, so
-// shares differ by at most that many cells.
+// A macro-cell that the image's right or lower border cuts off has no cell for some workers. Shares
+// differ by no more than the number of such macro-cells.
 TEST(IirraStart, ScatteringIsNearlyEvenInAnyImage) {
   std::mt19937_64 random(20261124);
   for (int round = 0; round < 200; ++round) {

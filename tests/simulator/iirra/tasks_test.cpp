@@ -94,7 +94,8 @@ TEST(IirraTasks, TheMostImportantComesFirstAndNothingIsLost) {
   }
 }
 
-// Among few tasks, any that may move is found; among many, one outside the most important.
+// Among up to eight tasks, one that may move is always found. Among more, the most important task
+// is never given away.
 TEST(IirraTasks, OnlyTasksThatMayGoAreGivenAway) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -209,8 +210,8 @@ TEST(IirraTasks, ACellIsFinishedWithItsOwnPixels) {
   EXPECT_EQ(points_to_deepen(large).size(), 13u);
 }
 
-// A cell reports its waiting rays of the earliest samples only. Later samples wait for finer cells,
-// and for all tasks of first samples.
+// Of its waiting rays, a cell reports only those of the earliest sample. Rays of later samples wait
+// until cells are divided, and until all tasks of first samples are done.
 TEST(Quantities, FirstSamplesOfPixelsComeFirst) {
   const SampledCell cell{4, 6, 4, 3};
   auto samples = grey_samples(cell, 0.5);

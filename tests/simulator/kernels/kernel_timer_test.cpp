@@ -129,7 +129,7 @@ TEST(KernelTimer, KnowsKernelsThatAreTooShort) {
   EXPECT_NEAR(timer.longest_batch_s(), 16e-6, 1e-9);
 }
 
-// The maximum number of calls makes a batch long enough, however short it is.
+// A batch with the maximum number of calls counts as long enough, however short its time.
 TEST(KernelTimer, AWholeBatchIsNotTooShort) {
   FakeHost host;
   KernelTimer timer(host.host);

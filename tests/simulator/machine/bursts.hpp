@@ -36,8 +36,9 @@ struct Recorded {
   std::vector<double> burst_ends;
 };
 
-// Starts the processes. The process of each burst then waits for a message that never comes, so
-// that it leaves the CPU ahead of the clock. Its start is part of the burst.
+// Starts the processes. At its end, the process of each burst waits for a message that never comes,
+// so that it leaves the CPU ahead of the clock. The cycles that start this wait are part of the
+// burst.
 inline void start_load(Lab& lab, Processor& cpu, const Load& load, Recorded& recorded) {
   recorded.burst_ends.resize(load.bursts.size());
   for (std::size_t i = 0; i < load.bursts.size(); ++i) {

@@ -60,8 +60,8 @@ TEST(Companion, ARendezvousCostsThatOfASoftChannelAndAnEvent) {
         }
 }
 
-// Two processes come simultaneously, and neither finds its partner. The one that first learns of
-// the other completes the second's work.
+// Two processes come to the channel simultaneously, so neither finds its partner there. The one
+// that first learns of the other does the work of the process that comes second.
 TEST(Companion, TwoThatComeAtOnceMeet) {
   const Model model = make_exact_model();
   const auto found = isolated_numbers([&] {

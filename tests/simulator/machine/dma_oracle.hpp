@@ -123,7 +123,7 @@ class Simulation {
     return step_s;
   }
 
-  // Activities that end within this tolerance of the step have ended: 1e-7 cycles or bytes.
+  // An activity has ended if no more than this remains, in cycles or bytes.
   static constexpr double HAIR = 1e-7;
 
   void advance(double step_s) {

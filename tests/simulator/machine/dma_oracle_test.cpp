@@ -9,7 +9,7 @@ namespace occam {
 namespace {
 
 constexpr std::int64_t MOST_COMPUTED = 1500;  // cycles per message, below and above LONG_DEBT
-constexpr double STOLEN = 10;                 // cycles per word; up to two thirds of a CPU
+constexpr double STOLEN = 10;  // cycles that DMA takes per word: up to two thirds of a CPU
 
 // A model whose rates are incommensurable, so that simultaneous events have a common cause.
 Model make_slowed_model() {

@@ -65,9 +65,9 @@ TEST(Dma, TakesItsCyclesFromAComputationThatLastsLonger) {
   }
 }
 
-// The debt at an ALT seems to last beyond the ALT's tick, since a message slows the CPU down by a
-// quarter. But the message ends early. The ALT waits for its tick or, if another guard is ready,
-// does not take it.
+// A process owes computed time when it comes to an ALT. A message slows the CPU down by a quarter,
+// so the debt seems to last beyond the timeout's tick. But the message ends early. The ALT must
+// wait for the tick or, if SKIP is ready, must not choose the timeout.
 TEST(Dma, EndsBeforeAnAltIsPaidFor) {
   constexpr double TICK = 1024;  // length of a tick, cycles
   constexpr std::int64_t MOST_OWED = 1000, BEFORE = 64;
@@ -113,8 +113,8 @@ TEST(Dma, EndsBeforeAnAltIsPaidFor) {
       }
 }
 
-// Messages overlap on several links, in both directions. Every word takes its cycles from both its
-// CPUs, in any order.
+// Messages overlap on several links, in both directions. Every word takes cycles from the CPUs at
+// both its ends, in whatever order messages come.
 TEST(Dma, EveryWordOfEveryLinkAndDirectionTakesItsCycles) {
   struct Flow {
     int from, to;
@@ -153,7 +153,8 @@ TEST(Dma, EveryWordOfEveryLinkAndDirectionTakesItsCycles) {
     for (const Flow& flow : flows)
       expected +=
           static_cast<double>(model.channel.blocked.value + words_in(flow.bytes) * STEAL_WORD);
-    // (A message may end before the computation begins, or two messages at once.)
+    // (There are fewer pre-emptions than messages if a message ends before the computation begins,
+    // or if two end at once.)
     expected += found.at(1) * static_cast<double>((s.preemption + s.return_to_low).value);
     EXPECT_LE(found.at(1), flows.size());
     EXPECT_GE(found.at(1), 1);
@@ -182,9 +183,9 @@ TEST(Dma, SlowsAHighPriorityProcessFromItsStart) {
   EXPECT_EQ(found.at(0), 4096 + 32 * 100);
 }
 
-// During the computation, after the message has arrived, its cycles are no longer taken. The end is
-// C and two cycles per word, and at low priority the two switches. A sync before now() changes
-// nothing.
+// The message arrives during the computation of C cycles, and from then on takes no more cycles.
+// The end is at C plus two cycles per word, plus the two switches at low priority. A sync before
+// now() changes nothing.
 TEST(Dma, NowIsExactBesideIt) {
   const Model model = make_stealing_model();
   constexpr std::int64_t charges = 10, cycles = 20'000, words = 1000;
@@ -310,7 +311,8 @@ TEST(Dma, ConservesCyclesUnderRandomTraffic) {
       const double n = found.at(2 * cpu + 1), stolen = static_cast<double>(words * STEAL_WORD);
       const auto there = static_cast<double>(s.preemption.value),
                  back = static_cast<double>(s.return_to_low.value);
-      // While it returns, a low-priority process may lose the CPU again.
+      // The return to a low-priority process may be cut short, when the process loses the CPU
+      // again.
       EXPECT_GE(found.at(2 * cpu), stolen + n * there - ROUNDING);
       EXPECT_LE(found.at(2 * cpu), stolen + n * (there + back) + ROUNDING);
     }

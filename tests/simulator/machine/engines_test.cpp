@@ -106,7 +106,8 @@ TEST_F(Engines, PartsShareWindows) {
 }
 
 // One process waits for ever, one computes for ever, one waits in a PAR, one has not begun. At the
-// limit all are unwound, innermost objects first. The last one drops only what its body holds.
+// limit all are unwound, innermost objects first. Of the one that has not begun, only the captures
+// of its body are destroyed.
 TEST_F(Engines, BodiesThatHaveNotEndedAreUnwound) {
   for (const auto& engine : ALL_KINDS) {
     const auto log = isolated([&] {

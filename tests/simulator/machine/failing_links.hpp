@@ -20,8 +20,8 @@ struct CutPair {
   Processor& b = lab.cpu();
 };
 
-// A process that outputs or inputs one message. Its result is 1 if the message was moved, and the
-// time.
+// A process that outputs or inputs one message. Its results are 1 if the message was moved, else 0,
+// and the time of its end.
 struct Attempt {
   Processor& on;
   Priority priority;

@@ -120,7 +120,8 @@ TEST(HardRendezvous, OutputMayComeAtAnyCycleOfAnAlt) {
   expect_hard_times(model, cases);
 }
 
-// The second process waits until the transfer ends, a writer in output and a reader in input.
+// The process that comes second also waits until the transfer ends: a writer in `out`, a reader in
+// `in`.
 TEST(HardRendezvous, EachEndWaitsInItsOwnDirection) {
   for (const bool writer_is_second : {false, true}) {
     const auto waited = isolated_numbers([&] {

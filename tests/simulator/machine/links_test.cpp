@@ -39,7 +39,7 @@ Numbers run_flows(int processors, const std::vector<std::pair<int, int>>& links,
   });
 }
 
-// Directions need a tolerance, since a CPU starts its transfers one after the other.
+// Times need a tolerance, since a CPU starts its transfers one after the other.
 TEST(Link, DirectionsAloneReachOneRateAndTogetherShareTheOther) {
   const Model model = make_exact_model();
   const double clock = model.cpu.clock.value, one = model.link.one_way_rate / clock,
@@ -101,7 +101,7 @@ TEST(Link, WhatHasPassedGrowsAsTheBytesMove) {
   EXPECT_EQ(passed.back(), 0);  // the message has arrived
 }
 
-// If nothing happens until a future date, its forecast comes true.
+// The use that is forecast for a future time is right if nothing else happens until then.
 TEST(Link, UseIsForeseen) {
   for (const auto priority : {Priority::high, Priority::low}) {
     const auto seen = isolated_numbers([&] {
@@ -136,8 +136,8 @@ TEST(Link, UseIsForeseen) {
   }
 }
 
-// Over d unloaded links, each hop takes the start of its sender (the reader waits), then
-// bytes/rate.
+// Each of d hops over unloaded links takes the start of its sender, then bytes/rate. (The reader
+// already waits.)
 TEST(Link, StoreAndForwardOverALine) {
   for (int hops : {1, 2, 7})
     for (std::uint64_t bytes : {1, 80, 3000}) {

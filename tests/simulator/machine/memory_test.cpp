@@ -32,7 +32,8 @@ double time_rendezvous(const Model& model, std::uint64_t bytes) {
       .at(0);
 }
 
-// With external memory of 3 cycles and s wait states, a word is read and written in 2 (3 + s).
+// With external memory of 3 cycles and s wait states, a word is read and written in 2 (3 + s)
+// cycles.
 TEST(Memory, WaitStatesLengthenTheCopy) {
   for (int s : {0, 1, 2, 5})
     for (std::int64_t w : {2, 10, 1000}) {
@@ -108,7 +109,7 @@ Numbers run_plan(const Plan& plan, const Model& model) {
   });
 }
 
-// With one stream through a chain of processes, each wait only delays others.
+// With one stream through a chain of processes, a wait state can only delay what follows.
 TEST(Memory, MoreWaitStatesAreNeverFaster) {
   for (std::uint64_t seed = 400; seed < 416; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
@@ -138,8 +139,8 @@ TEST(Memory, OffChipIsNeverFasterThanOnChip) {
   }
 }
 
-// For the four models and three link speeds, a slower one is never faster, over random programs
-// with one stream.
+// A slower model or a slower link never makes a random program with one stream faster. Tests four
+// models and three link speeds.
 TEST(Models, SlowerClocksAndLinksAreNeverFaster) {
   for (std::uint64_t seed = 500; seed < 508; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));

@@ -134,7 +134,7 @@ TEST(Observer, ChangesNothing) {
   }
 }
 
-// Pre-emptions cut switches short, over several low-priority processes in time slices.
+// Several low-priority processes run in time slices. Pre-emptions cut some of their switches short.
 TEST(Observer, SwitchesAndSlicesAddUpToo) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));

@@ -92,7 +92,8 @@ inline void make_different(Plan& plan, std::uint64_t seed) {
     for (Stage& stage : stream.stages) {
       stage.in_par = random() % 2 == 0;
       stage.by_companion = random() % 2 == 0;
-      // Waits longer on a slow processor, whose ALT may take more than a few ticks.
+      // Lets processes wait longer, since an ALT on a slow processor may take more than a few
+      // ticks.
       if (stage.polls > 0) stage.polls += 40;
     }
   }

@@ -181,7 +181,7 @@ TEST(Run, StopsWhenTheUserWants) {
   EXPECT_LE(found.at(1), 41'000);
 }
 
-// SimGrid would end the program if the signal came while it starts.
+// SimGrid would end the program if the signal came during SimGrid's own start.
 TEST(Run, BeginsWhileTheUserAsksForItsEnd) {
   test::run_isolated([] {
     static std::atomic<int> asked = 0;

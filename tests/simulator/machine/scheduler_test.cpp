@@ -17,9 +17,9 @@ struct Outcome {
   std::vector<std::int64_t> burst_ends;
 };
 
-// Calculates the outcome. Each burst's high-priority process first waits for its time. If a burst
-// finds the low-priority process running, it pre-empts it. A return to the low-priority process has
-// a cost, and another burst may cut it short.
+// Calculates the expected outcome. The process of each burst first waits for the burst's time. A
+// burst that comes while the low-priority process runs pre-empts it. The return to the low-priority
+// process has a cost, and another burst may cut it short.
 Outcome predict(const Model& model, const Load& load) {
   const auto wait = model.timer.wait_future.value * static_cast<std::int64_t>(load.bursts.size());
   const auto there = model.scheduler.preemption.value, back = model.scheduler.return_to_low.value;
@@ -104,7 +104,8 @@ TEST(Engine, EventsHappenByDateThenInTheOrderAskedFor) {
   }
 }
 
-// At any instant, an observer sees past time as busy or idle, never negative.
+// Between any two looks at a processor, its busy time does not decrease, nor grow by more than the
+// elapsed time.
 TEST(Scheduler, UseNeverRunsBackwardsNorAheadOfTheClock) {
   for (int seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));

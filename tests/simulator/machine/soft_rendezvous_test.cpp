@@ -149,8 +149,8 @@ TEST(SoftRendezvous, CompiledOccamMultipliesItsInstructions) {
 }
 
 // On a transputer, `in` and `out` are single instructions, and the second process copies. A
-// high-priority process may come during a low-priority one's instruction, and is then first or
-// second.
+// high-priority process may come during this instruction of a low-priority one, and then be the
+// first or the second of the two.
 TEST(SoftRendezvous, IsCopiedWhenAHighProcessComesDuringTheInstructionOfALowOne) {
   constexpr std::uint64_t bytes = 4000;
   const Model model = make_exact_model();

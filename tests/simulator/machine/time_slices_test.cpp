@@ -73,7 +73,7 @@ TEST(TimeSlices, GiveWayAfterOneToTwoPeriodsInTurn) {
   }
 }
 
-// A low-priority process computes, alone at first. Another wakes from a timer or a link meanwhile.
+// A low-priority process computes, alone at first. Then another one wakes from a timer or a link.
 TEST(TimeSlices, WokenLowProcessWaitsForAtMostTwoPeriods) {
   const Model model = make_exact_model();
   const auto found = isolated_numbers([] {
@@ -186,8 +186,8 @@ TEST(TimeSlices, TurnsOfTheRealMachineAreTwoPeriods) {
     EXPECT_NEAR(found[i], 2 * period * static_cast<double>(i), 1e-9) << "turn " << i;
 }
 
-// A lone low-priority process continues. If another becomes ready after more than two periods, it
-// yields at the next tick, but never within its first period.
+// A lone low-priority process continues. If another becomes ready after more than two periods, the
+// first one yields at the next tick, but never within its first period.
 TEST(TimeSlices, LateComerWaitsForTheNextTick) {
   const Model model = make_exact_model();
   const auto period = model.scheduler.slice.value;
@@ -242,9 +242,9 @@ TEST(TimeSlices, TickThatPassesDuringAPreemptionCounts) {
 }
 
 // A low-priority process computes. A high-priority one makes another low-priority process ready,
-// ahead of the clock unless it `pays` first, and waits. Shortly before the tick comes a third
-// low-priority process, or a message whose DMA delays the work ahead. Returns the cycles at which
-// the other two end.
+// ahead of the clock unless it `pays` first, and waits. A third low-priority process, or a message
+// whose DMA delays the work ahead, comes shortly before the tick. Returns the cycles at which the
+// second and the third process end.
 Numbers end_around_tick(std::int64_t wakes, bool has_message, bool pays) {
   return isolated_numbers([&] {
     Model model = make_exact_model();

@@ -14,7 +14,7 @@ TEST(Timer, CountsWholeTicksOfItsPriority) {
   const std::int64_t cycles_a_us = 25;
   for (auto priority : BOTH_PRIORITIES) {
     const std::int64_t tick = priority == Priority::high ? 1 : 64;
-    // Just before, at and after the first 3000 ticks.
+    // Reads the clock just before, at and just after each of the first 3000 ticks.
     const auto wrong = isolated([&] {
       Lab lab(model);
       std::string text;
@@ -72,7 +72,8 @@ TEST(Timer, WaitsUntilATickAndNotForThePast) {
 // never.
 struct Timeout {
   Priority priority;
-  std::int64_t starts, output_at, tick;  // in cycles, cycles, and ticks of the reader's clock
+  std::int64_t starts, output_at,
+      tick;  // `tick` in ticks of the reader's clock, the others in cycles
   bool timer_first;
 };
 
@@ -109,7 +110,8 @@ std::pair<double, bool> expect_timeout(const Model& model, const Timeout& c) {
           true};
 }
 
-// For each case, the end, and whether the channel was chosen. Otherwise the message is taken later.
+// Returns for each case the end, and whether the channel was chosen. If it was not, the message is
+// taken later.
 Numbers run_timeouts(const Model& model, const std::vector<Timeout>& cases) {
   return isolated_numbers([&] {
     Lab lab(model);
@@ -182,8 +184,9 @@ TEST(Timeout, MayComeAtAnyCycleOfTheAlt) {
   expect_timeouts(model, cases);
 }
 
-// The timer wakes the ALT, and the output comes while the guards are disabled. It is chosen if it
-// is ready at its guard's turn and no earlier guard was. (In the same cycle, either may be first.)
+// The timer wakes the ALT, and the output comes while the guards are disabled. The channel is
+// chosen if the output is ready at its guard's turn and no earlier guard was ready. (In the same
+// cycle, either may be first.)
 TEST(Timeout, GuardIsTakenThatIsReadyAtItsOwnTurn) {
   const Model model = make_complete_model();
   const auto date = 4096, turn = date + static_cast<int>(model.alternative.disable.value);
@@ -240,9 +243,9 @@ TEST(Timer, WakesAtTheTickAndReadsIt) {
       lab.machine.run();
       return seen;
     });
-    // The wait for tick 21 begins 3 cycles after tick 20 and takes 33 cycles, after 7 of the past
-    // wait. At high priority a tick is 25 cycles, so tick 21 has passed and the clock is not read
-    // again.
+    // The wait for the past time begins 3 cycles after tick 20 and takes 7 cycles. The wait for
+    // tick 21 then takes 33 cycles. At high priority a tick is 25 cycles, so tick 21 has passed and
+    // the clock is not read again.
     const double third = us == 1 ? 20 + (3 + 7 + 33) / 25.0 : 21 * us;
     const double dates[] = {10 * us, 20 * us, third, 1000 * us}, reads[] = {10, 20, 21, 1000};
     for (std::size_t i = 0; i < std::size(dates); ++i) {

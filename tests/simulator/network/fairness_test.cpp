@@ -26,8 +26,8 @@ std::vector<double> find_senders(Method method, std::uint64_t bytes) {
   });
 }
 
-// While all three have messages to send, none waits long. The hub has more inputs. Turns of idle
-// inputs go to the next active one, so that shares differ.
+// While all three have messages to send, each has at least 3 of 24 turns. Shares differ, since the
+// hub gives the turns of its idle inputs to the next active input.
 TEST(RouterFairness, EveryLinkInHasItsTurn) {
   for (const Method method : {Method::chalmers, Method::green, Method::acyclic, Method::naive})
     for (const std::uint64_t bytes : {4, 100}) {

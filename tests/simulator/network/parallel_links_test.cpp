@@ -17,8 +17,8 @@ topologies::Topology pair_joined_by(int links) {
 constexpr int CLIENTS = 4;
 constexpr std::uint64_t BYTES = 100'000, MESSAGES = 8;
 
-// Seconds in which each process of one processor sends its messages to one of the other. They must
-// arrive in order.
+// The time, s, in which each process of one processor sends its messages to a process of the other.
+// They must arrive in order.
 std::string time_of(int links, Method method) {
   return isolated([&] {
     Params params;
@@ -63,7 +63,8 @@ TEST(ParallelLinks, CarryStreamsSideBySideAndKeepEachInOrder) {
   }
 }
 
-// Messages on each link from processor 0, after one process there has sent six to another.
+// The number of messages on each link from processor 0 to 1, after a process on 0 has sent six
+// messages to one on 1.
 std::vector<double> loads_of(int links, Method method) {
   return occam::isolated_numbers([&] {
     Params params;

@@ -213,9 +213,9 @@ TEST(Router, MessagesUnderWayWhenALinkIsCutArriveOnce) {
       });
 }
 
-// A message by pointer costs no copies: its time grows only by the links' and the CPUs' part. That
-// of a copied message grows by three copies per byte: into the router, to the client's sender, to
-// the client.
+// A message that is passed by pointer is not copied, so its time grows with its length only on the
+// link. A copied message takes three more copies of each byte: into the router, to the client's
+// sender, to the client.
 TEST(Router, CopiesCostMemoryCyclesAByte) {
   const auto latency = [](bool pointers, std::uint64_t bytes) {
     return occam::isolated_numbers([&] {

@@ -50,7 +50,7 @@ class Network {
     bool busy = false;
     std::deque<std::size_t> waiting;
   };
-  // The event that a packet is sent by its source at processor `at`, or arrives there and frees its
+  // An event at processor `at`: its source sends a packet, or a packet arrives there and frees its
   // link.
   struct Event {
     double at_s;

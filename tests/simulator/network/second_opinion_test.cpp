@@ -82,8 +82,8 @@ struct Case {
 
 class SecondOpinion : public testing::TestWithParam<Case> {};
 
-// The same packets go at the same times on the same routes. The only difference is the fraction of
-// a nanosecond that a processor takes.
+// Both simulations send the same packets at the same times on the same routes. The only difference
+// is the fraction of a nanosecond that a processor takes.
 TEST_P(SecondOpinion, AgreesOnTheMeanLatencyOfUniformTraffic) {
   const auto& [name, share, window_us] = GetParam();
   const auto topology = topologies::make_topology(name);

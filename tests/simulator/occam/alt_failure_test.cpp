@@ -7,8 +7,9 @@
 namespace occam {
 namespace {
 
-// A process waits for a message or a timeout. Returns whether it had the message (-1: neither, the
-// link failed in between), when, and whether the writer's output succeeded.
+// A process waits for a message or a timeout. wait_in_alt() returns 1 for the message, 0 for the
+// timeout, or -1 if the link failed after the choice; then the time; then whether the output
+// succeeded.
 struct AltCase {
   double cut;
   Priority writer, reader;
@@ -62,7 +63,7 @@ TEST(AltFailure, AGuardOnACutLinkIsNeverReady) {
     }
 }
 
-// The cut comes at any cycle: either both have the message, or neither.
+// The cut comes at any cycle. Either the message is moved for both ends, or for neither.
 TEST(AltFailure, MayComeAtAnyCycleOfAnAlt) {
   std::array<int, 3> seen{};
   for (auto writer : BOTH_PRIORITIES)
@@ -72,7 +73,8 @@ TEST(AltFailure, MayComeAtAnyCycleOfAnAlt) {
         EXPECT_EQ(found.at(0) == 1, found.at(2) == 1) << cut;
         ++seen.at(static_cast<std::size_t>(found.at(0) + 1));
       }
-  for (int times : seen) EXPECT_GT(times, 0);  // the cut came in between, never, or before
+  for (int times : seen)
+    EXPECT_GT(times, 0);  // cuts after the choice, before it, after the message
 }
 
 TEST(AltFailure, OtherGuardsGoOn) {
@@ -120,7 +122,7 @@ TEST(FailureDeadlock, SaysThatTheLinkIsCut) {
   }
 }
 
-// The deadlock is also not postponed while the process is ahead of the clock.
+// A cut while the process is ahead of the clock does not postpone the deadlock either.
 TEST(FailureDeadlock, IsNotPutOffByACutBeforeTheProcessComes) {
   const auto blocked = static_cast<double>(make_exact_model().channel.blocked.value);
   const auto report = deadlock_of(blocked / 2, [](Lab& lab, Processor& a, Processor& b) {
@@ -130,8 +132,8 @@ TEST(FailureDeadlock, IsNotPutOffByACutBeforeTheProcessComes) {
   EXPECT_TRUE(report.starts_with("Deadlock of machine at 0\n")) << report;
 }
 
-// The end with a failure alternative continues, and the other blocks for ever. An inputting server
-// may do so.
+// After the cut, a process whose operation may fail continues, and any other blocks for ever. A
+// server that inputs may block without a deadlock.
 TEST(FailureDeadlock, OfATransferThatWasCut) {
   const auto run = [](bool is_server, bool writer_may_fail) {
     return deadlock_of(500, [=](Lab& lab, Processor& a, Processor& b) {

@@ -225,8 +225,8 @@ TEST(Alt, AheadOfTheClockSeesTheOutputsThatCameBefore) {
     }
 }
 
-// Writers have random work between their messages. The reader favours the one after the last. Every
-// waiting writer is served within as many turns as there are channels.
+// Writers have random work between their messages. The reader favours the writer after the one that
+// it served last. Every waiting writer is served within as many turns as there are channels.
 std::string check_fairness(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto n = 1 + random() % 8;

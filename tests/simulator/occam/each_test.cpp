@@ -1,4 +1,5 @@
-// A replicated guard takes the time, and makes the choice, of guards written out.
+// A replicated guard takes the time, and makes the choice, of the same guards written out one by
+// one.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -63,9 +64,9 @@ void read_by_each(std::span<Channel<Words>* const> inputs, Numbers& seen) {
       pri_alt(first, each(rest, favourite, take), otherwise(false, [] {}));
 }
 
-// The PRI ALT written out guard by guard. Each guard but the first takes the replicator's turn, and
-// the address of its channel again when it is chosen. A fair choice takes a division each time, and
-// one for the next favourite.
+// The same PRI ALT, written out guard by guard. Each guard but the first costs a turn of the
+// replicator. The chosen one costs the address of its channel a second time. A fair choice costs a
+// division for each of these addresses, and one for the next favourite.
 template <bool fair>
 void read_by_guards(std::span<Channel<Words>* const> inputs, Numbers& seen) {
   const auto& costs = this_process().processor().model().alternative;

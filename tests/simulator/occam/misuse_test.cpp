@@ -25,7 +25,7 @@ void try_to_input(Channel<Words>& channel) { static_cast<void>(in_or_fail(channe
 struct Twins {
   bool writes, hard;
   Use first, second;
-  // before the second process; on a hard channel a message is in transit
+  // whether a partner comes before the second process; on a hard channel its message is in transit
   bool partner_comes = true;
 };
 
@@ -98,7 +98,8 @@ TEST(Misuse, ASecondWriterIsRefusedBeforeTheFirstWaits) {
   EXPECT_NE(report.find("which Alice on cpu 0 already uses"), std::string::npos) << report;
 }
 
-// Use in succession is no misuse: by a PAR, or after a message.
+// Several processes may use an end one after the other: in successive PARs, or after a message that
+// hands it over.
 TEST(Misuse, AnEndMayBeHandedOver) {
   for (const bool hard : {false, true}) {
     const auto found = isolated_numbers([&] {

@@ -161,7 +161,7 @@ TEST(Par, HighBranchOfALowParentRunsAtOnce) {
   EXPECT_EQ(found.at(3), started.value + 500 + (2 * s.end_process + s.return_to_low).value);
 }
 
-// The time of a process without debts is exact: it has paid for its loss of the CPU.
+// The own time of a process that owes nothing is exact. It includes the time without the CPU.
 TEST(Par, ALowParentHasLostTheTimeOfAHighBranch) {
   const Model model = make_complete_model();
   const auto found = isolated_numbers([&] {
@@ -226,7 +226,7 @@ double resident_pages() {
 }
 
 // Branches start and end. Returns the largest number of processes beside the parent, the number
-// left at the end, and the growth of host memory after the first thousand, in 4 KB pages.
+// left at the end, and the growth of host memory after the first thousand turns, in 4 KB pages.
 Numbers run_branches(int turns, const std::function<void(Channel<Words>&)>& read) {
   return isolated_numbers([&] {
     Lab lab;

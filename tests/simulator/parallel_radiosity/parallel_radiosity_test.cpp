@@ -106,8 +106,8 @@ TEST(Amp, EveryFrameIsTheSequentialSolutionAfterItsShots) {
   });
 }
 
-// A single processor loses only the time of the rounds' decisions. On several processors, the
-// shares of the losses are of the total time.
+// A single processor loses only the time of the rounds' decisions. On several processors, losses
+// are given as shares of the total time.
 TEST(Amp, LossesAddUp) {
   const Mesh mesh = make_room(0, 4);
   for (const char* topology : {"line:1", "mesh:3x3"})
@@ -254,8 +254,9 @@ TEST(Amp, PatchesThatDoNotFitTheMemoryAreOutOfMemory) {
             "out of memory");
 }
 
-// A longer set-up of copies costs processors these cycles for each colour that enters or leaves a
-// message. (The number of the routers' copies does not depend on the borders' length.)
+// If the set-up of a copy takes more cycles, processors take as many more for each colour that
+// enters or leaves a message. (The number of the routers' copies does not depend on the borders'
+// length.)
 TEST(Amp, ColoursOfMessagesAreCopied) {
   constexpr int SHOTS = 3, MORE = 1000;
   const auto count_colours_of_borders = [](const Mesh& mesh) {

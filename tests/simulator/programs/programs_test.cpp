@@ -114,8 +114,8 @@ TEST(Programs, ANetworkDeliversToItsSender) {
   EXPECT_EQ(found.at(1), 2);  // guards of the queue: the entry, and the sender becoming free
 }
 
-// A program without an end runs up to its own date. An earlier limit of the user ends it without
-// numbers; a later one has no effect.
+// A program that would run for ever stops at a time of its own. An earlier limit of the user ends
+// it without results; a later limit has no effect.
 TEST(Programs, WithoutAnEndRunUpToTheirDateOrTheUsersLimit) {
   const auto model = machine::load_model("t805-25");
   const auto& program = get_program("random_traffic");

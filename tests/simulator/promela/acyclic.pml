@@ -3,17 +3,17 @@
  *
  * A receiver or a sender takes a message, then outputs it. It is modelled as a place for one message,
  * with the states of the process; a rendezvous moves a message from a full place to an empty one.
- * A message crosses a wire as soon as both ends can: nothing else could use either end meanwhile, or
- * would be held up. A later crossing would therefore lead to no other end. */
+ * A message crosses a wire as soon as both ends are ready. Until then nothing else can use these ends,
+ * and the crossing holds nothing up. So a later crossing could lead to no other final state. */
 #include "network.pml"
 
 /* 1 + destination; 0: empty, listening */
-byte sender[2 * N];   /* by wire: at its start */
-byte receiver[2 * N]; /* at its end */
+byte sender[2 * N];   /* at the start of each wire */
+byte receiver[2 * N]; /* at the end of each wire */
 byte client_receiver[N];
-byte inbox[N]; /* messages */
+byte inbox[N]; /* number of messages */
 
-#define AT(place) (place - 1) /* destination of the message there */
+#define AT(place) (place - 1) /* destination of the message in a place */
 #define MOVE(from, to) to = from; from = 0
 #define CROSS(w) \
   if \

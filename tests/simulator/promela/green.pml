@@ -31,7 +31,7 @@ chan to_sender[N * WAYS] = [0] of { byte };
 #define LISTENS_TO_CLIENT(p) true
 #endif
 
-/* The first signal was given before the start. */
+/* A sender signals that it is ready after each message. For the first one, ready[] is initially true. */
 #define SENDER(k, output) \
   byte d; \
   end: \

@@ -33,8 +33,8 @@ chan to_client[N] = [0] of { byte };
 byte delivered; /* messages in total */
 bool failed;    /* a buffer overflowed */
 
-/* A full buffer ends here: a fault, not a deadlock. The assertion reports it (except with pan -A), and
- * the loop keeps the halt from being taken for a deadlock. */
+/* An overflow of a buffer ends a run here, as a fault. The assertion reports it (except with pan -A).
+ * The loop prevents the search from taking the halt for a deadlock. */
 #define OVERFLOW \
   overflow: \
     failed = true; \
@@ -77,7 +77,7 @@ proctype client_receives(byte p) {
 }
 #define START_CLIENT(p) run client_sends(p); run client_receives(p)
 #else
-/* Sends or receives, in any order; it does not receive during a send. */
+/* A client that sends and receives in any order, but does not receive during a send. */
 proctype client(byte p) {
   byte sent;
   do

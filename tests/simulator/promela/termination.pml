@@ -13,7 +13,7 @@
  *
  * Cells of one size are equal here: they are counted, not named. Messages on their way are counted
  * too, so that any may overtake any other. Limits are not sent: a worker may take any that are newer
- * than its own, as if older, late ones were ignored. A report of an older phase would be ignored, so
+ * than its own, as if it ignored older ones that come late. A report of an older phase would be ignored, so
  * none is kept. Reports arrive pixel by pixel: the sums of whole reports are among those made here.
  * Each check of a cell against the limits chooses its result anew. */
 #define AREA (SINGLE + 2 * DOUBLE)
@@ -22,12 +22,12 @@
 
 /* The coordinator and the display. Phases are counted from 1. */
 byte begun;
-bool limited[PHASES + 1]; /* not the last */
+bool limited[PHASES + 1]; /* whether a phase has limits; the last one has none */
 byte reported;            /* pixels in reports of the latest phase on their way */
 byte sum;                 /* pixels in reports that have arrived */
 bool over;                /* message to the display: the last phase is over */
-bool ended;               /* the display's answer */
-bool stop;                /* message to the workers after that */
+bool ended;               /* the display's answer to `over` */
+bool stop;                /* message to the workers, after this answer */
 
 /* The workers. */
 byte entered[W];      /* the phase; 0: no limits have come yet */
@@ -36,7 +36,7 @@ byte finished[W];     /* pixels */
 byte open[SIZES * W]; /* active cells */
 byte parked[SIZES * W];
 byte moving[SIZES * W]; /* on their way to each worker */
-byte stopped;           /* workers */
+byte stopped;           /* number of stopped workers */
 #ifdef PARKED_MOVE
 bool parked_moved;
 #endif
@@ -230,7 +230,7 @@ inline begin_phase() {
 
 proctype coordinator() {
   do
-  :: atomic { begun < PHASES -> begin_phase() } /* the first, or by an order */
+  :: atomic { begun < PHASES -> begin_phase() } /* the first phase, or a later one by an order */
   :: atomic {
        reported > 0 ->
        reported--;
@@ -252,7 +252,7 @@ proctype coordinator() {
   stop = true
 }
 
-/* Its last look at each worker, after the last phase. */
+/* The display's last look at each worker, after the last phase. */
 proctype display() {
   byte w, shown;
   over;

@@ -1,4 +1,4 @@
-// Functions that programs which trace rays share: their columns and refusals.
+// Functions shared by the programs that trace rays: columns and refusals.
 #include <gtest/gtest.h>
 
 #include <map>

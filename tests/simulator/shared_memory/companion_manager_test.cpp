@@ -1,4 +1,4 @@
-// Data managers with their own processor, compared with managers that share the application's.
+// Data managers on a processor of their own, compared with managers on the application's processor.
 #include <gtest/gtest.h>
 
 #include "base/random.hpp"
@@ -81,8 +81,8 @@ void make_accesses(int id, DataManager& manager) {
   }
 }
 
-// A cache's list is the same before each record arrives, so local finds agree. This holds even if
-// the list takes much longer than the lookup.
+// Whenever a record arrives, the cache's list is the same as on a single processor, so equally many
+// accesses are found locally. This holds even if updating the list takes much longer than a lookup.
 TEST(CompanionManager, FindsLocallyWhatOneProcessorFinds) {
   for (const auto scheme : {Scheme::items, Scheme::pages})
     for (const auto& [access, look_up] : {std::pair(8500.0, 4250.0), {20e3, 100.0}}) {
@@ -127,8 +127,8 @@ TEST(CompanionManager, TheQueueOfAccessesHasABound) {
   EXPECT_GT(found.at(0), (ACCESSES - MOST) * 19'900 / 25e6);
 }
 
-// The second processor of the line has the item, and computes for a second. The third requests it
-// and receives it after that second, or immediately.
+// Processor 1 of the line has the item, and computes for 1 s. Processor 2 requests the item. It
+// receives it after this computation, or immediately if processor 1 has a companion.
 TEST(CompanionManager, ServesWhileTheApplicationComputes) {
   const auto measure = [&](bool is_double) {
     return occam::isolated_numbers([&] {

@@ -17,7 +17,7 @@ using shared_memory::Level;
 
 constexpr std::uint64_t ITEM = 40;
 
-// A model with fast managers that check immediately, so that requests meet more often.
+// A model whose managers are fast and never idle between checks, so that requests meet more often.
 const machine::Model& model() {
   static const auto quick = machine::override_model(
       "t805-25", {{"operation.data_access", 1000.0}, {"software.idle_period", 0.0}}, "tests");

@@ -13,7 +13,7 @@
 namespace snapshots {
 namespace {
 
-// A display's content: picture `at` is at place i until times_s[i], inclusive.
+// A display that shows picture i until times_s[i], inclusive. The picture's only byte is i.
 struct Display {
   std::vector<double> times_s;
 
@@ -69,8 +69,8 @@ TEST(Recorder, TakesWhatIsShownAtEachTimeOnce) {
   }
 }
 
-// Samples are in equal steps from 0 on, at least as many as requested and less than twice as many,
-// and at the end.
+// Samples are taken in equal steps from 0 on, and at the end. They are at least as many as
+// requested, and less than twice as many.
 TEST(Recorder, FollowsTheGrowthInEqualSteps) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

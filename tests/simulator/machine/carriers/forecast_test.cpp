@@ -101,7 +101,7 @@ TEST(Forecast, BoundsHaveRoomForTheRoundingOfLateDates) {
 }
 
 // Changes SimGrid's factor for all bandwidths without the machine's knowledge. SimGrid then moves a
-// message of 100 bytes at half of 2^20 bytes/s, or at a tenth more.
+// message of 100 bytes at 0.5 or 1.1 times the forecast rate of 2^20 bytes/s.
 TEST(Forecast, SimGridMustKeepIt) {
   if (occam::engine_under_test().links == Links::direct) GTEST_SKIP() << "there is no SimGrid";
   for (const double factor : {0.5, 1.1}) {

@@ -138,8 +138,8 @@ TEST(Deadlock, SaysThatThePartnerHasEnded) {
                  });
 }
 
-// A PAR waits for its branches. An ended branch is no partner, and neither is a later one at the
-// same address.
+// A PAR waits for its branches. A branch that has ended is no partner, nor is a later branch that
+// was created at the same address.
 TEST(Deadlock, OfAPar) {
   const auto report = failure_of([](Lab& lab) {
     auto& channel = lab.soft();

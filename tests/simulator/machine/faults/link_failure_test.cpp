@@ -18,8 +18,9 @@ struct Try {
   std::uint64_t bytes = 8;
 };
 
-// Cuts the link at `cycle` while these processes output and input. Returns for each whether its
-// message was moved, and the cycle when it learned of it; then the end of the run and the counts.
+// Cuts the link at `cycle` while these processes output and input. Returns for each process whether
+// its message was moved, and the cycle at which it learned this; then the end of the run and the
+// counts.
 Numbers try_all(double cycle, const std::vector<Try>& tries, int switches = 0) {
   return isolated_numbers([&] {
     CutPair pair(cycle, make_exact_model(), switches);
@@ -49,7 +50,7 @@ Numbers try_all(double cycle, const std::vector<Try>& tries, int switches = 0) {
   });
 }
 
-// The process is woken at that instant, for either direction and either end.
+// A process that waits for its partner is woken at the cut, for either direction and either end.
 TEST(LinkFailure, EndsAWaitForThePartner) {
   for (auto priority : BOTH_PRIORITIES)
     for (bool forward : {true, false})
@@ -112,8 +113,8 @@ TEST(LinkFailure, IsToldAtOnceWhenItWasBefore) {
       }
 }
 
-// A high-priority process is ahead of the clock. Its waiting partner fails at the cut, and the
-// process itself when it comes.
+// A high-priority process is ahead of the clock. Its partner, which waits, fails at the cut. The
+// process itself fails when it comes to the link.
 TEST(LinkFailure, BetweenTheTwoEndsOfAMeeting) {
   for (auto first : {Side::writer, Side::reader}) {
     const Side second = first == Side::writer ? Side::reader : Side::writer;
@@ -124,8 +125,8 @@ TEST(LinkFailure, BetweenTheTwoEndsOfAMeeting) {
   }
 }
 
-// The first process is ahead of the clock at the cut, and the second comes in between. Each fails
-// at its own time.
+// At the cut, the first process is ahead of the clock. The second comes after the cut, but before
+// the own time of the first. Each fails at its own time.
 TEST(LinkFailure, IsToldThoughThePartnerIsAheadOfTheClock) {
   for (auto first : {Side::writer, Side::reader})
     for (auto priority : BOTH_PRIORITIES) {

@@ -90,8 +90,8 @@ TEST(ProcessorStop, ForgetsItsTimers) {
   }
 }
 
-// Neighbours fail at that instant if they wait or communicate, and at once if they try later.
-// Processes of the stopped processor receive no failure.
+// Neighbours that wait or communicate fail at the instant of the stop, and those that try later at
+// once. Processes of the stopped processor receive no failure.
 TEST(ProcessorStop, CutsItsLinks) {
   const auto blocked = static_cast<double>(make_exact_model().channel.blocked.value);
   for (auto priority : BOTH_PRIORITIES)
