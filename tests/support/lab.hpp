@@ -138,7 +138,7 @@ inline std::int64_t cost_before(const Model& model, Side side, std::uint64_t byt
   const bool is_outword = side == Side::writer && bytes == 4;
   return (model.channel.operands + (is_outword ? model.channel.out_word : Cycles{0})).value;
 }
-// Cost for the process that arrives first at a channel, or that starts a link.
+// Cost for the process that arrives first at a channel, or that starts a transfer on a link.
 inline std::int64_t cost_first(const Model& model, Side side, std::uint64_t bytes) {
   return cost_before(model, side, bytes) + model.channel.blocked.value;
 }
@@ -158,7 +158,7 @@ constexpr std::int64_t STEAL_WORD = 2;
 
 inline std::string name_of(Priority p) { return p == Priority::high ? "high" : "low"; }
 
-// rounding, in cycles, of SimGrid and of a clock that is no power of two
+// tolerance, cycles, for rounding by SimGrid and by clock rates that are not powers of two
 constexpr double ROUNDING = 1e-4;
 
 }  // namespace occam
