@@ -35,8 +35,7 @@ Fields spell_edge(const std::string& a, const std::string& b, const std::string&
   return edge;
 }
 
-// Each expected edge with ports is among the links with the same ports, and the links without ports
-// are the edges.
+// Expects one link for each edge, and no others. If an edge names ports, its link must have them.
 void expect_edges(const Topology& topology, const std::vector<Fields>& edges) {
   const auto names = names_of(topology);
   std::vector<Fields> found, expected, with_ports;

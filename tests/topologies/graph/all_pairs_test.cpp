@@ -11,8 +11,8 @@
 namespace topologies {
 namespace {
 
-// Walks every message, always to the nearer neighbour on the lowest port. Parallel links to it take
-// turns.
+// Follows every message from hop to hop. Each hop goes to the neighbour on the lowest port that
+// leads nearer to the end. Parallel links to this neighbour take turns.
 AllPairs walk_all_pairs(const Topology& t) {
   const auto around = neighbours(t);
   std::map<std::pair<int, int>, std::size_t> sent;

@@ -219,7 +219,7 @@ TEST(TopologyErrors, GarbageAndCutFilesAreRejectedNotFatal) {
   }
 }
 
-// Topologies that no reader makes, but a program may. `check` rejects them by name.
+// Invalid topologies that no reader makes, but a program may. `check` names the mistake.
 TEST(TopologyErrors, HandMadeTopologies) {
   const auto made = [](int processors, int root, std::vector<Link> links) {
     return rejection([&] { check({"made", processors, root, std::move(links), {}, {}}); });

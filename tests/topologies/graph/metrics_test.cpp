@@ -122,8 +122,8 @@ TEST(TopologyBisection, IsTheLeastOfAllHalvings) {
   }
 }
 
-// Random networks of up to 16 processors are compared with every way to halve them, grids and trees
-// of up to 32 with known results.
+// For random networks of up to 16 processors, tries every way to halve them. For grids, rings and
+// trees of up to 32, compares with known results.
 TEST(TopologyBisection, BranchAndBoundFindsTheLeast) {
   const std::uint64_t seed = 20261125;
   std::mt19937_64 random(seed);

@@ -8,9 +8,9 @@
 namespace topologies {
 namespace {
 
-// A lower bound for any network. A processor with d links has at most d others at one link, 3 d at
-// two links, 9 d at three, and so on. The bound is the mean over the processors, with the links
-// they have.
+// A lower bound for any network. A processor with d links has at most d others at a distance of one
+// link, 3 d at two links, and so on. The bound is the mean over the processors, with the links they
+// have.
 double least_mean_distance(const Topology& t) {
   double sum = 0;
   for (const auto& around : neighbours(t)) {

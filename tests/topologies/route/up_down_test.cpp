@@ -26,8 +26,8 @@ std::vector<int> find_parts(const Topology& t) {
   return part;
 }
 
-// Expects a route exactly if a path exists. Each hop must be a link, and their number must be that
-// of the table.
+// Expects a route exactly if a path exists. Each hop must be a link, and the table must have the
+// number of hops.
 void expect_routes_reach_all(const Topology& t, const RoutingTable& routes) {
   const auto around = neighbours(t);
   for (int to = 0; to < t.processors; ++to) {
@@ -52,8 +52,8 @@ void expect_routes_reach_all(const Topology& t, const RoutingTable& routes) {
   }
 }
 
-// Expects that no route goes up after down. Up is nearer to the root, or at equal distance the
-// lower number.
+// Expects that no route goes up after down. A hop goes up if it leads nearer to the root or, at
+// equal distance, to a lower number.
 void expect_up_then_down(const Topology& t, const RoutingTable& routes) {
   const auto around = neighbours(t);
   const auto part = find_parts(t);
