@@ -111,8 +111,8 @@ TEST(IncludeGraph, RoomsIncludeOnlyWhatTheyKnow) {
   }
 }
 
-// The rooms that the tests of a folder below tests/ may include: the room of the same name and its
-// dependencies. Shared code in tests/support needs at most the vocabulary of occam.
+// The rooms that the tests of a folder below tests/ may include: a room, by default of the same
+// name, and its dependencies. Shared code in tests/support may include no more than occam.
 std::set<std::string> rooms_tested_in(const std::string& folder) {
   const std::map<std::string, std::string> others{{"laboratory", "experiments/laboratory"},
                                                   {"support", "simulator/occam"},
@@ -224,8 +224,8 @@ struct Door {
 
 TEST(IncludeGraph, DependenciesEnterThroughTheirDoors) {
   const Door doors[] = {
-      // (tests/benchmarks/raw_simgrid.cpp is plain SimGrid, for comparison. forecast_test.cpp gives
-      // SimGrid wrong forecasts.)
+      // (raw_simgrid.cpp measures SimGrid alone, for comparison. forecast_test.cpp makes SimGrid
+      // contradict forecasts.)
       {{"simgrid/", "xbt/"},
        std::regex("simulator/machine/carriers/simgrid\\.cpp|tests/simulator/machine/carriers/"
                   "forecast_test\\.cpp|"
