@@ -30,7 +30,7 @@ void write_all(const Traffic& t, Record& record) {
   for (std::size_t n = 0; n < record.sent.size(); ++n) {
     compute(t.writes);
     record.sent[n] = out_or_fail(*record.channel, {n * 37 % t.longest, n});
-    if (record.sent[n] == 0 && n % 3 == 0) return;  // gives up; otherwise it tries again
+    if (record.sent[n] == 0 && n % 3 == 0) return;  // else tries the next one
   }
 }
 
