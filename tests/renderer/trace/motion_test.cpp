@@ -20,7 +20,7 @@ Scene make_moving_scene(std::uint64_t seed, int objects, double extent) {
   return scene;
 }
 
-// The scene at rest, as it is at a time.
+// The scene as it is at `time`, with all objects at rest.
 Scene stop(Scene scene, float time) {
   for (std::uint32_t i = 0; i < object_count(scene); ++i)
     translate(scene, i, eval_shift(scene, i, time));

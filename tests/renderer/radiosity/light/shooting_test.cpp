@@ -156,8 +156,8 @@ TEST(Shooting, TheBrightestShoots) {
   EXPECT_FALSE(find_shot(mesh, state, patches, work));
 }
 
-// The mean is over all colours, with patches weighted by area. Only materials in both meshes are
-// compared.
+// The mean is over all colours, with patches weighted by area. Materials that only one of the
+// meshes has are left out.
 TEST(MeanRadiosity, IsOfAllColoursByArea) {
   LitRoom lit{make_mesh(make_room(3, false, 2), {}), {}};
   const auto is_wall = [&](const Patch& patch) {
