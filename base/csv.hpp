@@ -18,8 +18,8 @@ class CsvReader {
  public:
   CsvReader(std::string_view text, std::string_view name);
 
-  /// Returns the cells of the next record, or none at the end of the text. A blank line is one
-  /// empty unquoted cell.
+  /// Returns the cells of the next record, or none at the end of the text. For a blank line,
+  /// returns one empty unquoted cell.
   std::vector<CsvCell> take();
   /// Skips blank records, then returns the column names of the next record. Throws BadInput unless
   /// they are unique and not empty.

@@ -10,8 +10,8 @@
 namespace base {
 
 /// A critical section that delays an early end of the program. Code in it creates a resource
-/// together with the Undo that removes it. Once an early end is requested, the constructor never
-/// returns. Sections must be short and may be nested.
+/// together with the Undo that removes it. After request_early_end(), a thread that enters its
+/// first section blocks for ever. Sections must be short and may be nested.
 class Undivided {
  public:
   Undivided();

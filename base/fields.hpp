@@ -1,8 +1,8 @@
 #pragma once
 // Parameters and measurements, each declared once. Parameters are the members of a struct with
-// defaults. A list of fields gives each parameter a name, a domain and a help text. The experiment
-// file, command line, help, manual and table of results read this list. Columns declare
-// measurements in the same way.
+// defaults. A list of fields declares the name, domain and help text of each parameter. Experiment
+// files, the command line, its help, the manual and the tables of results all follow this list.
+// Columns declare measurements in the same way.
 #include <algorithm>
 #include <any>
 #include <cmath>
@@ -73,7 +73,7 @@ struct Domain {
 /// One parameter: a member of P, or part of a member.
 template <class P>
 struct Field {
-  std::string name;  ///< the key in files, the option and the column
+  std::string name;  ///< key in experiment files, name of the option and of the column
   std::string unit;  ///< such as "bytes"; "" without a unit
   std::string help;
   Domain domain;
@@ -158,7 +158,8 @@ Field<P> make_field(const std::string& name, Access access, Domain domain, const
 
 /// Makes fields of P: `Declare<Params> d; d.whole("bytes", &Params::bytes, 1, 1e9, "bytes", "length
 /// of a message")`. `access` is a pointer to a member of P, or `[](auto& p) -> auto& { ... }`. A
-/// number may be a quantity or optional. An optional stays empty unless a value is given.
+/// numeric member may be optional, or a struct with a member `value`. An optional stays empty
+/// unless a value is given.
 template <class P>
 struct Declare {
   template <Domain::Kind kind>
@@ -236,7 +237,7 @@ Fields<P> lift_all(const Fields<Inner>& fields, Access access, const std::string
 }
 
 /// Turns fields of an optional Inner into fields of P. Setting such a field creates the Inner.
-/// While there is no Inner, getting a field returns its default.
+/// Without an Inner, a field has the value that it has in a default Inner.
 template <class P, class Inner>
 Fields<P> lift_optional(const Fields<Inner>& fields, std::optional<Inner> P::*inner,
                         const std::string& prefix = "") {
@@ -277,8 +278,8 @@ std::vector<T> join(std::vector<T> first, const std::vector<std::vector<T>>& oth
 }
 
 /// One measurement of a result R, or a family of measurements. The family "stage{}_s" stands for
-/// stage1_s, stage2_s and so on. A family without {} has one cell, or none if the result lacks the
-/// column.
+/// stage1_s, stage2_s and so on. A family whose name has no {} is a single column that some results
+/// lack.
 template <class R>
 struct Column {
   std::string name;  ///< includes the unit: "time_s"

@@ -43,7 +43,7 @@ bool has_assignment(const std::string& text) {
 
 struct Formula::Parser {
   mu::Parser parser;
-  std::vector<double> values;  // referred to by muParser
+  std::vector<double> values;  // muParser keeps pointers to these
 };
 
 Formula::Formula(const std::string& text, std::string place)

@@ -12,9 +12,9 @@ class Formula {
  public:
   static constexpr std::size_t MAX_BYTES = 20'000;
 
-  /// Every message starts with `place`: "e.toml:12: check \"x\": formula". Names of variables
-  /// consist of letters, digits, _ and dots. Throws BadInput unless `text` is one expression of at
-  /// most MAX_BYTES. For an unknown function, the message suggests the nearest name.
+  /// Throws BadInput unless `text` is one expression of at most MAX_BYTES. Names of variables
+  /// consist of letters, digits, _ and dots. Every message starts with `place`, such as "e.toml:12:
+  /// check \"x\": formula". For an unknown function, the message suggests the nearest name.
   Formula(const std::string& text, std::string place);
   ~Formula();
   Formula(Formula&&) noexcept;

@@ -57,16 +57,17 @@ class Scratch {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
-// Runs in the new process. Kills it when the thread that started it ends, and restores the default
-// signal handlers.
+// Runs in the new process. Has the kernel kill the process when the thread that started it ends,
+// and restores the default signal handlers.
 void set_up_child(pid_t parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent) _exit(1);
   for (const int ours : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) signal(ours, SIG_DFL);
 }
 
-// Serialises program starts. Boost waits on a pipe until a program has started. A program started
-// meanwhile by another thread would inherit this pipe, and Boost would wait until it ends.
+// Serialises program starts. During a start, Boost reads a pipe until the new program closes it. A
+// program started meanwhile by another thread would inherit the pipe, and Boost would wait until
+// that program ends, too.
 std::mutex starts;
 
 // A child process, terminated by the destructor or by an early end of tlab.

@@ -16,8 +16,8 @@ struct HostProgram {
 };
 
 /// Runs the program to its end and returns its standard output. If tlab ends first, for any reason,
-/// the program ends too. Throws std::runtime_error with the remedy if the program is not installed,
-/// or with its standard error if it fails.
+/// the program ends too. Throws std::runtime_error: with the remedy if the program is not
+/// installed, with the text from its standard error if it fails.
 std::string run_program(const HostProgram& program);
 
 }  // namespace base

@@ -79,7 +79,7 @@ std::size_t count_edits(std::string_view a, std::string_view b) {
 
 std::optional<std::string> find_similar(std::string_view name,
                                         const std::vector<std::string>& known) {
-  constexpr std::size_t LONGEST = 200;  // in bytes, because a comparison takes quadratic time
+  constexpr std::size_t LONGEST = 200;  // in bytes; the edit distance takes quadratic time
   constexpr std::size_t SHORTEST_PART = 3;
   if (known.empty() || name.size() > LONGEST) return {};
   auto nearest = nearest_name(name, known);

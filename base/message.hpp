@@ -12,13 +12,13 @@ namespace base {
 /// are cut in the middle; the length of the cut is shown.
 std::string make_readable(std::string_view message);
 
-/// The nearest name among `known` if at most a third of its letters, rounded up, differ. Otherwise
-/// the nearest name that contains `name` or is contained in it.
+/// The name in `known` nearest to `name`, if at most a third of the longer one's letters, rounded
+/// up, differ. Otherwise the nearest among the names that contain `name` or are contained in it.
 std::optional<std::string> find_similar(std::string_view name,
                                         const std::vector<std::string>& known);
 
-/// The end of a message about an unknown name. With a similar name: ", PHRASE "NAME"". Otherwise:
-/// ", expected one of ...".
+/// Makes the end of a message about an unknown name: `, PHRASE "NAME"` if a known name is similar,
+/// otherwise ", expected one of ...".
 std::string suggest(std::string_view name, const std::vector<std::string>& known,
                     std::string_view phrase = "the nearest is");
 

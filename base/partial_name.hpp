@@ -17,8 +17,7 @@ std::string host_name();
 std::string make_partial_name(std::string_view name, std::string_view kind, pid_t process,
                               std::string_view host = host_name());
 
-/// The process id in a name of this kind that `host` made. Ignores a "-" after the id and all that
-/// follows.
+/// The process id in a name of this kind made by `host`. Ignores any "-" and text after the id.
 std::optional<pid_t> find_maker(std::string_view partial_name, std::string_view kind,
                                 std::string_view host = host_name());
 

@@ -26,7 +26,7 @@ std::size_t measure_string(std::string_view text) {
     at += mark == '"' && text[at] == '\\' ? 2 : 1;
   }
   at = std::min(at + end.size(), text.size());
-  // Up to two quote marks directly before the closing three belong to the string.
+  // One or two quote marks directly before the closing three belong to the string.
   for (int i = 0; i < 2 && has_lines && at < text.size() && text[at] == mark; ++i) ++at;
   return at;
 }
@@ -36,9 +36,9 @@ bool continues_key(char c) {
   return std::isalnum(byte) || c == '_' || c == '-' || c == ' ' || c == '\t';
 }
 
-// Limits the number of parts in a key, because toml++ makes nested tables for them and destroys
-// these by recursion. Refuses bytes beyond ASCII outside strings and comments, where the behaviour
-// of toml++ is undefined.
+// Limits the number of parts in a key: toml++ makes a table for each part inside the one before,
+// and destroys them by recursion. Refuses bytes beyond ASCII outside strings and comments, where
+// the behaviour of toml++ is undefined.
 void check_keys(std::string_view text, std::string_view origin) {
   constexpr std::string_view MARK = "\xef\xbb\xbf";  // UTF-8 byte order mark
   if (text.starts_with(MARK)) text.remove_prefix(MARK.size());
@@ -61,8 +61,8 @@ void check_keys(std::string_view text, std::string_view origin) {
   }
 }
 
-// Refuses values that toml++ writes wrongly: certain keys, which it does not quote, and the
-// smallest 64-bit integer, whose sign it loses.
+// Refuses values that toml++ writes wrongly: keys with a single quote, a tab or a line end, which
+// it does not quote, and the smallest 64-bit integer, whose sign it loses.
 void check_nodes(const toml::node& node, std::string_view origin) {
   if (const auto* list = node.as_array())
     for (const auto& entry : *list) check_nodes(entry, origin);

@@ -81,9 +81,10 @@ class PartialFile {
     const Undivided section;
     if (renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) == 0)
       return is_renamed_ = true;
-    // Without renameat2, add a second name by a hard link. The destructor removes the first name.
+    // Without renameat2, give the file its final name by a hard link. The destructor removes the
+    // temporary name.
     if (is_unable(errno) && link(partial_.c_str(), path_.c_str()) == 0) return true;
-    // Without hard links, reserve the name with an empty file, then rename over it.
+    // Without hard links, reserve the final name with an empty file, then rename over it.
     if (is_unable(errno) && make_empty(path_)) {
       rename();
       return true;
