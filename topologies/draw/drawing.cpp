@@ -14,8 +14,8 @@ namespace {
 using Curve = std::array<Place, 4>;
 
 // The position of a port number at the link's first end: beside the link, just outside the
-// processor. Without given positions, Graphviz would search for free ones, which takes minutes for
-// large networks.
+// processor. Without given positions, Graphviz would search for free places, which takes minutes
+// for large networks.
 Place place_port(const Curve& curve) {
   constexpr double ALONG = 0.6, ASIDE = 0.16;
   const auto at_quarter = [&](double Place::*axis) {  // the point at parameter t = 1/4 of the curve

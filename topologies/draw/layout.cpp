@@ -77,8 +77,8 @@ std::vector<std::vector<int>> make_levels(const SpanningTree& tree) {
   return levels;
 }
 
-// By processor: the middle between the first and last leaf of its subtree. Leaves have positions 0,
-// 1, 2 ...
+// By processor: its horizontal position, midway between the first and last leaf of its subtree.
+// Leaves are at 0, 1, 2 ...
 std::vector<double> make_middles(const SpanningTree& tree) {
   std::vector<double> from(tree.parent.size()), to(tree.parent.size());
   double leaves = 0;
@@ -93,8 +93,8 @@ std::vector<double> make_middles(const SpanningTree& tree) {
   return from;
 }
 
-// Places each level as a ring around the root and leaves a gap above the root. A level with too
-// many processors for one ring zigzags.
+// Places each level as a ring around the root and leaves a gap above the root. If a level has too
+// many processors for one ring, their distances from the root alternate.
 Places make_rings(const SpanningTree& tree, const std::vector<double>& turns) {
   constexpr double PITCH = 1.15, GAP = 1.7, ZIGZAG = 1.1;
   Places places(tree.parent.size());
@@ -117,8 +117,8 @@ Places make_rings(const SpanningTree& tree, const std::vector<double>& turns) {
   return places;
 }
 
-// Places processors by the spanning tree from the root. A small tree grows downwards; any other
-// topology is placed around the root.
+// Places processors by the spanning tree from the root. Small topologies without cycles grow
+// downwards; all others are placed around the root.
 Places make_tree_places(const Topology& topology) {
   const auto tree = make_spanning_tree(topology, topology.root);
   auto middles = make_middles(tree);
@@ -168,8 +168,8 @@ Places make_found_places(const Topology& topology) {
   return places;
 }
 
-// Swerves for a grid: straight for links between adjacent processors, sideways for links that would
-// cross other processors.
+// Offsets of links' midpoints in a grid: none for links between adjacent processors, sideways for
+// links that would cross other processors.
 Places make_swerves(const Topology& topology, const Places& places, double spacing) {
   std::vector<Place> swerves(topology.links.size());
   for (size_t i = 0; i < swerves.size(); ++i) {
@@ -228,7 +228,7 @@ std::string format_points(const Place& place) {
 
 Layout make_layout(const Topology& topology) {
   constexpr double SPACING = 1.6;
-  constexpr int MAX_FOUND = 1024;  // limit at which Graphviz needs one or two seconds
+  constexpr int MAX_FOUND = 1024;  // Graphviz places that many in one or two seconds
   const int n = topology.processors;
   base::require(n <= MAX_DRAWN, "topology " + topology.name,
                 "found {} processors, expected at most {} in a drawing (formats dot, graphml and "

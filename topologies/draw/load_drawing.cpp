@@ -109,8 +109,8 @@ void check_loads(const Topology& topology, const Loads& loads) {
   }
 }
 
-// Places extra processors in rows above the topology. The row is the distance in links from the
-// root.
+// Places extra processors in rows above the topology. A processor's row is its distance from the
+// root in links.
 std::vector<Place> place_extras(const Loads& loads, const Place& root, double top) {
   std::vector<size_t> row;
   std::vector<int> width, place;
@@ -185,8 +185,8 @@ std::vector<Half> make_halves(const Topology& topology, const Loads& loads, cons
   return halves;
 }
 
-// Orders processors by the load of their busiest outgoing link. Graphviz draws in this order, so
-// that busy links cover idle ones.
+// Orders processors by the load of their busiest outgoing link, ascending. Graphviz draws links in
+// this order, so that busy ones cover idle ones.
 std::vector<int> make_order(size_t nodes, const std::vector<Half>& halves) {
   std::vector<double> busiest(nodes, 0);
   for (const auto& half : halves) busiest[half.from] = std::max(busiest[half.from], half.load);

@@ -12,7 +12,7 @@ namespace topologies {
 namespace {
 
 constexpr int MAX_NESTING = 100;
-constexpr std::size_t MAX_EDGES = 1 << 20;  // a topology has at most an eighth of this
+constexpr std::size_t MAX_EDGES = 1 << 20;  // eight times the links of the largest topology
 
 using Kind = DotToken::Kind;
 
@@ -82,7 +82,7 @@ std::string DotReader::take_name(std::string_view expected) {
   return token.text;
 }
 
-// The attributes in any number of square brackets; the last of a name is valid.
+// The attributes in any number of square brackets. If a name occurs twice, the last value is valid.
 DotAttributes DotReader::take_attributes() {
   DotAttributes attributes;
   while (tokens_.accept("["))
@@ -127,7 +127,8 @@ void DotReader::read_defaults(int group) {
   if (kind == "edge") graph_.set_edge_defaults(group, attributes);
 }
 
-// Reads on after the first operand. Edges follow at the end, since a subgraph may be given twice.
+// Reads the rest of an edge statement after its first operand. Makes the edges only at the end,
+// because a subgraph can occur twice and get new nodes at the second place.
 void DotReader::read_edges(int group, Operand first, int line) {
   std::vector<Operand> chain{std::move(first)};
   while (tokens_.accept(edge_)) chain.push_back(take_operand(group));
@@ -147,8 +148,8 @@ DotReader::Operand DotReader::take_operand(int group) {
   return {.group = take_subgraph(group)};
 }
 
-// The nodes of a list with commas, each perhaps with a port and a compass point. The first name is
-// taken already.
+// The nodes of a list with commas, each perhaps with a port and a compass point. `name` is the
+// first node, which has already been taken from the tokens.
 DotReader::Operand DotReader::take_nodes(int group, std::string name, int line) {
   Operand operand;
   while (true) {
@@ -196,8 +197,8 @@ void DotReader::link(int group, const Operand& tails, const Operand& heads,
     for (const auto& head : to) graph_.add_edge(group, tail, head, attributes, line);
 }
 
-// True if a quoted string can hold the text. Two backslashes stay two; a single one stays too,
-// unless it escapes a quote or the end of a line.
+// True if a quoted string can hold the text. DOT keeps single and double backslashes as they are.
+// Only a single one before a quote or a line end is an escape.
 bool can_quote(std::string_view text) {
   for (size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '\\') continue;
@@ -237,7 +238,7 @@ std::string to_dot(const Topology& topology) {
                   name);
     names.push_back(quote(name));
   }
-  auto title = topology.name;  // Boost's DOT reader ignores it
+  auto title = topology.name;  // read_dot ignores the label
   if (!can_quote(title)) std::ranges::replace(title, '\\', '/');
   std::string text =
       fmt::format("graph G {{\nlabel={};\nroot={};\nnode [shape=circle];\nedge [fontsize=8];\n",

@@ -56,7 +56,7 @@ int DotGraph::find_edge(int tail, int head, const Key& key) const {
   return -1;
 }
 
-// Returns -1 if Graphviz makes no edge.
+// Returns -1 if Graphviz would make no edge here.
 int DotGraph::find_or_add_edge(int group, int tail, int head, const Key& key, int line) {
   if (is_strict_ || key) {
     int found = find_edge(tail, head, key);

@@ -21,20 +21,23 @@ struct DotEnd {
 };
 
 /// Groups are the graph itself, number 0, and its subgraphs. A node belongs to its group and to all
-/// groups around that. Attributes have a default in each group, else that of the group around it.
+/// groups around that. A group can set defaults of attributes; otherwise it has those of the group
+/// around it.
 class DotGraph {
  public:
   DotGraph(bool is_strict, bool is_directed) : is_strict_(is_strict), is_directed_(is_directed) {}
 
-  /// The subgraph with this name in a group; a new one if there is none, or without a name.
+  /// The subgraph with this name in group `around`. Makes a new one for an unknown name or without
+  /// a name.
   int open_group(int around, const std::optional<std::string>& name);
   /// Nodes of a group in the order of their first mention in the file.
   const std::set<int>& nodes_of(int group) const { return groups_[index(group)].nodes; }
 
-  /// The number of a node, counted from 0; a new one has the group's defaults.
+  /// The number of the node with this name, counted from 0. Makes a node with the group's defaults
+  /// if the name is new.
   int add_node(int group, const std::string& name, int line);
-  /// Adds an edge with the group's defaults. Nothing new results if the graph is strict and links
-  /// both nodes already, or if an edge between them has the same `key`.
+  /// Adds an edge with the group's defaults. Adds none if an edge between the nodes has the same
+  /// `key`, or if the graph is strict and has any edge between them.
   void add_edge(int group, DotEnd tail, DotEnd head, const DotAttributes& attributes, int line);
 
   void set_attributes(int node, const DotAttributes& attributes);

@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 6> KEYWORDS{"graph", "digraph", "subgraph
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// Bytes of other characters in UTF-8 (and in Latin-1) count as letters.
+// Bytes beyond ASCII, from UTF-8 or Latin-1, count as letters.
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
          static_cast<unsigned char>(c) >= 128;
@@ -134,7 +134,7 @@ DotToken DotTokens::read() {
   return {Kind::symbol, symbol, line_};
 }
 
-// Graphviz reads 2x as the two words 2 and x, with a warning.
+// Refuses a number directly followed by a letter: Graphviz splits 2x into the words 2 and x.
 DotToken DotTokens::read_number() {
   const auto length = measure_number(rest());
   const auto longer = count_leading(

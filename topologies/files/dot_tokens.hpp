@@ -23,7 +23,7 @@ class DotTokens {
   /// The next token. It is of kind `end` at the end of the text.
   const DotToken& peek() const { return next_; }
   /// Returns the next token and reads on. Throws BadInput for characters that start no token, for
-  /// strings, HTML and comments without an end, and for a number with a letter after it.
+  /// unterminated strings, HTML and comments, and for a number with a letter after it.
   DotToken take();
 
   /// True if the next token is this symbol or keyword.
@@ -45,7 +45,7 @@ class DotTokens {
   DotToken read_html();
   [[noreturn]] void refuse_at(int line, const std::string& message) const;
   void skip(std::size_t length);
-  /// Skips past `end`. Refuses a text without it; `what` and its first line are for the message.
+  /// Skips past `end`. Refuses a text without `end`: the message names `what` and its first line.
   void skip_past(std::string_view end, std::string_view what);
   std::string_view rest() const { return text_.substr(at_); }
 

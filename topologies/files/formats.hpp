@@ -27,8 +27,8 @@ std::string to_csv(const Topology& topology);
 
 /// Formats the metrics as an aligned table, one per row.
 std::string to_metrics(const Topology& topology);
-/// Adds the mean distance and the busiest link of these routes, and whether messages on them can
-/// deadlock in a cycle of links.
+/// Also lists the mean distance and the busiest link of `routes`, and whether messages on these
+/// routes can deadlock in a cycle of links.
 std::string to_metrics(const Topology& topology, const RoutingTable& routes);
 
 }  // namespace topologies

@@ -19,8 +19,8 @@ namespace {
 
 constexpr int DEPTH = 4;  // graphml, graph, node, data
 
-// Elements of GraphML that tlab knows, by the elements that they stand in. Others are ignored
-// unless they are a graph, a part of one, or stand for one in another file.
+// Child elements that tlab reads, by the parent's name. It ignores other children, but refuses
+// those in PARTS in any other place: second or nested graphs, hyperedges and links to other files.
 const std::map<std::string, std::set<std::string>> KNOWN{
     {"graphml", {"key", "graph"}}, {"graph", {"node", "edge"}}, {"node", {"port"}}, {"edge", {}}};
 const std::set<std::string> PARTS{"graph", "node", "edge", "hyperedge", "locator"};
@@ -40,7 +40,7 @@ class GraphmlReader {
   [[nodiscard]] std::string place_of(const XmlElement& element) const {
     return fmt::format("{}: line {}", file_, element.line);
   }
-  // The child elements in GraphML's namespace with this name.
+  // The child elements with this name in GraphML's namespace.
   auto children(const XmlElement& element, std::string_view name) const {
     return element.children | std::views::filter([this, name](const XmlElement& child) {
              return child.name == name && child.space == graphml_.space;
@@ -98,7 +98,7 @@ void GraphmlReader::read_key(const XmlElement& key) {
                 id);
 }
 
-// The value of the attribute with this name, or its default; "" without one.
+// The value of the element's attribute `name`, or that attribute's default; "" if it has neither.
 std::string GraphmlReader::find(const XmlElement& element, const char* name) const {
   std::string value;
   for (const auto& [id, key] : keys_)

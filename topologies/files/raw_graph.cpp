@@ -42,7 +42,7 @@ std::string place_in(const std::string& file, int line) {
   return line > 0 ? fmt::format("{}: line {}", file, line) : file;
 }
 
-// Reads a flag as networkx does; Python writes True and False.
+// Reads a flag as networkx does, in any letter case, because Python writes True and False.
 bool read_flag(const RawVertex& vertex, const std::string& file) {
   std::string text = vertex.root;
   for (char& c : text)
@@ -85,8 +85,8 @@ bool is_compass_point(const std::string& name) {
   return std::ranges::find(POINTS, name) != POINTS.end();
 }
 
-// The port at one end of an edge: the attribute, else the number in the port's name, else -1. Notes
-// a name that is neither number nor compass point.
+// The port at one end of an edge: the attribute if it is set, else the number in the port's name,
+// else -1. Notes a name that is neither number nor compass point.
 int read_port(const RawGraph& graph, const RawEdge& edge, const std::string& attribute,
               const std::string& name, const std::string& file, Topology& topology) {
   const auto text = attribute.empty() ? find_number(name) : attribute;

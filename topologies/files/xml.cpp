@@ -10,19 +10,19 @@
 namespace topologies {
 namespace {
 
-constexpr char SEPARATOR = '\n';  // between a namespace and a name; neither contains one
+constexpr char SEPARATOR = '\n';  // separates a namespace from a name; neither contains it
 
 // What the parser has seen so far.
 struct Reading {
   XML_Parser parser;
-  int depth;                          // of the deepest elements to keep
+  int depth;                          // level of the deepest elements to keep
   int level = 0;                      // number of open elements
-  std::vector<XmlElement> open = {};  // those of them to keep, the root first
+  std::vector<XmlElement> open = {};  // the open elements to keep, the root first
   XmlElement root = {};
   std::string skipped = {};  // an entity that Expat cannot resolve
 };
 
-// Expat 2.9 deprecates the function without 64.
+// Expat 2.9 deprecates XML_GetCurrentLineNumber in favour of XML_GetCurrentLineNumber64.
 template <typename Parser>
 int line_of(Parser parser) {
   if constexpr (requires { XML_GetCurrentLineNumber64(parser); })

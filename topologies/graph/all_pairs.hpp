@@ -22,7 +22,7 @@ using Load = std::vector<std::array<std::int64_t, 2>>;
 using Sent = std::vector<std::int64_t>;
 
 /// Spreads the messages to each neighbour evenly over all parallel links, even if `sent` counts
-/// them at one port. The lowest ports take the remainder.
+/// them at one port. If they do not divide evenly, links on low ports carry one more.
 Load make_load(const Topology& topology, const Sent& sent);
 
 struct AllPairs {
@@ -36,7 +36,7 @@ struct AllPairs {
 AllPairs eval_all_pairs(const Topology& topology);
 
 /// The distances alone. For topologies other than trees and grids, this takes three quarters of the
-/// time.
+/// time of eval_all_pairs.
 Distances eval_distances(const Topology& topology);
 
 /// The mean distance over ordered pairs of distinct processors; 0 for a single processor.

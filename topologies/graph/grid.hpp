@@ -13,7 +13,7 @@ struct Axis {
   int size = 1;
   bool closed = false;
 
-  int distance(int a, int b) const;       ///< steps between two places
+  int distance(int a, int b) const;       ///< number of steps between two places
   int diameter() const;                   ///< the largest distance between two places
   std::int64_t sum_of_distances() const;  ///< sum of distances over all ordered pairs of places
 };

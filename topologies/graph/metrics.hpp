@@ -8,8 +8,8 @@
 
 namespace topologies {
 
-/// The direction of a link with the most messages. Ties go to the first link, and there to the
-/// direction from a to b. Processors are -1 if there are no links.
+/// The direction of a link that carries the most messages. Of several, the one on the first link,
+/// and there the one from a to b. Processors are -1 if there are no links.
 struct BusiestLink {
   int from = -1, to = -1;
   std::int64_t messages = 0;

@@ -43,7 +43,7 @@ Peers make_complete(int n) {
 }
 
 template <size_t WORDS>
-using Sources = std::array<std::uint64_t, WORDS>;  // a bit set with one bit per search
+using Sources = std::array<std::uint64_t, WORDS>;  // a set of searches, one bit each
 
 template <size_t WORDS>
 std::int64_t count(const Sources<WORDS>& sources) {  // inline, branch-free population count
@@ -89,7 +89,7 @@ struct Exchange {
   int a, b, c, d;
 };
 
-// Draws two random links a-b and c-d with ports not less than `first`, and exchanges their ends if
+// Picks two random links a-b and c-d with ports not less than `first`, and exchanges their ends if
 // possible.
 std::optional<Exchange> try_exchange(Peers& peers, std::mt19937_64& random, int first) {
   const auto draw = [&](size_t below) { return static_cast<int>(random() % below); };
@@ -101,15 +101,17 @@ std::optional<Exchange> try_exchange(Peers& peers, std::mt19937_64& random, int 
   return Exchange{a, b, c, d};
 }
 
-// Number of exchanges to try. It depends only on n, so that every host makes the same network.
+// Number of exchanges to try. It depends only on n, not on time, so that every host makes the same
+// network.
 std::int64_t steps_for(std::int64_t n) {
-  constexpr std::int64_t MOST = 16384;  // in processors; more would allow too few steps
+  constexpr std::int64_t MOST = 16384;  // in processors; larger networks would get too few steps
   if (n > MOST) return 0;
   return std::min({std::int64_t{100'000}, 10'000'000 / n, 10'000'000'000 / (n * n)});
 }
 
-// Shuffles the chords, then keeps those exchanges that do not increase the distances. Large
-// networks skip the second step, because mean distances of random networks differ little.
+// Exchanges random chords. Then tries further exchanges and keeps those that do not increase the
+// distances. Large networks skip this second step, because mean distances of random networks differ
+// little.
 void shorten(Peers& peers) {
   const auto n = static_cast<std::int64_t>(peers.size());
   const auto eval = n <= 64 ? eval_distances<1> : eval_distances<4>;

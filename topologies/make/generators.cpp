@@ -72,9 +72,9 @@ Topology make_ring(int n) {
   return sorted(std::move(t));
 }
 
-//             0               port 0 to the parent (free at the root: the coordinator's),
+//             0               port 0 to the parent (at the root: free for the coordinator),
 //        1/  2|   \3          ports 1, 2, 3 to the children
-//        1    2    3          Level by level, nodes go to the parents in turn, so that subtrees
+//        1    2    3          The nodes of a level go to the parents in turn, so that subtrees
 //       1|   1|   1|          differ by at most one node:
 //        4    5    6          4, 5, 6 under 1, 2, 3, then 7, 8, 9 under 1, 2, 3 ...
 Topology make_tree(int n, int arity) {
@@ -109,16 +109,17 @@ Topology make_mesh(int rows, int columns) {
     if ((p + 1) % columns) add(t, {p, 2}, {p + 1, 1});
     if (p + columns < t.processors) add(t, {p, 3}, {p + columns, 0});
   }
-  // Cuts across the longer side. If it is odd, the cut has one step in the middle line.
+  // The cut crosses the longer side. If that side is odd, the cut has a step in its middle row or
+  // column.
   const auto [narrow, wide] = std::minmax(rows, columns);
   t.bisection_width = wide == 1 ? 0 : narrow + (wide % 2 && narrow > 1 ? 1 : 0);
   return sorted(std::move(t));
 }
 
 //    |       |       |        a mesh with rows and columns closed to rings, on all four ports of
-//   -0 2---1 1 2---1 2-       every processor. A row or column of two has one link (no double one),
-//    3       3       3        of one none. With one or two columns, ports 3 and 1 close the first
-//    |       |       |        column: then port 0 of the root is free.
+//   -0 2---1 1 2---1 2-       every processor. A row or column of two has one link, not two.
+//    3       3       3        With one or two columns, the first column is linked on ports 3 and 1,
+//    |       |       |        so that port 0 of the root is free.
 //   -3 2---1 4 2---1 5-
 //    |       |       |
 Topology make_torus(int rows, int columns) {

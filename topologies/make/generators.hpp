@@ -18,7 +18,7 @@ Topology make_ring(int n);                   ///< n >= 3
 Topology make_tree(int n, int arity = 3);    ///< n >= 1, arity 1..3; thesis, figure 4.21
 Topology make_binary(int n);                 ///< make_tree(n, 2)
 Topology make_mesh(int rows, int columns);   ///< rows, columns >= 1
-Topology make_torus(int rows, int columns);  ///< rows, columns >= 1; two have one link
+Topology make_torus(int rows, int columns);  ///< rows, columns >= 1; a row of two has one link
 Topology make_hypercube(int dimensions);     ///< 0..4
 Topology make_star(int n);                   ///< a centre and n - 1 leaves, n in 1..5
 

@@ -11,9 +11,10 @@ namespace topologies {
 /// Loads routes from a CSV file with columns from,to,path, where a path is spelled 0-1-3. The
 /// topology must pass `check`.
 ///
-/// A row holds for both directions unless another row gives the opposite direction. Processors on a
-/// given path send along it to its end. Other pairs use make_routes until they reach a given path.
-/// Routes have no loops but need not be shortest.
+/// A row holds for both directions unless another row gives the opposite direction. Messages from
+/// any processor on a given path to its end follow this path. Other messages follow make_routes
+/// until they reach a given path to their destination. Routes have no loops but need not be
+/// shortest.
 ///
 /// Throws BadInput with file and line if a path has a step without a link, a repeated processor, or
 /// ends that differ from its row. Also throws if two paths to one destination leave a processor

@@ -14,8 +14,8 @@ class Collecting {
         messages_(routes.processors),
         sent_(static_cast<std::size_t>(routes.processors) * PORTS) {}
 
-  // Adds a message from each processor to `to`. A processor forwards only after all its
-  // predecessors in the tree have sent.
+  // Adds a message from each processor to `to`. A processor forwards messages only after all its
+  // predecessors in the tree have sent theirs.
   void add_messages_to(int to) {
     const auto& peers = routes_.rule->peers();
     const auto next = [&](int p) { return peers[p][port_[p]]; };
@@ -38,7 +38,7 @@ class Collecting {
   static constexpr int DONE = -1;
 
   const RoutingTable& routes_;
-  std::vector<int> port_, before_;  // `before_`: neighbours that have not yet sent to the processor
+  std::vector<int> port_, before_;  // `before_`: number of neighbours that still have to send
   std::vector<std::int64_t> messages_;
   Sent sent_;
 };

@@ -9,8 +9,8 @@
 
 namespace topologies {
 
-/// The routes between all pairs of processors. Copies share the rule, which determines memory and
-/// time. Threads may query ports and distances concurrently.
+/// The routes between all pairs of processors. Copies share one rule; its class determines memory
+/// and time. Threads may query ports and distances concurrently.
 struct RoutingTable {
   int processors = 0;
   std::shared_ptr<const Rule> rule;
@@ -29,8 +29,8 @@ struct RoutingTable {
 ///
 /// A hypercube thus corrects its dimensions in a fixed order. A mesh goes north, then along the
 /// row, then south. Neither can deadlock in a cycle of waiting links. Trees and grids need no table
-/// and O(processors) memory. Other routes are found on demand, with two bits per pair: at most 1 GB
-/// for 65536 processors.
+/// and only O(processors) memory. In other topologies, routes are found on demand and take two bits
+/// per pair: at most 1 GB for 65536 processors.
 RoutingTable make_routes(const Topology& topology);
 
 /// Makes dimension-order routes for meshes, tori and hypercubes: along the row to the destination's
@@ -41,7 +41,7 @@ RoutingTable make_routes(const Topology& topology);
 /// for any other topology.
 RoutingTable make_xy_routes(const Topology& topology);
 
-/// Makes a table that shares the rule.
+/// Makes a table that shares `rule` with its other owners.
 RoutingTable make_table(std::shared_ptr<const Rule> rule);
 
 struct SpanningTree {

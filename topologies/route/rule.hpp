@@ -17,8 +17,8 @@ struct RouteSum {
   }
 };
 
-/// Pairs of ports that some route takes in succession. At [processor * PORTS + port]: a bit for
-/// each outgoing port of the neighbour at that port.
+/// Turns: pairs of ports that some route takes in succession. At [processor * PORTS + port]: a bit
+/// for each port by which a route leaves the neighbour at `port`.
 using Turns = std::vector<std::uint8_t>;
 
 /// The routes of one topology. Each ordered pair of processors has at most one route, without

@@ -5,8 +5,8 @@
 
 namespace topologies {
 
-/// Numbers processors in preorder from the root. The subtree below a link has consecutive numbers.
-/// All destinations outside the children's subtrees are reached through the parent.
+/// Numbers processors in preorder from the root, so that every subtree has consecutive numbers. All
+/// destinations outside the children's subtrees are reached through the parent.
 class TreeRule : public Rule {
  public:
   /// The topology must be connected and have no cycles.

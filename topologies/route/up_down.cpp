@@ -129,7 +129,7 @@ RoutingTable make_up_down_routes(const Topology& topology) {
 }
 
 bool closes_cycle(const Topology& topology, const RoutingTable& routes, const TreeLinks& tree) {
-  constexpr int FIRST_LOOK = 64;  // destinations in the first batch, as cycles usually show early
+  constexpr int FIRST_LOOK = 64;  // destinations in the first batch, where most cycles show
   const auto peers = make_peers(topology);
   auto turns = make_tree_turns(topology, peers, tree);
   int last = 0;
