@@ -10,7 +10,8 @@ using namespace occam;
 void interaction(ray_tracing::Orders<Limits>& orders, const Progress& progress,
                  Channel<Command>& into_coordination) {
   out(into_coordination, Command{Begin{}});
-  // The second Begin blocks until the coordination process has stored the initial rays.
+  // A second Begin has no effect, but waits until the coordination process has stored the initial
+  // rays and set the start of the user's time.
   if (orders.has_any()) out(into_coordination, Command{Begin{}});
   for (bool has_left = false; !has_left;) {
     const auto what = orders[orders.next(progress.begun)].what;

@@ -22,8 +22,8 @@ void wait_for(Channel<Command>& from_interaction) {
   while (!std::holds_alternative<Content>(command.content));
 }
 
-// Sends the scene to all workers and waits for their acknowledgements. No task may be in the farm,
-// and the sender's signal must be unread.
+// Sends the scene to all workers and waits for their acknowledgements. Must be called before the
+// first task and before a signal of the sender has been read.
 void send_scene(CoordinationChannels to, SceneMessages load) {
   if (load.bytes == 0) return;
   for (std::uint64_t sent = 0; sent < load.bytes; sent += load.message) {
@@ -40,7 +40,7 @@ void send_scene(CoordinationChannels to, SceneMessages load) {
   for (std::size_t i = 0; i < load.workers; ++i) in(to.from_workers, acknowledgement);
 }
 
-// Stops all processes of the farm in the order of the channels. The farm must be empty.
+// Stops all processes of the farm in the order of the channels. No task may be in the farm.
 void stop_all(CoordinationChannels to, bool sender_is_ready) {
   if (!sender_is_ready) in(to.from_sender);
   out(to.into_sender, Task{});
@@ -79,9 +79,9 @@ class Coordinator {
   }
 
  private:
-  // The loop of figure 4.15 in a given mode. The figure omits two modes: in null mode, no ray
-  // within the limits is left and the process waits for an order. In aborted mode, it takes no new
-  // rays.
+  // The loop of figure 4.15 for one mode; returns when the mode changes. The figure omits two
+  // modes. In null mode, no ray within the limits is left and the process waits for an order. In
+  // aborted mode, it takes no new rays.
   void serve(Mode mode) {
     rays_db_is_empty_ = mode == Mode::aborted;
     Command user_message;
@@ -155,7 +155,7 @@ class Coordinator {
         [&](Leave) { quitting_ = true; });
   }
 
-  // The number stored in a ray, which has 8 bits. 0 stands for no order and for orders from 256 on.
+  // The order's number as stored in a ray, in 8 bits: 1 to 255, or 0 for later orders and for none.
   std::uint8_t number_of_order() const {
     const bool fits = progress_.orders <= std::numeric_limits<std::uint8_t>::max();
     return fits ? static_cast<std::uint8_t>(progress_.orders) : std::uint8_t{0};
@@ -264,8 +264,8 @@ class Coordinator {
     send_finished();
   }
 
-  // Sends final sums to the display, which gives all samples equal weights although the final
-  // estimate may not.
+  // Sends the final sums of pixels to the display. Without them, it would give all samples of a
+  // pixel equal weights.
   void send_finished() {
     for (const FinishedPixel& finished : ledger_->take_finished()) {
       this_process().charge(setup_.message.made);
@@ -273,7 +273,7 @@ class Coordinator {
     }
   }
 
-  // Adjusts the allocated memory to the number of samples in the ledger, which was `before`.
+  // Adjusts the allocated memory after a change of the ledger, which held `before` samples.
   void account(std::size_t before) {
     auto& memory = this_process().processor().memory();
     const std::size_t now = ledger_->samples_held();
@@ -291,7 +291,7 @@ class Coordinator {
   }
 
   // For CellOrder::adaptive: compares the object hit by a sample with those of known samples one
-  // cell away. Stores primary rays for the cells into which the sample's cell divides.
+  // cell away. Then stores primary rays for the smaller cells within the sample's cell.
   void divide(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
     const auto object = hit ? hit->object : renderer::NO_OBJECT;
     seen_[ray.sample] = object;

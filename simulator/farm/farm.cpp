@@ -71,8 +71,8 @@ machine::Cycles cost_of_preview(const machine::Model& model, const renderer::Pre
              std::array{counts.vertices, counts.pixels_tested, counts.pixels_drawn});
 }
 
-// Refuses a database memory that is too small for all initial rays. The coordination process stores
-// all of them before it takes the first.
+// Refuses a ray database whose memory is too small for all initial rays. The coordination process
+// stores all of them before it takes the first.
 void check_initial_rays(Processor& database, const Params& params, std::uint64_t ray) {
   const renderer::Area area = get_area(params.image);
   const bool is_adaptive =
@@ -165,7 +165,7 @@ class Centre {
   }
 
  private:
-  // Draws the preview before the first ray. The display must hold the scene's objects.
+  // Draws the preview before the first ray. The display's memory must hold the scene's objects.
   void draw_preview(renderer::PreviewStep step) {
     const auto preview = make_preview(scene_, params_.image, step);
     occam::this_process().charge(cost_of_preview(machine_.model(), preview));

@@ -20,11 +20,11 @@ struct Params {
   renderer::Params image;  ///< size, shading and shading limits
   std::vector<Limits> stages =
       std::vector<Limits>(1);  ///< successive limits of the interactive phase
-  std::vector<Order> script;   ///< the user's orders; the program adds Begin and Quit
+  std::vector<Order> script;   ///< the user's orders; the program adds Begin and Leave
   int max_cell = 16;           ///< side of the largest image cell in pixels, a power of two
   CellOrder order = CellOrder::random;
   CellLight cells = CellLight::constant;
-  /// Values other than `cells` replace cells and `order`.
+  /// If not `cells`, this order of single pixels replaces `max_cell` and `order`.
   ray_tracing::PixelOrder pixels = ray_tracing::PixelOrder::cells;
   /// A picture drawn by the display before the first ray (thesis, 4.1). Without it the display is
   /// black.
@@ -42,7 +42,7 @@ struct Params {
   /// factor. Otherwise charges operation counts. The ray database is always charged by counts.
   std::optional<double> cycles_per_host_s;
   bool profile = false;  ///< measure the host time of kernels
-  /// Faults, with worker numbers from 0. The farm does not reroute messages: it waits for lost
+  /// Faults, with worker numbers from 0. The farm does not reroute messages, so it waits for lost
   /// workers for ever.
   std::vector<programs::PlannedFault> faults;
   programs::OtherModels others;  ///< by worker number, from 0
@@ -54,7 +54,7 @@ struct Result : ray_tracing::Rendering {
   std::optional<double> reorder_pause_s;  ///< maximum time for reclassifying all rays
   double interactive_s = 0;               ///< duration of the interactive phase, part of time_s
   RayStores::Lengths peaks;               ///< maximum number of rays in each store of the database
-  std::uint64_t tasks = 0;                ///< number of tasks: rays or blocks
+  std::uint64_t tasks = 0;                ///< number of tasks, which are rays or blocks
   std::size_t peak_tasks_in_farm = 0;
   double drain_s = 0;               ///< part of time_s after the last task was sent to a worker
   topologies::Topology topology;    ///< the workers' topology as wired
@@ -87,7 +87,7 @@ machine::Processor& add_worker(machine::Machine& machine, const topologies::Topo
                                int id, const Params& params);
 /// Allocates memory for the image on the display.
 void allocate_image(machine::Processor& display, const renderer::Params& image);
-/// A note about the link that was removed to free a port for the coordinator, if any.
+/// A note about the link, if any, that was removed to free a port for the coordinator.
 std::vector<std::string> note_given_up(const topologies::Topology& asked,
                                        const topologies::Topology& wired);
 /// Measurements of the coordination process, even if the run was cut short.

@@ -30,7 +30,7 @@ inline std::uint32_t bytes_of(const Limits& limits) {
   return LIMITS_BYTES + (limits.weights ? WEIGHTS_BYTES : 0);
 }
 
-/// Ends the process that receives it, after the process has forwarded it.
+/// Ends the process that receives it. That process forwards the message first.
 struct Stop {
   bool operator==(const Stop&) const = default;
 };
@@ -77,10 +77,10 @@ struct Answer {
 };
 
 // Messages to and from the ray database, and to the display, use occam's variant protocols (figures
-// 4.16 and 4.17: `add.ray; ray.mess`), so sizes do not include the tag. Stop and KeepImage count
-// one word of contents.
+// 4.16 and 4.17: `add.ray; ray.mess`). Their sizes therefore exclude the tag. Stop and KeepImage
+// count as one word.
 
-struct AskInteractive {};  ///< for a ray in interactive mode (ask.interact.mode.ray)
+struct AskInteractive {};  ///< requests a ray in interactive mode (ask.interact.mode.ray)
 struct AskAny {};          ///< requests any ray (ask.any.ray)
 
 /// New limits, and the number of the user's order that set them (0 for none).

@@ -49,7 +49,7 @@ base::Fields<Params> memory_fields() {
                    "memory of the ray database and of the display; default: the model's")};
 }
 
-// A field for weights, which sets `member` of P.
+// Declares a field for the weights of P in `member`.
 template <class P, class Member>
 base::Field<P> weights_field(Member member, const std::string& help) {
   const auto set = [member](P& p, const base::Scalar& value) {
@@ -123,7 +123,8 @@ base::Fields<ProgramParams> make_fields() {
        base::lift_all<P>(cell_fields(), &P::farm, "farm."),
        base::lift_all<P>(farm_fields(), &P::farm, "farm."),
        base::lift_all<P>(ray_tracing::snapshot_fields(), snapshot_times, "farm."),
-       // Placed at the end, so that "order" without a section refers to the program's own field.
+       // In the last place, so that the key "order" without a section means farm.order instead of
+       // image.order.
        base::lift_all<P>(base::Fields<Params>{ray_tracing::pixel_order_field(&Params::pixels)},
                          &P::farm, "image."),
        base::lift_optional<P>(ray_tracing::data_fields(), &P::data)});

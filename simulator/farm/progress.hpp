@@ -26,7 +26,8 @@ struct Progress {
   std::uint64_t tasks = 0;     ///< number of tasks sent
   std::size_t peak_tasks_in_farm = 0;
   std::size_t orders = 0;  ///< number of orders received from the user
-  /// For each order: its date, and the date of the first pixel changed by a ray that it admitted.
+  /// For each order: its date, and the date at which a ray admitted by the order first changed a
+  /// pixel.
   std::vector<std::pair<machine::Seconds, std::optional<machine::Seconds>>> orders_shown;
   bool is_aborted = false;         ///< true if the user aborted the run
   std::vector<std::string> notes;  ///< orders without effect, with reasons
@@ -39,8 +40,8 @@ struct Progress {
   // task, end_interactive() after the interactive phase, end() when the image is complete.
   void begin();
   void note_task(std::size_t in_farm);
-  /// Counts an order. Returns true if the order shall be executed. Returns false after the end of
-  /// the run, or if `why_without_effect` is not empty.
+  /// Counts an order. Returns true if the order shall be executed: the run has not ended and
+  /// `why_without_effect` is empty.
   bool note_order(const std::string& why_without_effect = {});
   /// Records that a ray admitted by `order` changed the picture.
   void note_changed(std::uint8_t order);

@@ -15,7 +15,7 @@ using shared_memory::DataManager;
 
 namespace {
 
-// The farm's process number in addresses, and its messages.
+// Number of the farm's processes in addresses, and the contents of their messages.
 constexpr int FARM_PROCESS = shared_memory::FIRST_FREE_PROCESS;
 struct FarmMessage : network::Contents {
   explicit FarmMessage(std::variant<Stop, renderer::Area, renderer::Block> content)
@@ -144,8 +144,8 @@ class SharedFarm {
     }
   }
 
-  // Distributes blocks, adds results to the image, and serves data in between. An idle process
-  // blocks until a message arrives; it does not poll every idle_period.
+  // Distributes blocks, adds results to the image, and serves data in between. Without work, waits
+  // for a message instead of polling every idle_period.
   void coordinate(DataManager& manager) {
     progress_.begin();
     const auto blocks = make_blocks(params_.image, *params_.block);

@@ -1,7 +1,7 @@
 #pragma once
 // Farm of blocks of pixels with a distributed scene. Routers carry all messages, and data managers
 // fetch scene data (5.1.2). Processor 0 coordinates, displays and serves data. It is linked to the
-// root of the workers' topology, whose processors become 1 to n.
+// root of the workers' topology; the workers have the numbers 1 to n.
 #include "simulator/farm/farm.hpp"
 #include "simulator/ray_tracing/data.hpp"
 

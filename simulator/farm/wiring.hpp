@@ -18,7 +18,8 @@ struct Wires {
   std::deque<Channel<Answer>> results;
 };
 
-/// A way out of a data router. Its sender signals that it is free, then takes a message.
+/// A way out of a data router. The way's sender process signals that it is free, then takes a
+/// message.
 struct Way {
   Channel<Signal>& free;
   Channel<Task>& into;

@@ -8,8 +8,8 @@
 
 namespace farm {
 
-/// Buffers one message for a way out, so that the router does not block. Signals that it is free,
-/// takes a message and forwards it (figure 4.13).
+/// Buffers one message for a way out, so that the router does not block. Signals the router when
+/// the buffer is empty, takes a message and forwards it (figure 4.13).
 void sender(Channel<Signal>& sender_to_main, Channel<Task>& from_main, Channel<Task>& destination);
 
 /// Forwards each task to a free sender, chosen in rotation (figure 4.14). Sends messages for all
@@ -32,8 +32,8 @@ struct Kernel {
   renderer::BlockBuffer scratch = {};
 };
 
-/// Finds the first intersection of each ray, or renders blocks of pixels. The kernel really
-/// executes, and its work is charged to the processor.
+/// Finds the first intersection of each ray, or renders blocks of pixels. Executes the kernel on
+/// the host, and charges its work to the processor.
 void application(Kernel& kernel, Channel<Task>& from_router, Channel<Answer>& results);
 
 }  // namespace farm

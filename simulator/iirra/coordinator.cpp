@@ -88,8 +88,9 @@ void Coordinator::give_first(int worker, std::vector<SampledCell> cells) {
   }
 }
 
-// Lets the workers measure the cells, distributed in rotation. Then assigns the cells by descending
-// cost, each to the worker with the lowest total. Returns the worker of each cell.
+// Assigns cells to workers by measured time. First distributes the cells to the workers in rotation
+// for measurement. Then assigns them by descending time, each to the worker with the lowest total.
+// Returns the worker of each cell.
 std::vector<int> Coordinator::measure_cells(const std::vector<SampledCell>& cells) {
   const auto& workers = shared_.places.workers;
   const auto room = (shared_.longest - shared_.sizes.of(CellTimes{})) / (shared_.sizes.cell + 4);
@@ -148,7 +149,7 @@ void Coordinator::obey(const Message& message) {
       [&](const TaskRequest& request) {
         if (shared_.params.balance == BalanceMethod::green)
           return serve_demand(message.from.processor);
-        // Forward the request to a worker chosen in rotation, which remembers it.
+        // Forward the request to a worker chosen in rotation. That worker remembers the request.
         const auto& workers = shared_.places.workers;
         int to = request.asker;
         for (std::size_t tries = 0; to == request.asker && tries < workers.size(); ++tries)

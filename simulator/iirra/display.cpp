@@ -55,7 +55,7 @@ void Display::ask(int worker) {
   send(manager_, shared_.sizes, DISPLAY_PROCESS, {worker, TASK_PROCESS}, Poll{});
 }
 
-// Serves messages until at most `most` polled workers have pictures left to send.
+// Serves messages until at most `most` of the polled workers have pictures left to send.
 void Display::await_answers(std::size_t most) {
   while (asked_ > most) obey(manager_.serve_at_once());
 }
@@ -89,14 +89,16 @@ void Display::obey(const Message& message) {
       },
       [&](const Finish&) {
         is_finishing_ = true;
-        // Without polling, workers report finished pixels only after their pictures were shown.
+        // Without polling, all pictures are shown by now: workers report finished pixels only
+        // afterwards.
         if (!is_polled) finish();
       },
       [&](const Stop&) { is_stopped_ = true; },
       [&](const auto&) { throw base::InvariantBroken("a message that is not for a display"); });
 }
 
-// Draws a block except where a newer picture is shown. Returns true if any colour has changed.
+// Draws a block, except pixels that already show a newer one. Returns true if any colour has
+// changed.
 bool Display::draw(const Painted& block, int width, Screen& screen, renderer::Work& work) {
   bool is_changed = false;
   auto from = block.rgb8.begin();

@@ -104,7 +104,7 @@ class Run {
     auto& record = shared_.record;
     coordinator_->end(machine_.now().value);
     record.end = end;
-    // After an abort, workers continue until Stop reaches them.
+    // After an abort, workers may still take tasks until Stop reaches them.
     record.last_task_s = std::min(record.last_task_s, record.ended_s);
     record.setup_s = record.begun_s;
     record.time_s = record.ended_s - record.begun_s;

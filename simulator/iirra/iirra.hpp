@@ -33,20 +33,20 @@ struct Params {
   std::vector<Order> script;  ///< the user's orders, ascending in time
   int max_cell = 16;  ///< side of the first cells in pixels, a power of two from 2 to MAX_CELL
   CellOrder order = CellOrder::bayer;
-  /// Values other than `cells` replace `order`.
+  /// If not `cells`, this order of pixels replaces `order`.
   ray_tracing::PixelOrder pixels = ray_tracing::PixelOrder::cells;
   Weights weights;  ///< default for stages and orders without weights
   Start start = Start::scattered;
   BalanceMethod balance = BalanceMethod::neighbours;
-  int reserve = 1;     ///< number of tasks that a worker keeps; with fewer it requests tasks
+  int reserve = 1;     ///< number of tasks that a worker keeps; with fewer, it requests some
   bool is_far = true;  ///< display as far as possible from the coordinator, else beside it
   /// Each worker's data manager has a processor of its own on the same memory (6.2).
   bool is_double = false;
-  bool is_polled = true;     ///< the display polls for pictures, else workers send unrequested ones
+  bool is_polled = true;     ///< the display polls for pictures; otherwise workers send them
   int polls = 4;             ///< maximum number of unanswered polls
   bool has_borders = false;  ///< records each picture a second time, with borders of cells
   double frame_s = 0.04;     ///< minimum time between two polls of a worker in seconds
-  std::uint64_t seed = 1;    ///< seed of the orders `random` and `adaptive`
+  std::uint64_t seed = 1;    ///< seed for the values `random` and `adaptive` of `order`
   snapshots::Schedule snapshot_times;
   network::Method method = network::Method::green;
   std::optional<std::size_t> buffers;             ///< per router; by default enough for all workers
@@ -90,7 +90,7 @@ struct Result : Record {
 
 /// Runs IIRRA. `tree` is the route of broadcasts; if absent, each sender has its own tree. Throws
 /// base::BadInput as check() does, or if buffers and caches exceed the memory. Throws
-/// machine::Fault also if a processor stops, which loses its cells, or if a message cannot reach
+/// machine::Fault, also if a processor stops (its cells are then lost) or if a message cannot reach
 /// its receiver.
 Result run_iirra(const machine::Model& model, const topologies::Topology& topology,
                  const topologies::RoutingTable& routes,

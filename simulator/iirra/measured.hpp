@@ -16,7 +16,7 @@ struct Losses {
   double managing = NAN;  ///< tasks, pictures, messages and data look-ups
   base::Cell largest;     ///< name of the largest fraction
 };
-/// No fraction is a number if the run was cut short before its first ray.
+/// All fractions are NaN if the run was cut short before its first ray.
 Losses find_losses(const Result& result);
 
 struct Measured {
@@ -30,9 +30,9 @@ struct Measured {
   ray_tracing::Loads loads;
 };
 
-/// Possible bottlenecks: the resources of ray_tracing::find_loads, the process "coordination" while
-/// it does not wait for messages, and the display's CPU. "tasks" is the fraction of time after the
-/// last task was taken.
+/// Possible bottlenecks: the resources of ray_tracing::find_loads, the display's CPU, and two more.
+/// "coordination" is the fraction of time in which this process did not wait for messages. "tasks"
+/// is the fraction of time after the last task was taken.
 ray_tracing::Loads find_loads(const Result& result);
 
 base::Columns<Measured> make_columns();

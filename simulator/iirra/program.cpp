@@ -15,7 +15,7 @@ namespace {
 constexpr double Weights::*WEIGHTS[] = {&Weights::position, &Weights::size,  &Weights::samples,
                                         &Weights::contrast, &Weights::depth, &Weights::influence};
 
-// A field for weights, which sets `member` of P.
+// Declares a field for the weights of P in `member`.
 template <class P, class Member>
 base::Field<P> weights_field(Member member, const std::string& help) {
   const auto set = [member](P& p, const base::Scalar& value) {
@@ -115,7 +115,8 @@ base::Fields<ProgramParams> make_fields() {
        base::lift_all<P>(cell_fields(), &P::iirra, "iirra."),
        base::lift_all<P>(machine_fields(), &P::iirra, "iirra."),
        base::lift_all<P>(ray_tracing::snapshot_fields(), snapshot_times, "iirra."),
-       // At the end, so that "order" without a section refers to the program's own field.
+       // In the last place, so that the key "order" without a section means iirra.order instead of
+       // image.order.
        base::lift_all<P>(base::Fields<Params>{ray_tracing::pixel_order_field(&Params::pixels)},
                          &P::iirra, "image."),
        base::lift_optional<P>(ray_tracing::data_fields(), &P::data)});

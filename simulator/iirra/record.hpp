@@ -22,8 +22,8 @@ struct Counts {
   std::uint64_t task_messages() const { return requests + refusals + moves; }
 };
 
-/// The record of a run. `rays` counts those of all processors; `samples` holds sums of finished
-/// pixels.
+/// The record of a run. `rays` counts the rays of all processors; `samples` holds the sums of
+/// finished pixels.
 struct Record : ray_tracing::Rendering {
   explicit Record(const renderer::Params& image) : finished(0) {
     samples = renderer::Samples(image.width, image.height);

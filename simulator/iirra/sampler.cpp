@@ -93,7 +93,8 @@ void Sampler::trace(Sample& sample, const Ray& ray, bool is_outside) {
     }
 }
 
-// Queues the pixel's next sample if one is needed and the previous one has begun.
+// Queues the pixel's next sample if one is needed and the previous one's primary ray has been
+// traced.
 void Sampler::extend(Sample& sample, const Point& p) {
   const auto& sampling = params_.image.sampling;
   if (sampling.pixel_samples == 1) return;

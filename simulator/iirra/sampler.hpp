@@ -11,14 +11,14 @@ class Sampler {
 
   /// Makes the sample of a point and traces its primary ray.
   void begin(const Point& point);
-  /// Traces the waiting rays of one tree level of a point within the limits. `pass` is the number
-  /// of the pixel's sample.
+  /// Traces the waiting rays of sample number `pass` of a point that have this tree level and are
+  /// within the limits.
   void deepen(const Point& point, int pass, int level, const Limits& limits);
   /// Traces the whole shading tree of a point to measure its time. Keeps no sample.
   void measure(const Point& point);
 
   SampleTable& samples() { return samples_; }
-  /// True while begin() or deepen() is at work on the point: its sample is incomplete.
+  /// True during begin() and deepen() for this point, when its sample is incomplete.
   bool is_open(const Point& point) const { return open_ == point; }
 
  private:

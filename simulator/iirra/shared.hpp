@@ -27,9 +27,9 @@ struct Shared {
   kernels::KernelCost ray_cost, paint_cost, display_cost;
   std::shared_ptr<const CellQuadrants> quadrants = nullptr;  ///< set if cells have quadrant order
   const shared_memory::SceneItems* items = nullptr;          ///< set if the scene is distributed
-  machine::Cycles charged_with_data{};                       ///< cycles with distributed data
-  machine::Seconds charged_with_data_s{};                    ///< duration of charged_with_data
-  ray_tracing::Orders<Limits> orders;                        ///< orders of the user
+  machine::Cycles charged_with_data{};     ///< by kernels that read distributed data
+  machine::Seconds charged_with_data_s{};  ///< duration of charged_with_data
+  ray_tracing::Orders<Limits> orders;      ///< orders of the user
   Record record;
   Traced scratch = {};  ///< state for repeated ray kernels, if costs are timed
 
@@ -48,7 +48,8 @@ struct Shared {
 
 /// The memory of the processor of this_process().
 inline machine::Memory& own_memory() { return machine::this_process().processor().memory(); }
-/// Allocates there; the error for exhausted memory names `what`.
+/// Allocates memory of the processor of this_process(). If there is too little, the error names
+/// `what`.
 inline void allocate(std::uint64_t bytes, const char* what) {
   own_memory().allocate(bytes, what, machine::this_process().own_time());
 }

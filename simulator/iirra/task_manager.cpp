@@ -8,7 +8,7 @@ using machine::this_process;
 
 namespace {
 
-// True if p is inside the cell, where no other cell has a sample.
+// True if p is inside the cell, not on its border, so that no other cell uses a sample at p.
 bool is_inner(const SampledCell& cell, const Point& p) {
   return p.x > cell.x && p.y > cell.y && p.x < cell.x + cell.side && p.y < cell.y + cell.side;
 }
@@ -101,8 +101,8 @@ std::optional<Tasks> TaskManager::share() {
   const std::size_t most = (stores_.active() - reserve + 1) / 2;
   Tasks tasks;
   std::uint64_t bytes = sizes_.of(tasks);
-  // To prevent tasks from circulating, a received task may not be sent on before it was worked on.
-  // In a tree it cannot circulate.
+  // Tasks must not circulate. A received task may therefore be given away only after this worker
+  // has worked on it. With `green`, tasks only move down a tree and may be given away at once.
   const bool goes_on = params_.balance == BalanceMethod::green;
   const auto may_go = [&](const Task& task) {
     if (task.has_just_come && !goes_on) return false;
@@ -130,7 +130,7 @@ std::optional<Tasks> TaskManager::share() {
   return tasks;
 }
 
-// Moves the samples inside the cell, which no other cell needs, and copies those on its border.
+// Moves the cell's inner samples, which no other cell needs, and copies the samples on its border.
 MovedCell TaskManager::pack(const TaskCell& cell) {
   MovedCell moved{cell, {}};
   const auto forget_inner = [&](const Point& p) {

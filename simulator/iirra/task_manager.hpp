@@ -13,19 +13,19 @@ class TaskManager {
 
   /// Removes and returns the most important task; none if no task is within the limits.
   std::optional<Task> take();
-  /// Stores a cell as a task. Records the colours of its pixels instead if they are final.
+  /// Stores a cell as a task. If the colours of its pixels are final, records them instead.
   void put(const TaskCell& cell, bool has_just_come = false);
   /// Classifies all tasks again by the limits of a new phase. Returns false for an old phase.
   bool begin_phase(const NewPhase& phase);
   /// Removes and returns tasks for another worker; none if there are none to spare.
   std::optional<Tasks> share();
-  /// Stores a cell from another processor; `is_first`: from the coordinator.
+  /// Stores a cell from another processor. `is_first`: the sender is the coordinator.
   void receive(const MovedCell& moved, bool is_first);
   /// The pixels parked and finished since the last report; none while tasks are within the limits.
   std::optional<Report> report();
 
   std::size_t active() const { return stores_.active(); }  ///< tasks within the limits
-  std::uint64_t pixels_of(const SampledCell& cell) const;  ///< number inside the computed area
+  std::uint64_t pixels_of(const SampledCell& cell) const;  ///< only those in the computed area
   std::uint32_t phase() const { return phase_; }
   int order() const { return order_; }  ///< number of the user's order that set the limits
   const Limits& limits() const { return limits_; }

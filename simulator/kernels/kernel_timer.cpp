@@ -92,7 +92,7 @@ void KernelTimer::measure() {
 
 double KernelTimer::charge(double about_s) {
   if (batch_.size() == 0)
-    owed_s_ -= about_s;  // this call has ended its batch
+    owed_s_ -= about_s;  // this call completed a batch, which has been measured
   else
     batch_about_s_ += about_s;
   const double part_s = std::clamp(owed_s_, -0.2 * about_s, 0.2 * about_s);
@@ -100,7 +100,7 @@ double KernelTimer::charge(double about_s) {
   return about_s + part_s;
 }
 
-// Time of one pass of the batch. `once_s` is a first estimate.
+// Time of one pass of the batch. `once_s` is a rough estimate of it.
 double KernelTimer::eval_batch_s(double once_s) const {
   const int passes = static_cast<int>(std::clamp(std::ceil(least_s() / once_s), 1.0, 1e6));
   std::vector<double> in_yardsticks;
@@ -130,8 +130,8 @@ double KernelTimer::time_batch(int passes) const {
   return time([&] { run_batch(passes); });
 }
 
-// Runs the yardstick twice and times the second run, as for batches. Caches and branch predictors
-// are then in the state left by the yardstick itself.
+// Runs the yardstick twice and times the second run, as is done for batches. Caches and branch
+// predictors are then in the state left by the first run.
 double KernelTimer::time_yardstick() const {
   host_.yardstick();
   return time(host_.yardstick);

@@ -70,8 +70,8 @@ class Replays {
 };
 
 /// Measures the calls of one kernel. A call is charged its weight multiplied by the time per unit
-/// of weight in the previous batch. Corrections of at most a fifth make the total of many calls
-/// equal to their measured time.
+/// of weight in the previous batch. Each charge is also corrected by at most a fifth of itself, so
+/// that the total of many charges equals the measured time of their calls.
 class KernelTimer {
  public:
   explicit KernelTimer(const Host& host) : host_(host) {}
@@ -111,9 +111,9 @@ class KernelTimer {
 
   const Host& host_;
   Replays batch_;
-  double weight_ = 0;         // total weight of the batch
+  double weight_ = 0;         // total weight of the calls in the batch
   std::size_t full_ = 1;      // number of calls in a full batch
-  double s_per_weight_ = 0;   // in the last batch, seconds
+  double s_per_weight_ = 0;   // time per unit of weight in the last batch, seconds
   double batch_about_s_ = 0;  // estimated time of the batch
   double owed_s_ = 0;         // measured time of batches minus charged time
   double longest_batch_s_ = 0;

@@ -74,9 +74,9 @@ machine::Cycles KernelCost::note(machine::Cycles counted, machine::Cycles charge
   return charged;
 }
 
-// Records the host time of a call that represents all calls since the previous sample. If calls are
-// short compared with reading the clock, one in 17 is sampled. A prime period samples different
-// kinds of rays.
+// Records the host time of a sampled call, which represents all calls since the previous sample. If
+// calls are short compared with reading the clock, one in 17 is sampled. This period is prime, so
+// that samples do not always meet the same kind of ray.
 void KernelCost::note_profile(double start_s) {
   constexpr std::uint64_t SAMPLED = 17;
   const double interval_s = clock_interval_s();

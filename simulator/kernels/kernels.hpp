@@ -80,8 +80,9 @@ class KernelCost {
     charge(work, [&] { return make_replay(std::move(kernel)); });
     return result;
   }
-  /// For a kernel that changes a state: calls it with `state`, and with timed costs later with
-  /// `scratch`, for the same amount of work. Neither may move. Returns the counts.
+  /// For a kernel that changes a state. Calls it with `state`; with timed costs, calls it again
+  /// later with `scratch`, where it must do the same amount of work. Neither object may move.
+  /// Returns the counts of operations.
   template <class State, class Kernel>
   renderer::Work operator()(State& state, State& scratch, Kernel kernel) {
     renderer::Work work;
@@ -92,9 +93,10 @@ class KernelCost {
     return work;
   }
 
-  /// For a kernel that may wait for data: it is charged its counts before each wait, multiplied by
-  /// this factor. With timed costs, calls `kernel` with all data present, so that there are no
-  /// waits. Otherwise returns 1 without calling `kernel`.
+  /// For a kernel that may wait for data. Before each wait, the caller charges the operations
+  /// counted so far, multiplied by the returned factor. With timed costs, this function calls
+  /// `kernel` with all data present, so that there are no waits. Otherwise it returns 1 without
+  /// calling `kernel`.
   template <class State, class Kernel>
   double eval_scale(State& scratch, Kernel kernel) {
     if (!timed_) return 1;
@@ -177,8 +179,8 @@ inline auto block_kernel(const renderer::Scene& scene, const renderer::Params& p
   };
 }
 
-/// Costs of intersections, and of whole shading trees. Shading in trees has the scale of the
-/// central process, which does the shading if tasks are rays.
+/// Costs of intersections, and of whole shading trees. In trees, shading has the scale factor of
+/// the central process, because that process shades if tasks are single rays.
 machine::OperationCosts intersection_costs(const machine::Model& model);
 machine::OperationCosts tree_costs(const machine::Model& model);
 /// Costs of the central process: its computations and the display.

@@ -90,7 +90,7 @@ void Cpu::dispatch_when_free() {
 void Cpu::ask_dispatch() {
   const auto then = [this, id = ++dispatch_id_] {
     if (id != dispatch_id_) return engine_.ignore_event();
-    if (free_at_ > now()) return ask_dispatch();  // DMA has delayed the release
+    if (free_at_ > now()) return ask_dispatch();  // DMA has delayed the release of the CPU
     dispatch();
   };
   if (free_at_ > now() || has_come_to_link_)
@@ -150,7 +150,7 @@ void Cpu::account_high(const Process& process, Seconds time) {
   high_.preempting = false;
 }
 
-// Schedules a callback with the rank of the process, if it has one.
+// Schedules a callback for the process, with the process's rank if it has one.
 void Cpu::at(Seconds date, const Process& process, auto then) {
   if (process.has_rank())
     engine_.ranked_at(date, process.rank_, then);
@@ -171,7 +171,7 @@ void Cpu::end_high_at(Seconds date) {
 }
 
 void Cpu::release(Process& process, Seconds free_at) {
-  if (interrupted_ == &process) {  // released by its last instruction, so there is no state to save
+  if (interrupted_ == &process) {  // it was released by its last instruction: no state was saved
     interrupted_ = nullptr;
     high_.preempting = false;
     --use_.preemptions;
@@ -196,8 +196,8 @@ void Cpu::preempt(Process& high) {
   engine_.soon([this, &high] { execute(high); });
 }
 
-// Stops the computation of the low-priority process. During the switch back, before low_.since, it
-// has not resumed yet.
+// Stops the computation of the low-priority process. Before low_.since, the CPU is still switching
+// back to that process, which has not resumed yet.
 void Cpu::stop_low() {
   low_.left = speed_ * (low_.end - std::max(now(), low_.since));
   if (low_.since <= now()) return account_low();
@@ -249,11 +249,12 @@ void Cpu::compute(Process& low, Seconds time) {
   low_.since = now();
   low_.end = now() + Seconds{time.value / speed_};
   low_.left = time;
-  if (interrupted_ != &low) arm_low_timer();  // the process was pre-empted meanwhile
+  if (interrupted_ != &low) arm_low_timer();  // otherwise the process was pre-empted meanwhile
 }
 
-// The date depends on the first process in the queue, which may be ready ahead of the clock.
-// Another process may overtake it, and DMA may change its date.
+// Finds the date at which the running process yields to the first low-priority process in the
+// queue. The date may change, because that process may become ready ahead of the clock: another
+// process may then overtake it, or DMA may move its date.
 void Cpu::find_end_of_slice() {
   if (low_queue_.empty()) return;
   low_.gives_way_at = std::max(
@@ -264,7 +265,8 @@ void Cpu::arm_low_timer() {
   find_end_of_slice();
   const Seconds gives_way = std::max({now(), low_.gives_way_at, low_.since});
   const Seconds at = std::min(low_.end, gives_way);
-  // Pre-emption only delays the end of a computation. A timer that fires too early is set again.
+  // Pre-emption only delays the end of a computation. A timer that therefore fires too early is set
+  // again.
   const auto rank = running_->rank_;
   if (low_timer_.armed && low_timer_.at <= at && (low_timer_.at < at || low_timer_.rank == rank))
     return;
@@ -277,7 +279,7 @@ void Cpu::arm_low_timer() {
 }
 
 void Cpu::low_timer() {
-  if (interrupted_ || !low_.computing) return;  // set again when the CPU resumes
+  if (interrupted_ || !low_.computing) return;  // the timer is set again when the CPU resumes
   Process& low = *running_;
   const Seconds left = low_.end - now();
   find_end_of_slice();
@@ -331,7 +333,8 @@ void Cpu::stretch(const Stretch& stretch) {
       for (Process& process : *queue) process.stretch(stretch);
     if (high_.computing) {
       running_->paid_for_ += more;
-      // If the end moves to a later date, the pending event notices that it is too early.
+      // No new event is needed for a later end: the pending event fires early and is then set
+      // again.
       if (stretch.ratio < 1) end_high_at(until);
       return;
     }
@@ -395,7 +398,7 @@ Seconds Cpu::busy_by(Seconds date) const {
   return use_.busy() - high_after(date) + switched_back(date) + low_before(date);
 }
 
-// Cycles taken from the CPU while it was idle, since its speed changed last.
+// Time of cycles taken from the CPU while it was idle, since the last change of its speed.
 Seconds Cpu::stolen_idle(Seconds date) const {
   if (speed_ == 1) return {};
   const Seconds idle = date - speed_since_ - (busy_by(date) - busy_then_);

@@ -37,13 +37,13 @@ struct Observer {
 
 struct CpuUse {
   Seconds busy_high{}, busy_low{};  ///< execution time by priority; switches count as high priority
-  /// Cycles taken from the idle CPU by DMA and a companion. If the CPU is busy, it stays busy
-  /// longer instead.
+  /// Cycles that DMA and a companion have taken from the CPU while it was idle. Taking cycles from
+  /// a busy CPU extends its busy time instead.
   Seconds stolen_idle{};
   std::uint64_t preemptions = 0, dispatches = 0;
   Seconds busy() const { return busy_high + busy_low; }
-  /// Time that would not be available to an additional process of lowest priority, not counting
-  /// switches.
+  /// Time that an additional process of lowest priority could not have used. Does not include
+  /// switches that such a process would cause.
   Seconds taken() const { return busy() + stolen_idle; }
 };
 
@@ -53,7 +53,7 @@ class CpuDiary {
  public:
   explicit CpuDiary(const Processor& processor) : processor_(processor) {}
 
-  /// Sets the observer and drops activities not yet reported.
+  /// Sets the observer. Drops the activities that have not been reported yet.
   void set_observer(Observer* observer) {
     observer_ = observer;
     spans_.clear();
@@ -105,14 +105,14 @@ class Cpu {
     const Seconds alone = cycles / model_.cpu.clock;
     return speed_ == 1 ? alone : Seconds{alone.value / speed_};
   }
-  /// Sets the fraction of the CPU's cycles taken by `thief`. This is a link's DMA, numbered by port
-  /// 0 to 3, or the companion's CPU (BY_COMPANION). Higher numbers are the DMA of the companion's
-  /// links. Current work, and work charged by a high-priority process before it blocked, ends
+  /// Sets the fraction of the CPU's cycles taken by `thief`: by the DMA of the link at port 0 to 3,
+  /// by the companion's CPU (BY_COMPANION), or by the DMA of the companion's links (higher
+  /// numbers). Current work, and work charged by a high-priority process before it blocked, ends
   /// later.
   static constexpr std::size_t BY_COMPANION = 4;
   void set_stolen(std::size_t thief, double share);
   CpuUse use() const { return use_by(now()); }  ///< up to the present date
-  /// Use up to a later date, provided that nothing happens before.
+  /// Use up to a later date, provided that no event occurs before that date.
   CpuUse use_by(Seconds date) const;
   /// Lower bound on the time until a process ends its current computation, even if it is waiting
   /// for the CPU. Assumes full speed.
@@ -173,7 +173,7 @@ class Cpu {
   double slices(Seconds date) const;
   Seconds tick_of_slices(double tick) const;
   void begin_slice(Process& low);
-  void compute(Process& low, Seconds time);  // spends time that can be pre-empted
+  void compute(Process& low, Seconds time);  // starts a computation that can be pre-empted
   void stretch(const Stretch& stretch);
   void at(Seconds date, const Process& process, auto then);
   void find_end_of_slice();
@@ -200,7 +200,7 @@ class Cpu {
   std::uint64_t dispatch_id_ = 0;  // scheduled calls with a different id are outdated
   Process* last_high_ = nullptr;   // releases the CPU at free_at_, ahead of the clock
   // True while executing a process that has just reached a link. The next process is dispatched
-  // after all others that reach links at this date.
+  // after all others that reach links at the same date.
   bool has_come_to_link_ = false;
   High high_;
   CpuUse use_;

@@ -22,7 +22,7 @@ void Engine::set_pace(Pace& pace) {
 
 Engine::End Engine::run(Seconds until) {
   events_.set_until(until.value);
-  events_.at(0, [] {});  // also runs callbacks of soon() that are pending before the run
+  events_.at(0, [] {});  // also causes pending callbacks of soon() to run
   carrier_->run();
   if (events_.end() == End::no_event_left) rewind();
   return events_.end();

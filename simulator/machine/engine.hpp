@@ -17,10 +17,10 @@ enum class Links : std::uint8_t {
 struct EngineParams {
   Links links = Links::simgrid;
   Processes processes = Processes::fibers;
-  /// Part of each processor, in the order of add_processor(). Each part runs in its own host
+  /// The part of each processor, in the order of add_processor(). Each part runs in its own host
   /// thread, see Parts. Parts are numbered from 0 without gaps, and processors without an entry are
-  /// in part 0. An empty vector means one part. Results do not depend on it. Only with
-  /// Links::direct.
+  /// in part 0. An empty vector means one part. The division does not affect results. Several parts
+  /// require Links::direct.
   std::vector<int> parts = {};
 };
 

@@ -10,7 +10,7 @@ namespace machine {
 
 struct LinkUse {
   Seconds busy{};
-  std::uint64_t messages = 0, bytes = 0;  ///< arrived messages and their bytes
+  std::uint64_t messages = 0, bytes = 0;  ///< number of arrived messages, and their bytes
   std::uint64_t bytes_sent = 0;           ///< bytes of started messages
   std::uint64_t bytes_cut = 0;            ///< bytes of a message that was cut
 };
@@ -41,9 +41,9 @@ class Cable {
 /// One direction of a link.
 class LinkDirection {
  public:
-  /// `direction` is the number in the engine, `number` the number in the machine. `beside` counts
-  /// earlier links between the two processors. `delay` is the time that each message spends in link
-  /// switches.
+  /// `direction` is this direction's number in the engine, `number` that in the machine. `beside`
+  /// counts earlier links between the two processors. `delay` is the time that each message spends
+  /// in link switches.
   LinkDirection(Engine& engine, std::size_t direction, std::size_t number, Processor& from,
                 Processor& to, std::size_t beside, std::shared_ptr<Cable> cable, Seconds delay)
       : engine_(engine),
@@ -63,8 +63,8 @@ class LinkDirection {
   /// True if the link joins two parts of the machine, see Parts.
   bool is_between_parts() const { return &from_.engine() != &to_.engine(); }
   /// Schedules a callback at `date`, the own time of a descheduled process that then reaches an end
-  /// of the link. It runs before other processes continue at that date. Only for links within a
-  /// part; between parts, processes arrive with the clock.
+  /// of the link. The callback runs before other processes that continue at that date. Only for
+  /// links within a part; between parts, processes arrive with the clock.
   void come_at(Seconds date, Side side, Engine::Callback has_come);
   /// Announces that `process` is computing and will then reach this end of the link.
   void expect(Side side, Process& process);
@@ -81,19 +81,20 @@ class LinkDirection {
   Processor& to() const { return to_; }
   /// For a callback of come_at() that has no effect, see Engine::ignore_event.
   void ignore_event() { engine_.ignore_event(); }
-  /// Ends all traffic. Returns true if a message was lost; its callback is not called. The caller
-  /// cuts the opposite direction at the same date. No message may start afterwards.
+  /// Ends all traffic. Returns true if a message was lost; the callback of this message is not
+  /// called. The caller cuts the opposite direction at the same date. No message may start
+  /// afterwards.
   bool cut();
   bool is_cut() const { return cut_; }
   bool is_busy() const { return busy_; }  ///< true while a message is moving
-  /// Fraction of the current message moved by `date`, a present or future date, provided that
-  /// nothing happens before. 0 during the switch delay and without a message.
+  /// Fraction of the current message that has been moved by `date`. If this date is in the future,
+  /// assumes that nothing happens before. 0 during the switch delay and without a message.
   double passed(Seconds date) const;
   /// Use up to now. A message counts when it has arrived.
   LinkUse use() const { return use_by(engine_.now()); }
-  /// Use up to a later date, provided that nothing happens before.
+  /// Use up to a later date, provided that no event occurs before that date.
   LinkUse use_by(Seconds date) const;
-  std::size_t beside() const { return beside_; }  ///< earlier parallel links
+  std::size_t beside() const { return beside_; }  ///< number of earlier parallel links
   /// "p0 > p1", or "p0 > p1 (2)" for the second link between the two processors.
   std::string name() const;
   void set_observer(Observer* observer) { observer_ = observer; }

@@ -145,7 +145,7 @@ void throw_if_deadlocked(const Machine& machine) {
 std::vector<const Process*> find_wait_cycle(const Machine& machine) {
   Blocked blocked = find_blocked(machine);
   std::erase_if(blocked, [](const auto& of) {
-    return of.second->state() != Process::State::blocked;  // interrupted runs have others
+    return of.second->state() != Process::State::blocked;  // interrupted runs have ready processes
   });
   std::vector<const Process*> cycle;
   for (ProcessId p : find_cycle(find_waits(blocked))) cycle.push_back(blocked.at(p));
@@ -252,7 +252,7 @@ End Machine::run(Seconds until) {
   const Engine::End why = parts_.run(until, lookahead());
   throw_failure();
   const bool cut = why != Engine::End::no_event_left && !all_have_ended(*this);
-  if (!cut && why != Engine::End::no_event_left) parts_.rewind();  // the events were outdated
+  if (!cut && why != Engine::End::no_event_left) parts_.rewind();  // only outdated events were left
   for (const auto& processor : processors_) processor->cpu().flush_observer();
   for (const auto& link : links_) link->flush_observer();
   if (cut) return why == Engine::End::until ? End::limit : End::interrupt;

@@ -78,7 +78,7 @@ class Machine {
   /// some processes have not ended.
   End run(Seconds until = {std::numeric_limits<double>::infinity()});
 
-  /// With several parts only valid between runs; during a run, ask a processor.
+  /// With several parts, valid only between runs; use Processor::now() during a run.
   Seconds now() const { return parts_.now(); }
   std::uint64_t events() const { return parts_.handled(); }
   Parts::Windows windows() const { return parts_.windows(); }

@@ -36,8 +36,8 @@ struct Entry {
   std::string source;
   std::string where;  ///< place for messages: "my.toml:4: link.one_way_rate"
   std::optional<Range> range = {};
-  /// For a calibrated entry: the quantity that the published cells determine, a formula that is
-  /// linear in this entry. Empty if the cells determine the entry itself.
+  /// For a calibrated entry whose published cells determine another quantity: this quantity, as a
+  /// formula that is linear in the entry. Empty if the cells determine the entry itself.
   std::string holds = {};
 };
 
@@ -59,25 +59,25 @@ struct Model {
   struct Link {
     double bit_rate;                      // bits/s
     double one_way_rate, both_ways_rate;  // bytes/s, see LinkRates
-    double switch_bits;                   // delay of a message in a C004 link switch, in bit times
+    double switch_bits;                   // delay of a message per C004 link switch, in bit times
     double switch_byte_bits;  // additional period of each byte per link switch, in bit times
   } link;
   struct Scheduler {
     Cycles slice;          // time slice period
     Cycles preemption;     // pre-emption of a low-priority process by a high-priority one
     Cycles return_to_low;  // resumption of the pre-empted process
-    Cycles start_process, end_process;  // startp, endp: branches of a PAR with equal priorities
-    Cycles run_process;                 // runp: a branch with different priority
+    Cycles start_process, end_process;  // startp, endp: for branches of a PAR with equal priorities
+    Cycles run_process;                 // runp: for a branch with different priority
     Cycles par_setup, par_branch;       // overhead of a PAR, and of each branch
   } scheduler;
   struct Channel {
-    Cycles operands;        // loading the operands of in or out
-    Cycles blocked;         // in or out that must wait or that starts a link
-    Cycles soft_setup;      // in or out whose partner waits on the same processor
-    Cycles copy_word;       // copy of a 4-byte word between them
-    Cycles out_word;        // additional cycles of outword for a message of one word
+    Cycles operands;        // loading the operands of `in` or `out`
+    Cycles blocked;         // `in` or `out` that must wait or that starts a link
+    Cycles soft_setup;      // `in` or `out` whose partner waits on the same processor
+    Cycles copy_word;       // copying a 4-byte word to or from that partner
+    Cycles out_word;        // additional cycles of `outword`, for a message of one word
     Cycles wake_companion;  // waking a process on the companion's CPU
-    /// Minimum time from the start of in or out until it reaches a link.
+    /// Minimum time from the start of `in` or `out` until the process reaches a link.
     Cycles least_to_link() const { return operands + blocked; }
   } channel;
   struct Alternative {
@@ -113,7 +113,7 @@ struct Model {
   NamedNumbers bytes;
 };
 
-// All throw BadInput for a name that the model does not contain.
+// These functions throw BadInput for a name that the model does not contain.
 std::uint64_t get_bytes(const Model& model, std::string_view name);
 Cycles get_instruction(const Model& model, std::string_view name);
 Cycles get_operation(const Model& model, std::string_view name);  ///< without the kernel's scale
@@ -130,7 +130,7 @@ Model load_model(std::string_view name);
 Model parse_model(std::string_view text, std::string_view origin);
 /// The value of an entry: a number, or a formula over other entries.
 using EntryValue = std::variant<double, std::string>;
-/// Formats the value as a model file does, a formula in quotes.
+/// Formats the value as a model file does, with quotes around a formula.
 std::string to_text(const EntryValue& value);
 /// Values that replace those of a model, by key ("link.bit_rate").
 using Overrides = std::vector<std::pair<std::string, EntryValue>>;
@@ -155,7 +155,7 @@ class OperationCosts {
   OperationCosts(const Model& model, std::string_view kernel,
                  std::span<const std::string_view> names);
   Cycles operator()(std::span<const std::uint64_t> counts) const;
-  /// Uses the costs of `other`, which has the same operations, from index `first` on.
+  /// From index `first` on, replaces the costs by those of `other`, which has the same operations.
   void replace_from(std::size_t first, const OperationCosts& other);
 
  private:

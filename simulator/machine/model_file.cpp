@@ -31,7 +31,7 @@ Field field(const char* key, const char* unit, Section Model::*section, Value Se
   return base::Declare<Model>::number(key, access, low, high, unit, "");
 }
 
-// An entry that only formulas of other entries use.
+// An entry that is not a member of Model: only formulas of other entries use it.
 Field shared(const char* key, const char* unit, double low = 0, double high = LARGEST) {
   return {key,
           unit,
@@ -146,7 +146,7 @@ void check_bit_rate(const Model& model, std::string_view origin) {
 }
 
 // Required unit of an entry; empty for an unknown key. The sections instruction, operation, scale
-// and bytes accept any key, because programs add their own names.
+// and bytes are open: they accept any key, because programs add their own names.
 std::string unit_of(std::string_view key) {
   if (const auto* open = find_open(key)) return open->unit;
   const auto known = std::ranges::find(fields(), key, &Field::name);
@@ -258,8 +258,8 @@ Entry read_entry(const std::string& key, const toml::node& node, const std::stri
   return entry;
 }
 
-// Checks that a key is known. A model with a base may change names in the open sections but must
-// not add any.
+// Checks that a key is known. A model with a base may change entries of open sections (see unit_of)
+// but must not add any.
 void check_key(const Model& model, const Entry& entry, bool has_base) {
   const bool known =
       std::ranges::find(model.entries, entry.key, &Entry::key) != model.entries.end();
@@ -339,8 +339,8 @@ std::optional<std::string> read_text(const toml::table& file, const char* key,
   return node->value<std::string>();
 }
 
-// Loads a model by name or path. `inside` is the depth in the chain of bases. `where` is the prefix
-// of errors for an unknown name or an unreadable file.
+// Loads a model by name or path. `inside` is the depth in the chain of bases. If the name is
+// unknown or the file unreadable, the message starts with `where`.
 Model load(std::string_view name, const std::filesystem::path& folder, int inside,
            const std::string& where);
 

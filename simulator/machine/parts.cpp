@@ -11,7 +11,7 @@ namespace machine {
 namespace {
 
 // Lower bound of `date + duration`. Both may contain several rounding errors, all much smaller than
-// these fractions.
+// the fractions subtracted here.
 double at_the_earliest(double date, double duration) {
   return date + (1 - 1e-9) * duration - 1e-14 * date;
 }
@@ -110,7 +110,8 @@ void Parts::be_at(double date) {
 }
 
 // End of the window that starts at `date`: the earliest date at which any process can reach a link
-// between parts. Announced processes have a bound of their own.
+// between parts. For a process that has announced its arrival at such a link, this is the end of
+// its computation.
 Moment Parts::end_of_window(double date, double lookahead) const {
   double end = at_the_earliest(date, lookahead);
   for (const auto& engine : engines_)

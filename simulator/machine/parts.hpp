@@ -22,15 +22,15 @@ class Parts {
  public:
   explicit Parts(EngineParams params);
 
-  /// Adds a processor and returns its engine. This is `beside` if given, otherwise the engine of
-  /// its part in the params.
+  /// Adds a processor and returns its engine: `beside` if given, otherwise the engine of the part
+  /// that EngineParams::parts names.
   Engine& add_processor(const std::string& name, const Engine* beside = nullptr);
   /// The engine for links between processors with engines `a` and `b`.
   Engine& between(Engine& a, Engine& b) { return &a == &b ? a : *between_; }
 
   bool is_one() const { return engines_.size() == 1; }
-  /// The engine of a machine in one part. With several parts, throws InvariantBroken: they do not
-  /// support the feature `asked`.
+  /// The engine of a machine in one part. With several parts, throws InvariantBroken: such machines
+  /// do not support the feature `asked`.
   Engine& only(const char* asked);
 
   /// Runs like Engine::run. `lookahead` is the minimum time that a process needs to reach a link.

@@ -19,8 +19,8 @@ Process& this_process();
 /// An action of a process that may have to wait for other processes or for simulated time.
 class Operation {
  public:
-  /// Starts or continues the operation. Returns true if it is complete. Otherwise the process
-  /// yields the CPU, and calls again when it next runs.
+  /// Starts or continues the operation. Returns true if it is complete. If it returns false, the
+  /// process yields the CPU and calls it again when it next runs.
   virtual bool go_on(Process& self) = 0;
   /// Result of `co_await operation`, fetched when the operation is complete.
   void await_resume() const {}

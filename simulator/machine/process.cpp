@@ -33,7 +33,7 @@ Process::Process(Processor& processor, std::string name, Priority priority, Proc
 Process::~Process() {
   cancelled_ = true;
   while (coroutine_ && !coroutine_->has_ended()) resume();
-  Process* const other = std::exchange(executing, this);  // destructors may use this
+  Process* const other = std::exchange(executing, this);  // destructors may call this_process()
   proc_ = {};
   executing = other;
 }
@@ -42,7 +42,7 @@ void Process::live() {
   try {
     const Body body = std::move(body_);
     if (!cancelled_) body();
-    if (!cancelled_ && !ends_by_this_) sync();  // its own time must be over before it ends
+    if (!cancelled_ && !ends_by_this_) sync();  // the clock must reach its own time before it ends
   } catch (const Cancelled&) {
   } catch (const std::exception&) {
     processor_.fail(std::current_exception());
@@ -54,7 +54,7 @@ void Process::live_on() {
   try {
     if (proc_ && !proc_.go_on(*this)) return;
     proc_ = {};
-    if (!ends_by_this_ && must_sync()) return;  // its own time must be over before it ends
+    if (!ends_by_this_ && must_sync()) return;  // the clock must reach its own time before it ends
   } catch (const std::exception&) {
     processor_.fail(std::current_exception());
   }
@@ -70,8 +70,8 @@ void Process::resume() {
   executing = nullptr;
 }
 
-// Suspends the body until its operation is complete. Meanwhile the operation runs without the
-// body's stack.
+// Suspends the body until its operation is complete. Until then, the CPU continues the operation
+// without the body's stack.
 void Process::suspend_in(Operation& operation) {
   operation_ = &operation;
   leave_body();
@@ -122,7 +122,7 @@ void Process::note_end_of_run() {
   if (blocked_since_ > engine.until()) engine.at(blocked_since_, [] {});  // ends the run there
 }
 
-// Moves the dates of a process that blocked, or became ready, ahead of the clock.
+// Moves the dates of a process that blocked or became ready at a date ahead of the clock.
 void Process::stretch(const Stretch& stretch) {
   if (state_ == State::ready) {
     const Seconds waited = ready_at_ - blocked_since_;
@@ -151,9 +151,9 @@ Seconds Process::blocked(Wait::Kind kind) const {
                       : over;
 }
 
-// Syncs if the debt is too large or exceeds the limit of the run. Otherwise a process that only
-// computes would prevent the run from ending at its limit, at a failure or on request. A Proc
-// cannot sync here; with too large a debt it throws.
+// Syncs if the debt is too large or extends beyond the time limit of the run. Otherwise a process
+// that only computes would prevent the run from ending at its limit, at a failure or on request. A
+// Proc cannot sync here; it throws if its debt is too large.
 void Process::sync_if_much() {
   if (executing != this) return;
   const Seconds earliest = processor_.now() + debt_ / processor_.clock();

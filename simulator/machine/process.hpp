@@ -34,14 +34,13 @@ struct Wait {
 
   /// Description for a deadlock report, such as "in on worker3.from.left".
   virtual std::string describe() const = 0;
-  /// The known processes that could end the wait, any one of them. They may have ended already.
+  /// The known processes, each of which could end the wait alone. They may have ended already.
   virtual std::vector<ProcessId> waits_for() const { return {}; }
   virtual Kind kind() const { return Kind::other; }
   /// Called after a link of the processor has been cut. Ends the wait of `process` if it waits for
   /// this link and its operation may fail.
   virtual void on_cut(Process& process) { static_cast<void>(process); }
-  /// Called after blocked_since() of `process` has changed, which happens only to dates ahead of
-  /// the clock.
+  /// Called after blocked_since() of `process` has changed. Only dates ahead of the clock change.
   virtual void on_stretch(Process& process, const Stretch& stretch) {
     static_cast<void>(process), static_cast<void>(stretch);
   }
@@ -83,8 +82,8 @@ class Process {
     if (must) suspend();
     return must;
   }
-  /// Declares that the process has paid its debt and executes its last instruction now. Its body
-  /// then ends, even if a process made ready by this instruction takes the CPU.
+  /// Declares that the process has paid its debt and now executes its last instruction. If this
+  /// instruction makes a process ready that takes the CPU, the body still ends first.
   void end_by_this() { ends_by_this_ = true; }
   /// Yields the CPU until Processor::make_ready. A low-priority process must have paid its debt
   /// before.
@@ -98,23 +97,22 @@ class Process {
     return std::forward<SomeOperation>(operation);
   }
 
-  // --- called by operations -------------------------------------------------------------------
-  /// True if sync() would yield the CPU. The operation then returns false, and must not repeat this
-  /// test when it continues.
+  // True if sync() would yield the CPU. The operation must then return false, and must not test
+  // again when it continues.
   inline bool must_sync() const;
-  /// Like must_sync(), for operations that interact by time stamps. A high-priority process syncs
-  /// only if its debt is large.
+  /// Like must_sync(), for operations that interact by time stamps. For a high-priority process,
+  /// true only if its debt is also large.
   bool must_sync_if_long() const {
     return (priority_ == Priority::low || owes_much()) && must_sync();
   }
   bool owes_much() const { return debt_ > LONG_DEBT; }
-  /// Mean duration of a cycle during the last payment. Transfers that start or end during the
-  /// payment affect it, except those at the date of payment.
+  /// Mean duration of a cycle during the last payment. Includes the effect of transfers that start
+  /// or end during the payment, but not at its end.
   Seconds paid_cycle() const {
     return {paid_for_.value / static_cast<double>(std::max<std::int64_t>(1, paying_.value))};
   }
-  /// Rank of the end of its computation among simultaneous events, see Events. A process with a
-  /// rank reaches a link as soon as it has paid its debt.
+  /// Rank, among simultaneous events, of the end of the process's computation; see Events. A
+  /// process with a rank reaches a link as soon as it has paid its debt.
   static constexpr std::uint64_t NO_RANK = ~std::uint64_t{0};
   void set_rank(std::uint64_t rank) { rank_ = rank; }
   bool has_rank() const { return rank_ != NO_RANK; }
@@ -127,8 +125,8 @@ class Process {
   /// Pays the debt and returns the date. Throws Misuse if called by another process.
   Seconds now();
   /// The clock plus the time to pay the debt, without pre-emption and at the present speed. Exact
-  /// for a process that has just paid. A stored date ahead of the clock must be stretched, see
-  /// Wait::on_stretch.
+  /// for a process that has just paid. If such a date ahead of the clock is stored, it must be
+  /// updated by Wait::on_stretch.
   inline Seconds own_time() const;
 
   Processor& processor() { return processor_; }
@@ -200,7 +198,7 @@ class Process {
   std::uint64_t rank_ = NO_RANK;
   int wake_ups_ = 0;  // number of pending events of Processor::wake_at
   std::uint32_t trace_id_ = 0;
-  std::exception_ptr failure_;  // exception thrown by its operation
+  std::exception_ptr failure_;  // exception thrown by `operation_`
   Body body_;
   std::string name_;
 };

@@ -65,7 +65,8 @@ class Processor {
   void remove(const Process& process);
   /// Makes a blocked process ready, see Cpu::make_ready.
   void make_ready(Process& process, Seconds at) { cpu_.make_ready(process, at); }
-  /// Makes the process ready at a future date if its wait number `wait` still lasts then.
+  /// Makes the process ready at a future date, if it is then still in the wait with number `wait`
+  /// (Process::waits).
   void wake_at(Seconds date, Process& process, std::uint64_t wait);
   /// Like wake_at, but before all other events of that date.
   void wake_first_at(Seconds date, Process& process, std::uint64_t wait);
@@ -124,7 +125,7 @@ class Processor {
   std::string name_, role_;
   std::shared_ptr<Memory> memory_;
   std::vector<std::unique_ptr<Process>> processes_;
-  std::vector<std::unique_ptr<Process>> removed_;  // a pending wake_at may refer to them
+  std::vector<std::unique_ptr<Process>> removed_;  // kept while a wake_at may refer to them
   std::size_t sweep_at_ = 16;                      // size of removed_ at which it is cleaned up
 };
 

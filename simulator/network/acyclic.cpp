@@ -14,8 +14,7 @@ namespace network {
 
 namespace {
 
-// An additional way in, with its own channels, for messages that are sent again from this
-// processor.
+// An additional way in, with its own channels, for messages that this processor sends again.
 constexpr int AGAIN = WAYS;
 
 // Inputs of a way out: a channel from each way in. A way out to a client also has an inbox.
@@ -67,7 +66,8 @@ class AcyclicRouter {
     }
   }
 
-  // Passes the message to the senders of its ways out, through the channels of way in `as`.
+  // Passes the message to the senders of its ways out. Uses the channels that lead there from the
+  // way in with number `as`.
   void hand_on(Message message, int came_by, int as) {
     const Returned before = message.returned;
     const WaysOut ways = node_.find_ways_out(message, came_by);
@@ -80,7 +80,7 @@ class AcyclicRouter {
     }
   }
 
-  // Guards for the inputs of a way out, in rotation: inputs[i] ? message
+  // Guards `inputs[i] ? message` for the inputs of a way out. The guard with precedence rotates.
   template <class Then>
   static auto each_of(WayOut& way, Then then) {
     return each(way.inputs, way.favourite, [&way, then](std::size_t, Handed handed) {
@@ -124,9 +124,9 @@ class AcyclicRouter {
     }
   }
 
-  // Queues the message for a temporary process that sends all such messages. No other process waits
-  // for it. If receivers or senders did this work, they could wait for each other in a cycle that
-  // the routes exclude.
+  // Queues the message for a temporary process that sends the queued messages again. No other
+  // process waits for this process. If receivers or senders did its work, they could wait for each
+  // other in a cycle that the routes exclude.
   void send_later(Message message) {
     node_.hold(message);
     again_.push_back(std::move(message));

@@ -40,8 +40,8 @@ class ChalmersRouter {
       for (auto& again : node_.send_around(next.message, way)) put(again, NO_WAY);
   }
 
-  // Figure 5.11, PRI PAR: sends the message and buffers all arrivals meanwhile. A GLOBAL message
-  // leaves by all its ways in parallel.
+  // Figure 5.11, PRI PAR: sends the message and buffers all messages that arrive meanwhile. A
+  // GLOBAL message leaves by all its ways in parallel.
   void send(const Waiting& next, std::vector<int>& failed) {
     Channel<Signal> to_handle_input(name_);
     const auto pass = [&](int way) {

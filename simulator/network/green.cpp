@@ -1,5 +1,5 @@
-// Green's router (S. Green, 1991) for any topology, as in the thesis (figures 5.12 to 5.14). Links
-// to processors with lower numbers have a sender process, and so have clients. Messages for a busy
+// Green's router (S. Green, 1991) for any topology, as in the thesis (figures 5.12 to 5.14). Each
+// client and each link to a processor with a lower number has a sender process. Messages for a busy
 // sender wait in its FIFO. On links to higher numbers, the router itself sends and waits. A chain
 // of routers that wait for each other therefore has ascending numbers and cannot be a cycle.
 #include "simulator/network/routers.hpp"
@@ -43,7 +43,7 @@ class GreenRouter {
     Channel<Handed> into;
     std::deque<Message> fifo;
     bool ready = false;
-    std::vector<Message> failed;  // not sent because the link was cut
+    std::vector<Message> failed;  // messages not sent because the link was cut
   };
 
   // The sender process of figure 5.13.

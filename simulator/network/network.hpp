@@ -12,7 +12,7 @@ namespace network {
 enum class Method : std::uint8_t {
   naive,     ///< passes each message on before taking the next; may deadlock
   chalmers,  ///< sends one message at a time and buffers arrivals meanwhile (figure 5.11)
-  green,     ///< has senders to lower-numbered processors and to clients (figures 5.12 to 5.14)
+  green,     ///< has senders for lower-numbered processors and clients only (figures 5.12 to 5.14)
   acyclic,   ///< uses routes on which links cannot wait for each other in a cycle (see Routing)
 };
 
@@ -26,8 +26,8 @@ struct Params {
   /// The processes served by each client, by processor and client (at most MAX_CLIENTS), as bit
   /// sets. Empty: each processor has one client for all processes.
   std::vector<std::vector<std::uint32_t>> processes;
-  /// By processor: the companion on which its clients from number 1 on run, or null. Empty: all
-  /// clients run on the processor itself.
+  /// By processor: its companion, if clients from number 1 on run there; null if all run on the
+  /// processor itself. Empty: null for all processors.
   std::vector<const machine::Processor*> companions = {};
 };
 

@@ -109,7 +109,8 @@ WaysOut Node::determine_ways(Message& message, int came_by) {
   }
   for (;;) {
     const int to = message.to.processor, client = client_of(message.to.process);
-    // After a cut, the route may pass the sender again. The sender is not offered its own message.
+    // After a cut, the route may lead through the sender again. The sender is not offered its own
+    // message.
     const bool is_offered =
         message.to.mode == Mode::in_path_to && from_link && message.from.processor != id;
     if (client != NO_WAY && (to == id || is_offered)) {
@@ -132,8 +133,9 @@ WaysOut Node::determine_ways(Message& message, int came_by) {
   }
 }
 
-// Chooses one of several links to a neighbour. The choice depends only on the two processes, so
-// that their messages stay in order. `port` is the lowest port to the neighbour.
+// Chooses one of several links to a neighbour. The choice depends only on the sending and the
+// receiving process, so that their messages stay in order. `port` is the lowest port to the
+// neighbour.
 int Node::choose_link(const Message& message, int port) const {
   const int links = routing->links_beside(id, port);
   if (links == 1) return port;

@@ -72,7 +72,7 @@ struct Node;
 constexpr int CLIENT = topologies::PORTS;
 constexpr int MAX_CLIENTS = 4;
 constexpr int WAYS = CLIENT + MAX_CLIENTS;
-constexpr int NO_WAY = -1;  ///< way in of a message that this router sends again itself
+constexpr int NO_WAY = -1;  ///< instead of the way in of a message that is sent again
 
 /// Fault: a router has no free buffer for a message.
 struct Overflow : machine::Fault {
@@ -83,7 +83,7 @@ struct Overflow : machine::Fault {
 struct RouterUse {
   std::uint64_t taken = 0;      ///< received from clients
   std::uint64_t passed = 0;     ///< passed from link to link ("EE" in table 5.1)
-  std::uint64_t delivered = 0;  ///< messages delivered to clients, except returned ones
+  std::uint64_t delivered = 0;  ///< delivered to clients, without returned messages
   std::uint64_t returned = 0;   ///< sent back to their sender as undeliverable
   std::uint64_t lost = 0;       ///< neither delivered nor returned
   std::size_t most_held = 0;    ///< maximum length of the queues
@@ -109,7 +109,8 @@ struct WaysOut {
   const std::int8_t* end() const { return way.data() + count; }
 };
 
-/// A way in, as an input of occam::each: `way ? message`. Yields no message if its link is cut.
+/// A way in, as an input of occam::each: `way ? message`. Yields no message if the way's link is
+/// cut.
 struct WayIn {
   Node* node;
   int way;
@@ -133,22 +134,22 @@ struct Node {
   std::vector<int> ways() const;  ///< all ways; each leads both in and out
   std::vector<WayIn> inputs();    ///< all ways, as inputs
 
-  /// `channel ? message`; returns nothing if the link is cut.
+  /// `channel ? message` from this way; returns nothing if the link is cut.
   std::optional<Message> take(int way);
-  /// `channel ! message`; returns false if the link is cut.
+  /// `channel ! message` to this way; returns false if the link is cut.
   bool pass(int way, const Message& message);
-  /// Determines the ways out for a message that came by this way (determ.ways.out in figure 5.14).
-  /// An undeliverable message is redirected to its sender. If there is no way to the sender either,
-  /// the result is empty. With pointers, also charges the allocation and release of a buffer for
-  /// each way.
+  /// Determines the ways out for a message that came by `came_by` (determ.ways.out in figure 5.14).
+  /// Redirects an undeliverable message to its sender. If there is no way to the sender either,
+  /// returns no ways. With pointers, also charges the allocation and release of a buffer for each
+  /// way.
   WaysOut find_ways_out(Message& message, int came_by);
-  /// Messages that must be returned to this processor's client, one for each processor that the
-  /// tree of a GLOBAL message did not reach. The caller sends them next.
+  /// Messages to be returned to this processor's client: one for each processor that the tree of
+  /// the client's GLOBAL message does not reach. The caller sends them next.
   std::vector<Message> take_unreached() { return std::exchange(unreached_, {}); }
   /// Replacements for a message whose link `way` was cut, to be sent from this processor.
   std::vector<Message> send_around(Message message, int way);
 
-  /// Reserves a buffer and charges the copy of the message unless pointers are used. Throws
+  /// Reserves a buffer for the message. Without pointers, charges the copy to the buffer. Throws
   /// Overflow.
   void hold(const Message& message);
   void release(const Message& message);

@@ -17,7 +17,7 @@ using topologies::TreeLinks;
 
 class Routing {
  public:
-  /// The kind of routes and trees to make after a link is cut.
+  /// The kind of routes and trees that are made after a link has been cut.
   enum class Kind { shortest, up_down };
 
   /// GLOBAL messages of all senders follow `tree`. Without a tree, each sender has its own
@@ -27,7 +27,7 @@ class Routing {
 
   int processors() const { return routes_.processors; }
   const topologies::Topology& topology() const { return epochs_.back().topology; }
-  /// The port of processor `at` towards `to`, the lowest of several to the same neighbour. -1 if
+  /// The port of processor `at` towards `to`; of several to the same neighbour, the lowest. -1 if
   /// `at` is `to` or if no route is left.
   int port_to(int at, int to) const { return routes_.next_port(at, to); }
   int distance(int from, int to) const { return routes_.distance(from, to); }
@@ -64,7 +64,7 @@ class Routing {
   struct Epoch {
     topologies::Topology topology;  // contains the links not cut
     std::optional<TreeLinks> tree;
-    topologies::Topology allowed = {};  // the tree's links only, or all links if there is no tree
+    topologies::Topology allowed = {};  // the tree's links, or all links if there is no tree
     std::shared_ptr<Trees> trees = std::make_shared<Trees>();
   };
   void add_epoch(topologies::Topology topology, std::optional<TreeLinks> tree);
@@ -78,7 +78,7 @@ class Routing {
 };
 
 /// Makes routes that cannot deadlock, and a tree from the root for all GLOBAL messages. Keeps
-/// `routes` if they close no cycle of waiting links together with the tree; otherwise makes
+/// `routes` if they and the tree together close no cycle of waiting links. Otherwise makes
 /// up*/down* routes.
 Routing make_acyclic_routing(const topologies::Topology& topology,
                              const topologies::RoutingTable& routes);

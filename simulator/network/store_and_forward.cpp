@@ -78,7 +78,7 @@ void StoreAndForward::start_way_in(int id, int way, Channel<Packet>* link) {
   start(id, "receiver", way, receive(id, way, link));
 }
 
-// Chooses the way out. Packets to a neighbour alternate between parallel links.
+// Chooses the way out. Packets to the same neighbour alternate between parallel links.
 int StoreAndForward::take_way_to(int from, int to) {
   if (from == to) return CLIENT;
   auto& turn = nodes_[from].turn[routes_.next_port(from, to)];
@@ -101,7 +101,7 @@ int StoreAndForward::guards_on_the_way(int from, int to) {
   return guards;
 }
 
-// Receiver of a link. If `link` is null, the entry for the client's packets.
+// Receives packets from a link. If `link` is null, receives the client's packets.
 Proc StoreAndForward::receive(int id, int way, Channel<Packet>* link) {
   const auto& model = nodes_[id].processor->model();
   const std::array look_up{get_instruction(model, "ldl"), get_instruction(model, "ldl"),

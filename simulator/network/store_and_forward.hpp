@@ -46,8 +46,8 @@ class StoreAndForward {
   Channel<Pointer>& delivered(int processor) { return delivered_.at(processor); }
   const topologies::RoutingTable& routes() const { return routes_; }
   std::size_t longest_queue() const;  ///< maximum up to now, in packets
-  /// Total number of guards in the queues between two processors. The cost of an ALT grows with the
-  /// number of its guards.
+  /// Total number of guards in the ALTs of the queues between two processors. The cost of an ALT
+  /// grows with the number of its guards.
   int guards_on_the_way(int from, int to);
 
  private:
@@ -59,8 +59,8 @@ class StoreAndForward {
   struct Node {
     machine::Processor* processor;
     // Channels into the queue of each way out, by the receiver's port, or by CLIENT for the entry.
-    // Null where no packets can come from: except for its own client, a packet does not return to
-    // where it came from.
+    // Null if both are the same link, because a packet does not turn back. Packets from the client
+    // may return to the client.
     ByWay<ByWay<Channel<Pointer>*>> queue_in{};
     ByWay<Channel<Signal>*> sent{};
     ByWay<Channel<Pointer>*> to_sender{};

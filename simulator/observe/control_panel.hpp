@@ -23,19 +23,21 @@ struct ControlPanel {
     std::string name, help;
     std::function<double()> value;
   };
-  /// A varying quantity of one processor, such as the contents of its router or cache.
+  /// A varying quantity of one processor, such as the number of messages in its router or of bytes
+  /// in its cache.
   struct Reading {
     std::string name;
     double value = 0;
   };
-  using Inspect = std::function<std::vector<Reading>(int processor)>;  ///< takes the machine's id
-  /// Takes a command of the user: a record of the program's list "order". It takes effect at the
-  /// first tick of the user's clock after the later of now and `after`. Returns that time, the
-  /// record's at_s. Throws base::BadInput, with the messages of the experiment file, if the record
-  /// is invalid.
+  /// Returns the readings of a processor, given by its id in the machine.
+  using Inspect = std::function<std::vector<Reading>(int processor)>;
+  /// Takes a command of the user: a record of the program's list "order". The order takes effect at
+  /// the first tick of the user's clock after both now and `after`. Returns the time of this tick
+  /// as at_s of the record. Throws base::BadInput, with the messages of the experiment file, if the
+  /// record is invalid.
   using TakeOrder = std::function<double(const std::any& record, machine::Seconds after)>;
 
-  /// The network's processors, as ids in the machine. Empty if the numbers are the same.
+  /// By processor of the network: its id in the machine. Empty if numbers and ids are the same.
   std::vector<int> network;
   std::optional<Picture> picture;
   /// Computes the latest picture with the sequential renderer; rows start at the top. Stops with an
@@ -44,10 +46,10 @@ struct ControlPanel {
   std::vector<Gauge> gauges;
   std::vector<Inspect> inspections;      ///< each may return an empty list for a processor
   TakeOrder take_order;                  ///< empty for a program without a user
-  std::function<void()> close_orders;    ///< ends manual commands, so that only the file's remain
+  std::function<void()> close_orders;    ///< ends manual commands; only those of the file remain
   std::function<std::string()> phase;    ///< short description of the present activity
   std::function<bool()> waits_for_user;  ///< true: only a command of the user lets the run continue
-  std::function<bool()> is_complete;     ///< true: only the end of the run is left
+  std::function<bool()> is_complete;     ///< true: the program has nothing left to do but to end
 };
 
 }  // namespace observe

@@ -4,8 +4,8 @@
 
 namespace observe {
 
-/// `sum` over `count`, a number of things or the whole of a share; none if `count` is 0. In a table
-/// the cell is then empty.
+/// `sum` divided by `count`; none if `count` is 0, which gives an empty cell in a table. `count` is
+/// a number of things, or a total of which `sum` is a part.
 inline std::optional<double> eval_mean(double sum, double count) {
   return count > 0 ? std::optional(sum / count) : std::nullopt;
 }

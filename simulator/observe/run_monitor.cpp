@@ -47,7 +47,7 @@ class TraceRecorder : public machine::Observer {
     trace_.transfers.push_back({from.value, to.value, links_.at(&link), place->second, bytes});
   }
 
-  // Removes spans after the end, which were charged but did not happen.
+  // Removes spans after the end of the run. They were charged in advance but did not happen.
   void close(Seconds end) {
     trace_.end_s = std::max(end.value, trace_.begin_s);
     std::erase_if(trace_.spans, [&](const auto& s) { return s.from_s >= trace_.end_s; });

@@ -34,7 +34,7 @@ inline void notify_change(const RunMonitor* monitor, machine::Seconds now) {
 }
 
 /// Runs a machine and stores the outcome in `monitor`. Throws the exceptions of Machine::run, but
-/// fills the trace in any case. Deadlock after a failure of a link or processor is not thrown. It
+/// fills the trace in any case. A deadlock after a failure of a link or processor is not thrown: it
 /// is a valid outcome of the experiment, End::deadlock.
 machine::End run(machine::Machine& machine, RunMonitor& monitor, const ControlPanel& view = {});
 /// Runs a machine without a limit if `monitor` is null. Then no outcome is stored, and every

@@ -22,7 +22,8 @@ void add(TimelineRow& row, double from, double to, std::size_t kind, const Scale
   }
 }
 
-// The present stretch of a CPU's process, in columns. `own` is the time of the process itself.
+// The present stretch of a process, in columns. `own` is the time in which the process itself
+// executes, without interruptions.
 struct Open {
   double from = 0, to = -2, own = 0;
 };

@@ -143,9 +143,9 @@ class Chart {
           WIDTH);
   }
 
-  // Draws the area under the sum of the fractions in `doing`. Areas are drawn on top of each other,
-  // one for each kind. A column's height is its fraction. At the edge of a bar, between an empty
-  // and a full column, a step within the column shows the fraction.
+  // Draws an area whose height in each column is the sum of the column's fractions in `doing`.
+  // Callers draw areas on top of each other, the largest first. In a column between an empty and a
+  // full one, draws a step within the column instead: its position shows the fraction.
   void draw_area(const TimelineRow& row, int height, std::initializer_list<std::size_t> doing,
                  const char* name, const char* colour) {
     const int full = 2 * height;  // in half pixels

@@ -42,7 +42,7 @@ struct Trace {
 };
 
 // The writers throw base::InvariantBroken, before any output, for a trace that violates the rules
-// above. The first two formats store integer nanoseconds.
+// above. The Trace Event Format and Paje store integer nanoseconds.
 
 /// Writes the Trace Event Format (JSON) for Perfetto and chrome://tracing. Each processor becomes a
 /// process with one track for its CPU and one for each outgoing link direction. An arrow leads from

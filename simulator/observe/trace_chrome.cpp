@@ -22,8 +22,8 @@ std::string quote_json(std::string_view text) {
   return quoted + '"';
 }
 
-// Numbers of processes and tracks in the file. A CPU's track has the number of its process, so that
-// viewers show it first.
+// Numbers of processes and tracks in the file. A CPU's track has the same number as the process of
+// its processor, so that viewers show this track first.
 struct Numbers {
   std::size_t processors;
   std::size_t processor(std::size_t i) const { return i + 1; }
@@ -119,7 +119,7 @@ class ChromeFile {
 
   void write_spans() {
     const std::string switching = "\"switching\",\"cat\":\"switching\",\"cname\":\"grey\"";
-    std::vector<std::string> high, low;  // ends of slices, by process
+    std::vector<std::string> high, low;  // texts that end a slice, by process
     for (const auto& process : trace_.processes) {
       high.push_back(quote_json(process.name) + ",\"cat\":\"high\",\"cname\":\"bad\"");
       low.push_back(quote_json(process.name) + ",\"cat\":\"low\",\"cname\":\"good\"");

@@ -10,9 +10,9 @@ namespace observe {
 
 namespace {
 
-// Definitions of events, by number. Field names are those common to ViTE and PajeNG. States of CPUs
-// and links use PajeSetState: number 5 or 6 with additional fields, or number 4 without them for
-// idle, quiet and switching.
+// Definitions of events, by number. Field names are those that ViTE and PajeNG share. States of
+// CPUs and links are events PajeSetState: number 5 or 6 with additional fields, or number 4 without
+// them for idle, quiet and switching.
 struct EventDef {
   const char* name;
   std::vector<std::string_view> fields;
@@ -93,8 +93,8 @@ class PajeFile {
   }
 
  private:
-  // The spans of a processor or the transfers of a link, and the number of starts and ends written
-  // so far.
+  // The spans of a processor, or the transfers of a link, and the number of their starts and ends
+  // written so far.
   struct Lane {
     std::vector<std::uint32_t> items;
     std::size_t past = 0;

@@ -26,7 +26,7 @@ struct LinkRow {
   std::uint64_t messages = 0, bytes = 0;
 };
 
-/// Waiting times of a process, which is executing or ready during the rest of the time.
+/// Waiting times of a process. During the rest of the time it is executing or ready.
 struct ProcessRow {
   machine::ProcessId id = 0;
   std::string name;                                     ///< names need not be unique
@@ -47,7 +47,7 @@ struct KernelUse {
   double host_s = 0;  ///< host time of all calls
   machine::Cycles counted{}, charged{};
   double longest_batch_s = 0;  ///< host time of the longest batch of calls
-  bool is_short = false;       ///< too short for the host's clock even in the longest batch
+  bool is_short = false;       ///< true: even the longest batch was too short for the clock
 };
 
 /// Use up to now. Throws base::InvariantBroken if a resource was busy for longer than the elapsed

@@ -49,8 +49,8 @@ bool any_cut(std::span<const Guard> guards) {
 
 }  // namespace
 
-// Computes the cost of all guards when none is ready. Additional costs of ready guards are charged
-// later.
+// Computes the cost of all guards as if none were ready. Additional costs of ready guards are
+// charged later.
 Select::Select(std::span<const Guard> guards) : guards_(guards) {
   const auto& costs = this_process().processor().model().alternative;
   const Guard* last = nullptr;
@@ -94,7 +94,7 @@ bool Select::go_on(Process& self) {
       for (const Guard& guard : guards_)
         if (guard.condition && guard.channel) guard.channel->take_input(self);
       stage_ = Stage::enables;
-      // A small debt is paid later, together with the cost of enabling.
+      // A small debt is paid later, together with the cost of enabling the guards.
       if (self.owes_much() && self.must_sync()) return false;
       [[fallthrough]];
     case Stage::enables:
@@ -150,8 +150,9 @@ bool Select::some_ready(const Process& self) const {
   });
 }
 
-// Cost of alt and of enabling all guards. A guard that is ready when enabled has its own cost. An
-// output stays once it waits: if none waits at the end, none waited before.
+// Cost of alt and of enabling all guards. Enabling a guard has another cost if the guard is ready
+// at that time. Because a waiting output stays, no output has waited if none waits at the end of
+// enabling.
 Cycles Select::cost_to_enable_all(const Process& self) const {
   const auto waits = [&](const Guard& guard) {
     return guard.condition && guard.channel && guard.channel->has_output() &&
@@ -167,11 +168,11 @@ Cycles Select::cost_to_enable_all(const Process& self) const {
   return spent;
 }
 
-// Charges the cost of enabling known so far. If an output arrives meanwhile, a later call charges
-// the difference.
+// Charges the cost of enabling, as far as it is known. If an output arrives meanwhile, a later call
+// charges the difference.
 void Select::spend_enabling(Process& self) {
   const Cycles known = cost_to_enable_all(self);
-  if (known < enabled_ && any_cut(guards_)) return;  // a ready guard has lost its link
+  if (known < enabled_ && any_cut(guards_)) return;  // the link of a ready guard has been cut
   self.charge(Cycles{known.value - enabled_.value});
   enabled_ = known;
 }
@@ -218,8 +219,8 @@ bool Select::spend_disabling(Process& self) {
   return !must_settle(self) && choose(self);
 }
 
-// Disables the guards in order and chooses the first that is ready when disabled. There may be none
-// if the link of the ready guard has been cut.
+// Disables the guards in order and chooses the first that is ready when it is disabled. If the link
+// of the ready guard has been cut, there may be none; the process then waits again.
 bool Select::choose(Process& self) {
   const auto& costs = self.processor().model().alternative;
   Cycles spent{};

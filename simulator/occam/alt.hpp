@@ -38,14 +38,15 @@ struct Guard {
   Kind kind = Kind::skip;
   bool condition = true;
   bool replicated = false;  ///< costs a replicator step for enabling and another for disabling
-  bool is_fair = false;     ///< also costs a division each time, see fair_each
+  bool is_fair = false;     ///< also costs a division for enabling and for disabling, see fair_each
   std::int64_t tick = 0;    ///< the guard is ready from this tick on, counted as in wait_until()
 };
 
-/// Waits until a guard is ready. chosen() is then its index; the caller executes its input. At
-/// least one condition must be true. Charges the instructions of an ALT: alt, altwt and altend
-/// once, enbc and disc for each guard. With a timer, charges talt, taltwt, enbt and dist. A guard
-/// on a cut link is never ready. The link of the chosen guard may still be cut during the input.
+/// Waits until a guard is ready. chosen() is then its index; the caller executes its input. The
+/// condition of at least one guard must be true. Charges the instructions of an ALT: alt, altwt and
+/// altend once, enbc and disc for each guard. With a timer, charges talt, taltwt, enbt and dist. A
+/// guard on a cut link is never ready. The link of the chosen guard may still be cut during the
+/// input.
 class [[nodiscard]] Select final : public machine::Operation, machine::Wait {
  public:
   /// The guards must outlive the operation.
@@ -66,7 +67,8 @@ class [[nodiscard]] Select final : public machine::Operation, machine::Wait {
   bool some_ready(const Process& self) const;
   Cycles cost_to_enable_all(const Process& self) const;
   void spend_enabling(Process& self);
-  // Each function ends by calling the next one and returns its result, which is that of go_on().
+  // Each of these functions ends by calling the next one and returns its result, which is that of
+  // go_on().
   bool spend_wait(Process& self, bool ready);
   bool wait(Process& self);
   bool spend_disabling(Process& self);
@@ -91,8 +93,9 @@ inline std::size_t select(std::span<const Guard> guards) {
 using Guards = boost::container::small_vector<Guard, 16>;
 
 // Each argument of an ALT contains guards and two functions. begin(i, input) starts the input of
-// guard i, if it has one. Later, end(i, input) executes the guard's body. The input is stored
-// without the await_resume() of the classes derived from Exchange.
+// guard i, if it has one. Later, end(i, input) executes the guard's body. GuardedInput is an
+// Exchange without the await_resume() of its other derived classes, because end() fetches the
+// message.
 struct GuardedInput final : ChannelBase::Exchange {
   using Exchange::Exchange;
 };
@@ -152,9 +155,9 @@ auto after(bool condition, std::int64_t tick, Then then) {
   return PlainGuard<Then>{Guard::at(tick, condition), std::move(then)};
 }
 
-/// The channel of an input of `each`, in this overload a pointer to a channel. Other kinds of input
-/// must define channel_of(input) in their namespace, and input_from(input), which executes the
-/// input and may return any type.
+/// The channel of an input of `each`; here the input is a pointer to a channel. Other kinds of
+/// input must define channel_of(input) in their namespace, and input_from(input), which executes
+/// the input and may return any type.
 template <class Message>
 ChannelBase& channel_of(Channel<Message>* input) {
   return *input;
@@ -165,7 +168,7 @@ template <class Inputs, class Then>
 struct Replicated {
   const Inputs& inputs;
   std::size_t favourite;
-  bool is_fair;  // the program computes indices modulo their number, at a cost
+  bool is_fair;  // the program pays for computing indices modulo size()
   Then then;
 
   std::size_t size() const { return inputs.size(); }
@@ -181,7 +184,7 @@ struct Replicated {
   void end(std::size_t i, const MaybeInput& /*over*/) {
     then(index(i), inputs[index(i)]->received());
   }
-  /// Executes the input and the body for inputs other than channels, in a process with a stack.
+  /// For inputs other than channels, in a process with a stack: executes the input and the body.
   void take(std::size_t i) {
     charge_turn();
     then(index(i), input_from(inputs[index(i)]));
@@ -203,7 +206,7 @@ auto each(const Inputs& inputs, std::size_t first, Then then) {
 }
 
 /// PRI ALT i = favourite FOR SIZE inputs, with VAL k IS i REM SIZE inputs (figures 4.12 and 4.14).
-/// For fairness the program rotates the favourite itself, and pays for the divisions.
+/// For fairness, the simulated program itself rotates the favourite, and pays for the divisions.
 template <class Inputs, class Then>
 auto fair_each(const Inputs& inputs, std::size_t favourite, Then then) {
   return Replicated<Inputs, Then>{inputs, favourite, true, std::move(then)};

@@ -59,8 +59,8 @@ void ChannelBase::check_may_take(Side side, Process& self) {
                   side == writer ? "outputs to" : "inputs from", name_, at.value, why));
 }
 
-// Ends the communication of one part of a message. The message is moved with its last part, after
-// the tag or size.
+// Ends the communication of one part of a message: the tag or size, or the rest. The last part
+// moves the message itself.
 void ChannelBase::move_part() {
   rest_to_come_ = std::exchange(rest_follows_, false);
   if (!rest_to_come_) move_message();
@@ -90,8 +90,8 @@ void ChannelBase::enable(Process& process) {
   if (hard() && output.process) look_at(output.since, writer);
 }
 
-// Wakes the process in an ALT for an output that waits from date `at` on, unless another guard has
-// already woken it.
+// Wakes the process that waits in an ALT, because an output waits from date `at` on. No effect if
+// another guard has already woken the process.
 void ChannelBase::wake_alternative(Seconds at) {
   Process& waiting = *alternative_.process;
   if (waiting.state() == Process::State::blocked && waiting.waits() == alternative_wait_)
@@ -112,7 +112,8 @@ bool ChannelBase::come_to_link(Side side, Process& process) {
   return wakes_alternative && look_at(date, side);
 }
 
-// Calls look() when the clock reaches `date`. Returns false if that is now and has no effect.
+// Calls look() when the clock reaches `date`. If that is now, returns whether look() had an effect;
+// otherwise returns true.
 bool ChannelBase::look_at(Seconds date, Side side) {
   if (date <= link_->now()) return look();
   link_->come_at(date, side, [this] {
@@ -121,7 +122,8 @@ bool ChannelBase::look_at(Seconds date, Side side) {
   return true;
 }
 
-// Starts a transfer, wakes an ALT or reports a cut, if due. Returns true if it had an effect.
+// Starts a transfer, wakes an ALT or reports a cut, whichever is due. Returns true if that had an
+// effect.
 bool ChannelBase::look() {
   const auto has_come = [&](const Party& p) { return p.process && p.since <= link_->now(); };
   Party &output = end_of(writer).waiting, &input = end_of(reader).waiting;
@@ -223,8 +225,8 @@ Cycles ChannelBase::Exchange::cost_to_copy(const machine::Model::Channel& costs)
   return static_cast<std::int64_t>((bytes + 3) / 4) * costs.copy_word;
 }
 
-// Charges the cost before the rendezvous. The functions pay, pay_to_come and pay_for_late_partner
-// return false if the process must first yield the CPU.
+// Charges the cost before the rendezvous. Like pay and pay_for_late_partner, returns false if the
+// process must first yield the CPU.
 bool ChannelBase::Exchange::pay_to_come(Process& self) const {
   const auto& costs = self.processor().model().channel;
   const bool is_outword = side_ == writer && bytes_ == 4;
@@ -237,7 +239,8 @@ bool ChannelBase::Exchange::pay_to_come(Process& self) const {
              wakes && channel_->alternative_.process ? wake : Cycles{});
 }
 
-// Charges the copy if the partner reached a soft channel while a low-priority process was paying.
+// Charges the copy if the partner reached the soft channel while this process, of low priority, was
+// paying.
 bool ChannelBase::Exchange::pay_for_late_partner(Process& self) const {
   const auto& costs = self.processor().model().channel;
   const Cycles wake = channel_->joins_cpus() ? costs.wake_companion : Cycles{};
@@ -254,9 +257,9 @@ bool ChannelBase::Exchange::pay(Process& self, Cycles instructions, Cycles copy)
   return !(at_once ? self.must_sync() : self.must_sync_if_long());
 }
 
-// Completes a rendezvous when this process arrived second. A partner of high priority pre-empts a
-// low-priority process. The latter may first execute up to its next payment, which no other process
-// can observe.
+// Completes a rendezvous when this process arrived second. If the partner has high priority and
+// this process low, the partner pre-empts it. This process may first execute up to its next
+// payment, which no other process can observe.
 void ChannelBase::Exchange::meet(Process& self, Party partner) {
   ++channel_->use_.messages;
   channel_->use_.bytes += channel_->bytes_;
@@ -283,7 +286,7 @@ void ChannelBase::Exchange::on_stretch(Process& process, const machine::Stretch&
 void ChannelBase::Exchange::on_cut(Process& process) {
   if (!channel_->cut()) return;
   if (process.blocked_since() > channel_->link_->now()) {
-    // Without may_fail_, an event would only delay the report of a deadlock.
+    // Without may_fail_, an event would have no effect but to delay the report of a deadlock.
     if (may_fail_) channel_->look_at(process.blocked_since(), side_);
     return;
   }

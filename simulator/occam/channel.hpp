@@ -56,18 +56,19 @@ class ChannelBase {
 
   /// The process whose output would end an ALT's wait on this channel; 0 if unknown.
   machine::ProcessId last_writer() const { return end_of(writer).user; }
-  /// For ALT: true if an output is waiting, possibly from a future date on.
+  /// For ALT: true if an output is waiting, or will wait from a known future date on.
   bool has_output() const { return end_of(writer).waiting.process != nullptr; }
-  /// True if an output is waiting at date `at`. Over a link, dates ahead of the clock count as now.
+  /// True if an output is waiting at date `at`. Over a link, a date ahead of the clock is replaced
+  /// by the present date.
   bool output_waits(machine::Seconds at) const {
     const Party& waiting = end_of(writer).waiting;
     return waiting.process && waiting.since <= (hard() ? std::min(at, link_->now()) : at) && !cut();
   }
   /// For an ALT that finds no output: registers the process, which waits from its own time on. The
-  /// next output wakes it. An output that waits from a later date on also wakes it.
+  /// next output wakes it, even if that output is already known but waits from a later date on.
   void enable(Process& process);
   void disable() { alternative_ = {}; }
-  /// Updates the date of enabling, because the own time of a process ahead of the clock has moved.
+  /// Updates the date of enabling after the own time of a process ahead of the clock has moved.
   void move_enabling(machine::Seconds since) { alternative_.since = since; }
   /// For ALT: reserves the input end for the process until leave_input(), see take().
   void take_input(Process& process) { take(reader, process); }
@@ -103,7 +104,7 @@ class ChannelBase {
   struct End {
     Party waiting;  // the process that waits for its partner
     const Process* taken_by = nullptr;
-    const machine::Processor* place = nullptr;  // of the processes at this end, once known
+    const machine::Processor* place = nullptr;  // processor of this end's processes, once known
     machine::ProcessId user = 0;                // last process at this end, for deadlock reports
   };
 
@@ -121,11 +122,11 @@ class ChannelBase {
 
   // Members used by ALTs and most exchanges come first, to share cache lines.
   bool joins_cpus_ = false;
-  bool rest_follows_ = false;  // the part being sent is not the last one
+  bool rest_follows_ = false;  // the part being sent is followed by another
   bool rest_to_come_ = false;  // the first part has arrived, the rest has not
   machine::LinkDirection* link_ = nullptr;
   Party alternative_;                   // the process in an ALT with a guard on this channel
-  std::uint64_t alternative_wait_ = 0;  // number of that wait among the process's waits
+  std::uint64_t alternative_wait_ = 0;  // number of that process's present wait
   std::uint64_t bytes_ = 0;             // length of the current output
   End ends_[2];                         // indexed by Side
   ChannelUse use_;
@@ -195,8 +196,8 @@ class Channel : public ChannelBase {
           Protocol protocol = Protocol::simple)
       : ChannelBase(std::move(name), from, to), protocol_(protocol) {}
 
-  /// `channel ! message`: blocks until the partner has received it. The message's bytes() do not
-  /// include the tag of a variant, but include the size of a counted array.
+  /// `channel ! message`: blocks until the partner has received the message. The message's bytes()
+  /// exclude the tag of a variant, but include the size of a counted array.
   void out(Message message) { this_process().carry_out(output(std::move(message))); }
   /// Outputs the message and returns true, or returns false if the link is cut first. The partner
   /// then receives no part of the message. A failed operation costs as much as one that has to
@@ -285,7 +286,8 @@ template <class Message>
   return channel.in_or_fail();
 }
 
-/// Cycles of instructions in compiled occam: multiplied by the processor's software factor.
+/// Cycles of instructions in compiled occam: `instructions` multiplied by the processor's software
+/// factor.
 inline Cycles compiled(Cycles instructions) {
   return machine::round_to_cycles(this_process().processor().software_factor() *
                                   static_cast<double>(instructions.value));

@@ -62,7 +62,7 @@ void Application::run() {
   }
 }
 
-// Stores a message that arrived early, from a processor that is ahead.
+// Stores a message that arrived early because its sender is ahead.
 void Application::keep(const Message& message) {
   case_of(
       read(message), [&](const Candidate& candidate) { candidates_.push_back(candidate); },
@@ -104,7 +104,7 @@ void Application::shoot(const Shot& shot) {
   charged_s_.emplace_back();
 }
 
-// Sends other processors the light received by shared vertices.
+// Sends other processors the light that shared vertices have received.
 void Application::give() {
   for (const Border& border : node_.share.out)
     for (std::size_t first = 0; first < border.vertices.size(); first += MessageBytes::MOST) {
@@ -138,8 +138,8 @@ void Application::light(const radiosity::Eye& eye, const Shot& shot, State& stat
     receive_in_centres(eye, sender, node_.share.patches, state, work);
 }
 
-// Executes `light` with geometry that may be on other processors. Charges the work between
-// accesses.
+// Executes `light` with geometry that may be on other processors. Before each access, charges the
+// work since the last one.
 void Application::shoot_at_shared(const Shot& shot) {
   auto& kernels = common_.kernels;
   const double scale =
@@ -216,7 +216,7 @@ void Root::run() {
   send(network::make_global(AMP_PROCESS), Stop{});
 }
 
-// True under the same condition as in radiosity::solve.
+// True under the condition that ends radiosity::solve.
 bool Root::is_over(const Candidate& best) const {
   const auto& solve = common_.params.solve;
   return shots_ >= solve.shots || eval_share(best.unshot) <= solve.tolerance || !best.shot;

@@ -20,7 +20,8 @@ namespace parallel_radiosity {
 
 using machine::Cycles;
 
-/// Kernels of all processes, with scratch states for repeating them if costs are timed.
+/// Kernels that all processes share. If costs are timed, the scratch states serve to repeat their
+/// calls.
 struct Kernels {
   Kernels(const machine::Model& model, const radiosity::Mesh& mesh, const Params& params);
   kernels::KernelCost choose, receive, settle, draw;
@@ -28,7 +29,7 @@ struct Kernels {
   radiosity::State scratch;
 };
 
-/// Costs of a message for its sender or receiver, besides those of routers.
+/// Costs of a message for its sender or receiver, in addition to those of the routers.
 struct MessageWork {
   explicit MessageWork(const machine::Model& model);
   kernels::MessageCosts identification;
@@ -98,13 +99,14 @@ class Application {
   renderer::Work work_;
   Cycles kernel_cycles_{};
   std::vector<double> charged_s_ = {0};
-  // Messages that arrived early, from children and from processors that share vertices.
+  // Messages that arrived before they were needed, from children and from processors that share
+  // vertices.
   std::vector<Candidate> candidates_;
   std::vector<network::Message> borders_;
 };
 
-/// The application at the root of AMP's tree. It computes like all others, also selects the next
-/// shot, and is the display.
+/// The application at the root of AMP's tree. Like all others, it computes. It also selects the
+/// next shot and is the display.
 class Root : public Application {
  public:
   /// `nodes` are those of all processors. `on_solved` is called when all processors have finished

@@ -34,7 +34,7 @@ bool is_facing(const Patch& a, const Patch& b) {
 }
 
 // Estimates the work per shot for the vertices of each patch: a test, plus a ray if the patch faces
-// the sender. Evenly spaced patches are used as senders.
+// the sender. As senders, uses a sample of evenly spaced patches.
 std::vector<double> estimate_work(const Mesh& mesh) {
   constexpr std::size_t SENDERS = 64;
   constexpr double TEST = 0.1;  // relative to the work of a ray
@@ -67,7 +67,8 @@ void bisect(const Mesh& mesh, std::span<std::uint32_t> list, std::size_t parts,
   bisect(mesh, list.subspan(middle), parts - half, into);
 }
 
-// Gives each processor a tile of every face. Larger tiles go to processors with fewer patches.
+// Gives each processor a tile of every face. The larger tiles of a face go to the processors with
+// fewer patches.
 std::vector<List> tile(const Mesh& mesh, int processors) {
   std::vector<List> lists(static_cast<std::size_t>(processors));
   std::vector<std::size_t> by_load(lists.size());

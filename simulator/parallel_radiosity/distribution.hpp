@@ -1,5 +1,5 @@
 #pragma once
-// Distribution of patches over processors (thesis 5.1: in AMP, equal numbers).
+// Distribution of patches over processors. AMP distributes equal numbers (thesis 5.1).
 #include "renderer/radiosity/light/solve.hpp"
 
 namespace parallel_radiosity {
@@ -7,10 +7,11 @@ namespace parallel_radiosity {
 enum class Distribution : std::uint8_t {
   blocks,  ///< equal numbers of consecutive patches: whole walls, or strips of them
   tiles,   ///< equal parts of every face, as compact as possible
-  work,    ///< consecutive patches of equal total work, by the number of patches they face
+  work,    ///< consecutive patches of equal total work, estimated from the patches they face
 };
 
-/// Vertices shared by two processors, one of which sends the other their light in every shot.
+/// Vertices shared by two processors. In every shot, one of them sends the other the light of these
+/// vertices.
 struct Border {
   int other = 0;
   std::vector<std::uint32_t> vertices;  ///< in ascending order
@@ -20,7 +21,7 @@ struct Border {
 struct Share {
   std::vector<std::uint32_t> patches;   ///< in ascending order
   std::vector<std::uint32_t> vertices;  ///< corners of its patches, in ascending order
-  std::vector<Border> out, in;          ///< border vertices sent and received
+  std::vector<Border> out, in;          ///< border vertices to send and to receive
 };
 
 /// Assigns each patch to one processor and returns the processors' shares. The vertices of a share

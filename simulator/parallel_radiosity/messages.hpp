@@ -19,16 +19,16 @@ struct Candidate {
   /// if equally bright. The order of merging therefore does not matter.
   Candidate& operator+=(const Candidate& other);
 };
-/// Broadcast by the root, as radiosity::Shot is: the solution is complete.
+/// Broadcast by the root instead of a radiosity::Shot: the solution is complete.
 struct Stop {};
-/// Sent to a processor that shares vertices: the light that these received from the shot, from
-/// index `first` of Share::out on.
+/// Sent to a processor that shares vertices: the light that these vertices received from the shot.
+/// `first` is the index of the first one in the sender's Border.
 struct Given {
   std::size_t first = 0;
   std::vector<radiosity::Rgb> values;
 };
-/// Sent by the display: requests the radiosity of a processor's vertices, from index `first` of its
-/// share on.
+/// Sent by the display to a processor: requests the radiosity of the processor's vertices, from
+/// index `first` of its share on.
 struct Show {
   std::size_t first = 0;
 };

@@ -29,7 +29,7 @@ std::vector<radiosity::Rgb> light_of(const ProgramParams& params, const radiosit
   return vertices;
 }
 
-// Adds images of all frames except the last, and previews of all frames; nothing for a single
+// Adds images of all frames except the last, and previews of all frames. Adds nothing for a single
 // frame.
 void add_previews(const ProgramParams& params, const renderer::View& view,
                   const radiosity::Mesh& mesh, const std::vector<Frame>& frames,

@@ -31,8 +31,8 @@ struct Pictures {
 };
 
 /// Makes the pictures "N-shots" of all frames except the last, and "picture" of the last one. With
-/// a reference also makes "reference" and "difference". Figures 3.16 (c) and 3.18 (c) show the
-/// difference of displayed values.
+/// a reference, also makes "reference" and "difference". The difference is that of displayed
+/// values, as in figures 3.16 (c) and 3.18 (c).
 Pictures show(const ProgramParams& params, const renderer::View& view, const radiosity::Mesh& mesh,
               const std::vector<Frame>& frames);
 

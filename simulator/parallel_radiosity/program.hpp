@@ -8,16 +8,16 @@ namespace parallel_radiosity {
 
 struct ProgramParams {
   RoomParams room;
-  Params machine;      ///< distribution and costs; `solve` is that of `room`
+  Params machine;      ///< distribution and costs; its `solve` is set from `room`
   double amplify = 1;  ///< factor for the difference image, 0 to 1e6
-  /// Horizontal range of the picture's central line in which its peak is searched, in fractions of
-  /// the width.
+  /// Part of the picture's central line in which the peak is searched, from 0 (left edge) to 1
+  /// (right edge).
   double peak_from = 0, peak_to = 1;
 };
 
 /// The program "radiosity": progressive radiosity on a machine.
 programs::Program make_radiosity();
-/// The program "scan_line": a line of a room's picture, without a machine.
+/// The program "scan_line": one line of a room's picture; no machine is simulated.
 programs::Program make_scan_line();
 
 }  // namespace parallel_radiosity

@@ -71,7 +71,7 @@ Rounds sum_rounds(const std::vector<std::unique_ptr<Application>>& applications)
 Loss eval_loss(const radiosity::Mesh& mesh, const Params& params,
                const std::vector<std::unique_ptr<Application>>& applications, double time_s) {
   const Rounds rounds = sum_rounds(applications);
-  // the points lit by a shot: vertices, and patch centres with Simpson's rule
+  // a shot lights vertices, and with Simpson's rule also patch centres
   const std::size_t centres =
       params.solve.mean == radiosity::Mean::simpson ? mesh.patches.size() : 0;
   std::size_t done = centres;

@@ -48,8 +48,8 @@ struct Params {
   /// Draws a frame's picture, so that the host time of drawing can be charged; drawing has no
   /// operation counts. If null, drawing is not charged.
   std::function<void(const Frame&)> draw;
-  /// Draws a frame for the live page. Null stands for the time before the first frame, which gives
-  /// a black picture.
+  /// Draws a frame for the live page. Before the first frame, the argument is null and the picture
+  /// is black.
   std::function<renderer::Bitmap(const Frame*)> look;
   observe::RunMonitor* monitor = nullptr;  ///< limit and trace; may be null
 };
@@ -57,8 +57,8 @@ struct Params {
 /// Fractions of the processors' time, which sum to 1.
 struct Loss {
   double useful = 0;  ///< kernels, with each vertex counted once
-  /// Vertices computed by two processors with adjacent patches. Estimated by number, assuming equal
-  /// times.
+  /// Vertices that several processors compute because they own adjacent patches. Estimated from the
+  /// number of vertices, assuming that all take equal time.
   double repeated = 0;
   double unequal = 0;  ///< waiting for the busiest processor of each shot
   /// All other time: reduction, broadcast, borders, pictures, routers, and data managers if
@@ -67,7 +67,7 @@ struct Loss {
 };
 
 struct Result {
-  /// Until all processors have finished the last shot, including intermediate pictures.
+  /// Time until all processors have finished the last shot. Includes sending intermediate pictures.
   double time_s = 0;
   double total_s = 0;  ///< until the display has received the last frame
   int shots = 0;

@@ -14,12 +14,12 @@ struct RoomParams {
   radiosity::ReconstructionParams reconstruction;
   radiosity::PictureParams picture;
   radiosity::Display display;
-  base::Source reference;  ///< another room; "" for the scene
-  /// MeshParams::refine of the reference, 0 to 1000. 0: that of the scene if `reference` is named;
-  /// otherwise there is no reference.
+  base::Source reference;  ///< another room; "" for the room of `scene`
+  /// MeshParams::refine of the reference, 1 to 1000. With 0, a reference named by `reference` has
+  /// the refine of the scene; without a name there is no reference.
   int reference_refine = 0;
   int reference_senders = 0;  ///< LightParams::senders of the reference
-  /// Parameters of the reference; their twist is that of `reconstruction`.
+  /// Interpolation of the reference. Its twist is ignored; that of `reconstruction` is used.
   radiosity::ReconstructionParams shown_reference;
 };
 
@@ -36,8 +36,9 @@ void check(const RoomParams& params);
 
 /// Loads the scene, with the creases chosen for its mesh.
 radiosity::Room load_scene(const RoomParams& params);
-/// Solves the reference with the scene's parameters, except its own `refine` and the creases of its
-/// file. Returns none if there is no reference.
+/// Solves the reference with the scene's parameters, except `refine` and `senders`, which are the
+/// reference's, and the creases, which are those of its file. Returns none if there is no
+/// reference.
 std::optional<radiosity::LitRoom> solve_reference(const RoomParams& params);
 /// Draws the picture of the reference.
 radiosity::Picture trace_reference(const RoomParams& params, const radiosity::LitRoom& reference,

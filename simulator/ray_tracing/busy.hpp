@@ -11,17 +11,17 @@ struct Role {
                         router = "router";  ///< routes messages for its companion, a worker
 };
 
-/// Minimum load of the busiest resource at which it counts as a bottleneck. With a lower load there
-/// is no bottleneck, because all processes are waiting for messages in transit.
+/// The busiest resource is a bottleneck if its load is at least this. With a lower load there is no
+/// bottleneck: all processes are then waiting for messages in transit.
 constexpr double SATURATED = 0.8;
 
 /// Loads of processors and links, as fractions of time.
 struct Busy {
   double worker_mean = 0, worker_max = 0;
-  std::optional<double> coordinator, database, display;  ///< absent without own CPU
+  std::optional<double> coordinator, database, display;  ///< absent if it has no CPU of its own
   std::optional<double> router_mean;                     ///< set if companions route
   std::string cpu_busiest;
-  double cpu_max = 0, cpu_high = 0;  ///< load of the busiest CPU: all processes, high-priority ones
+  double cpu_max = 0, cpu_high = 0;  ///< load of the busiest CPU; part at high priority
   std::string link_busiest;          ///< "from>to"
   double link_max = 0;
   std::uint64_t link_messages = 0, link_bytes = 0;  ///< traffic of link_busiest
@@ -45,10 +45,10 @@ using Loads = std::vector<Load>;
 /// - "data managers": mean load of the CPUs of workers' companions, if these route messages;
 /// - "link A>B": the busiest direction of a link.
 Loads find_loads(const observe::Use& use);
-/// The column other_models_tasks; absent if all processors have the same model.
+/// The column other_models_tasks. Absent if all processors have the same model.
 base::Columns<observe::Use> model_columns();
-/// Makes a sentence for each model of workers if there are several: number, load, and fraction of
-/// the tasks if these are counted.
+/// If workers have several models, makes a sentence for each model: number of workers, their load,
+/// and their fraction of the tasks if these are counted.
 std::vector<std::string> note_models(const observe::Use& use);
 void sort(Loads& loads);            ///< sorts by load, busiest first
 std::string percent(double share);  ///< such as "12 %"

@@ -9,8 +9,8 @@ namespace ray_tracing {
 
 /// Parameters of the data managers. The percentages determine the cache sizes.
 struct SharedParams : shared_memory::DataParams {
-  /// Cache size of each worker in percent of the scene's bytes, up to 100. 0: every worker holds
-  /// the whole scene, without data managers. With pages, workers have the resident block in
+  /// Cache size of each worker in percent of the scene's bytes, up to 100. With 0, every worker
+  /// holds the whole scene and there are no data managers. With pages, the resident block comes in
   /// addition.
   double cache_percent = 0;
   double server_cache_percent = 100;  ///< cache of the coordinator; only with items
@@ -19,8 +19,8 @@ struct SharedParams : shared_memory::DataParams {
 /// The fields of [data], including data.cache_percent.
 base::Fields<SharedParams> data_fields();
 
-/// Throws base::BadInput with the field, the value found and the values expected. Refuses caches of
-/// 0 %, too.
+/// Throws base::BadInput with the field, the value found and the values expected. Also refuses
+/// caches of 0 %.
 void check_data(const machine::Model& model, const SceneSize& scene, const SharedParams& data);
 /// The parameters with cache sizes in bytes.
 shared_memory::DataParams make_data_params(const machine::Model& model, const SceneSize& scene,

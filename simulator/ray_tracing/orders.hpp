@@ -16,8 +16,8 @@ class Orders {
  public:
   using Order = ray_tracing::Order<Limits>;
 
-  /// `is_live` allows manual orders. Without them, the user leaves after the script's last order.
-  /// The last order is always a Leave.
+  /// `is_live` allows manual orders. Without manual orders, the user leaves after the script's last
+  /// order. The last order is always a Leave.
   Orders(const std::vector<Order>& script, bool is_live)
       : orders_(script.begin(), script.end()), is_open_(is_live) {}
 
@@ -48,7 +48,7 @@ class Orders {
     if (has_left())
       throw base::BadInput("[[order]]: found one after the user had left, expected it earlier");
     const double tick_s = occam::date_of(*user_, 1).value;
-    // The user's process may be ahead of the clock. It has then already decided that no order comes
+    // If the user's process is ahead of the clock, it has already decided that no order comes
     // before its own time.
     const bool is_blocked = user_->state() == machine::Process::State::blocked;
     const auto own = is_blocked ? user_->blocked_since() : user_->own_time();
@@ -119,8 +119,8 @@ class Orders {
     waits_for_order_ = false;
   }
 
-  // Wakes a process that waits for a manual order or for a later order. A process that is busy with
-  // the previous order will find the new one itself.
+  // Wakes the user's process if it waits for a manual order or for a later order. If it is still
+  // busy with the previous order, it will find the new one itself.
   void wake(machine::Seconds date) {
     if (waits_for_order_) user_->processor().wake_first_at(date, *user_, user_->waits());
   }

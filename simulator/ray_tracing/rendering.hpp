@@ -30,22 +30,23 @@ struct Rendering {
   std::vector<std::string> notes;           ///< orders without effect, removed links
 };
 
-/// Renders the final picture of all runs with the sequential renderer. Returns an empty list if
-/// `goes_on` returns false.
+/// Renders, with the sequential renderer, the picture that every run of these parameters ends with.
+/// Returns an empty list if `goes_on` returns false.
 std::vector<std::uint8_t> render_sequentially(const renderer::Scene& scene,
                                               const renderer::Params& params,
                                               const std::function<bool()>& goes_on);
 
 // Groups of columns that all programs share.
 
-/// The columns time_s and time_per_ray_ms, and empty columns for the speed-up, which depend on
-/// other runs.
+/// The columns time_s and time_per_ray_ms, and columns for the speed-up. The latter are empty,
+/// because they depend on other runs.
 base::Columns<Rendering> speed_columns();
 /// The column "rays", and one column for each kind of ray.
 base::Columns<Rendering> ray_columns();
 /// The columns order_to_pixel_s, setup_s and total_s.
 base::Columns<Rendering> time_columns();
-/// Columns for the end of each stage and the lit fraction of its key image; the column aborted.
+/// Columns for the end of each stage and for the lit fraction of its key image, and the column
+/// aborted.
 base::Columns<Rendering> stage_columns();
 
 /// Results of a run besides its rows, and quality over time.

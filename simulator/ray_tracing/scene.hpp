@@ -29,8 +29,8 @@ SceneSize size_of(const SceneChoice& scene);
 programs::Row describe(const SceneChoice& scene);
 /// Text of all parameters that determine the image of a run.
 std::string picture_key(const SceneChoice& scene, const renderer::Params& image);
-/// Returns "scene.source" if `key` is scene.objects and the source itself determines the number of
-/// objects; otherwise "".
+/// If the source itself determines the number of objects, scene.objects has no effect: then returns
+/// "scene.source" for this key. Otherwise returns "".
 std::string find_void(const SceneChoice& scene, const std::string& key);
 
 /// Name for pictures of the scene, such as "spheres-200": letters, digits and dashes.

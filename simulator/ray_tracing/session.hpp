@@ -10,7 +10,7 @@ namespace ray_tracing {
 struct NonInteractive {};  ///< leave the interactive phase now
 struct Interactive {};     ///< return to the interactive phase
 struct Abort {};           ///< send no further tasks: end with the present picture
-struct Leave {};           ///< leave the run, which ends without the user
+struct Leave {};           ///< the user leaves; the run continues to its end
 struct Save {              ///< save the present picture
   std::string name;        ///< part of the file name
 };
@@ -28,7 +28,7 @@ struct OrderRecord {
   double at_s = 0;
   bool non_interactive = false, interactive = false, abort = false, leave = false;
   std::string save;
-  std::optional<Limits> limits;  ///< set if any limit is given
+  std::optional<Limits> limits;  ///< set if the record contains any limit
 };
 
 /// True if `name` can be part of a file name: at most 40 letters, digits and dashes.

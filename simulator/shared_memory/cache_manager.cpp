@@ -8,7 +8,7 @@ using occam::this_process;
 
 namespace {
 
-constexpr std::size_t MOST_NOTED = 64;  // accesses; the application waits while the queue is full
+constexpr std::size_t MOST_NOTED = 64;  // accesses; while the queue is full, the application waits
 constexpr std::uint64_t WORD = 4;       // bytes per access
 
 }  // namespace
@@ -36,7 +36,7 @@ void CompanionManager::access(Item item) {
   auto& self = this_process();
   const std::size_t record = manager_.record_of(item);
   self.charge(costs_.look_up);
-  self.sync();  // the cache must reflect all actions of the manager
+  self.sync();  // so that the cache reflects all earlier actions of the manager
   if (!manager_.holds(record)) {
     out(orders_, Order{record});
     in(fetched_);
@@ -71,8 +71,8 @@ void CompanionManager::run_manager() {
   }
 }
 
-// Updates the LRU list before a record arrives, so that the cache evicts the same records as on a
-// single processor.
+// Applies all queued accesses to the LRU list before a record arrives. The cache then evicts the
+// same records as on a single processor.
 void CompanionManager::obey(Order order) {
   if (noted_.size() == MOST_NOTED) note_first();
   if (!order.record) return;

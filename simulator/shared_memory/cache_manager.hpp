@@ -26,13 +26,13 @@ class CacheManager : public DataManager {
   void serve_one(network::Message message) { take(std::move(message)); }
 };
 
-/// The application's interface to the manager, on the companion. It searches the cache itself and
-/// queues its accesses, so that the manager can update the LRU list. It requests missing records
-/// from the manager.
+/// The application's interface to the manager in a node of two processors; it runs on the
+/// companion. Searches the cache itself and queues its accesses, so that the manager can update the
+/// LRU list. Requests missing records from the manager.
 class CompanionManager : public DataManager {
  public:
-  /// `means` contains the application's own client of the router, and no cache. Starts the process
-  /// of `manager` on `router`, the companion of `own`, and allocates the queue.
+  /// `means` contains the application's own client of the router, and an empty cache. Starts the
+  /// process of `manager` on `router`, the companion of `own`, and allocates the queue.
   CompanionManager(DataManagerMeans means, CacheManager& manager, machine::Processor& router,
                    machine::Processor& own);
   void access(Item item) override;

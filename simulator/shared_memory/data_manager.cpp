@@ -110,7 +110,7 @@ void DataManager::take(Message message) {
       });
 }
 
-// The process of figure 5.20, without waiting.acknowledge; see fetch().
+// The process of figure 5.20, except waiting.acknowledge, which is in fetch().
 void DataManager::look() {
   network::Handed handed;
   for (bool serving = true; serving;)
@@ -119,7 +119,7 @@ void DataManager::look() {
 }
 
 // Waits for a message. An idle process polls once per period and finds all messages that have
-// arrived by then. Polls that find nothing are not simulated.
+// arrived by then. Polls that find nothing are skipped in the simulation.
 void DataManager::wait_for_message(Seconds period) {
   const Seconds since = this_process().now();
   const occam::Guard guards[] = {occam::Guard(&client_.from_router())};

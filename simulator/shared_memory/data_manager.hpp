@@ -17,15 +17,16 @@ namespace shared_memory {
 using machine::Cycles;
 using machine::Seconds;
 
-/// Process numbers in addresses. The process kinds of an application follow.
+/// Numbers of processes in addresses. The numbers of an application's processes start at
+/// FIRST_FREE_PROCESS.
 constexpr int DATA_PROCESS = 0;
 constexpr int FIRST_FREE_PROCESS = 1;
 
 /// Place where a record was found, from near to far.
 enum class Level : std::uint8_t {
   local,        ///< the processor's own memory
-  path,         ///< the cache of a processor on the route to the coordinator, or of a page's owner
-  queue,        ///< received with the reply to a request of another processor (WRQu)
+  path,         ///< a cache on the route to the coordinator; with pages, the page's owner
+  queue,        ///< a processor on the route that waited for the same record (WRQu)
   coordinator,  ///< the coordinator's cache
   disk,
 };
@@ -50,7 +51,7 @@ struct DataUse {
   std::array<std::uint64_t, LEVELS> found{};  ///< number of accesses, by Level of the item
   std::uint64_t requests = 0;                 ///< number of requests sent
   std::uint64_t request_links = 0;            ///< number of links passed by requests until answered
-  /// Links saved by caches and by queues, relative to the distance to the addressee.
+  /// Links that requests did not pass because a cache or a queue on the way answered them.
   std::uint64_t spared_by_path = 0, spared_by_queue = 0;
   std::uint64_t seen = 0;  ///< number of requests received from others; total of the next three
   std::uint64_t answered = 0, queued = 0, passed_on = 0;
@@ -63,14 +64,14 @@ struct DataUse {
 };
 
 /// The columns: accesses_made, places where items were found, requests and their links, saved
-/// links, and waits. Fractions are 0 if there are no accesses or requests.
+/// links, and waits. Without accesses or requests, fractions are 0.
 base::Columns<DataUse> data_columns();
 
 /// Costs of a manager's operations, from the model's [operation] data_*.
 struct DataCosts {
   explicit DataCosts(const machine::Model& model);
   Cycles look_up, touch, insert, drop;
-  std::uint64_t request_bytes, reply_bytes;  ///< a reply contains the record in addition
+  std::uint64_t request_bytes, reply_bytes;  ///< sizes of messages, without the record
   Seconds idle_period;
 };
 
@@ -93,12 +94,13 @@ class DataManager {
   DataManager(const DataManager&) = delete;
   DataManager& operator=(const DataManager&) = delete;
 
-  /// Returns when the application may read the item (figure 5.21). First serves requests of others.
+  /// Makes the item readable for the application (figure 5.21); returns when it is. First serves
+  /// requests of others.
   virtual void access(Item item) = 0;
   /// Serves all messages that have arrived from the router (figure 5.20).
   void look();
-  /// For an application with work: serves all messages that have arrived. Returns one for another
-  /// process if there is any.
+  /// For an application with work: serves all messages that have arrived. Returns the first message
+  /// for another process, or none.
   std::optional<network::Message> take_other();
   /// For an application without work: serves requests until a message for another process arrives,
   /// and returns that message. Polls once per idle period.
@@ -123,12 +125,12 @@ class DataManager {
   void fetch(std::size_t record, network::Address to);
   /// Sends a record to its requester. `links` is the number of links that the request had passed.
   void reply(network::Address to, std::size_t record, std::uint64_t bytes, Level level, int links);
-  /// True if the cache holds the record; then also charges the access and makes the record the most
-  /// recently used.
+  /// Returns true if the cache holds the record. If so, charges the access and makes the record the
+  /// most recently used.
   bool touch(std::size_t record);
   /// Inserts a record into the cache. Charges the insertion and each eviction.
   void insert(std::size_t record);
-  /// Serves a message for data managers; stores a message for another process.
+  /// Serves a message to the data manager; stores a message to another process.
   void take(network::Message message);
 
   const DataCosts costs_;

@@ -11,7 +11,8 @@ struct Item {
   int number = 0;
 };
 
-/// All items with their sizes. Places number the items consecutively, class after class.
+/// All items with their sizes. A place is an item's index in the sequence of all items, class after
+/// class.
 class Catalogue {
  public:
   /// `bytes` holds the size of each item, by class and number. Throws base::BadInput if there are

@@ -1,6 +1,6 @@
 #pragma once
-// A cache of fixed size that evicts the least recently used record (5.1.2.2). Its list is ordered
-// by last use, most recent first. Records are numbered from 0.
+// A cache of fixed size that evicts the least recently used record (5.1.2.2). Records are numbered
+// from 0. A list orders those in the cache by last use, most recent first.
 #include <cstdint>
 #include <string>
 #include <vector>

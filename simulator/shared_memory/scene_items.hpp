@@ -33,7 +33,7 @@ class SceneItems {
 /// since the last one, so that time passes as in a program that computes between accesses.
 class SceneReader : public renderer::Access {
  public:
-  /// `scale` multiplies the cost of counted work, to match the duration of a timed kernel.
+  /// `scale` multiplies the cost of counted work. The sum then equals the cost of a timed kernel.
   SceneReader(const SceneItems& items, DataManager& manager, const machine::OperationCosts& costs,
               double scale)
       : items_(items), manager_(manager), costs_(costs), scale_(scale) {}
@@ -46,7 +46,7 @@ class SceneReader : public renderer::Access {
     charge(done);
     manager_.access(items_.object(place));
   }
-  /// Charges this_process() for that part of `done` which has not been charged yet.
+  /// Charges this_process() for the part of `done` that has not been charged yet.
   void charge(const renderer::Work& done);
   Cycles charged() const { return charged_; }
 

@@ -80,8 +80,8 @@ void read_disk(std::uint64_t bytes) {
   self.block(wait);
 }
 
-// DMS: manager of the coordinator, whose cache serves other processors and can be read by the local
-// application. Reads missing records from the disk, and serves no requests meanwhile.
+// DMS: manager of the coordinator. Its cache serves other processors and can be read by the local
+// application. Missing records are read from the disk; meanwhile the manager serves no requests.
 class ItemServer : public DataManager {
  public:
   ItemServer(DataManagerMeans means, const Catalogue& catalogue)

@@ -25,7 +25,7 @@ struct DataParams {
   int page_items = 8;
 };
 
-/// Maximum length of a message's contents in bytes, a lower bound for network::Params::longest.
+/// Maximum length of a message's contents in bytes. network::Params::longest must be at least this.
 std::uint64_t longest_message(const machine::Model& model, const Catalogue& catalogue,
                               const DataParams& params);
 
@@ -63,8 +63,8 @@ class VirtualMemory {
   std::vector<std::unique_ptr<DataManager>> managers_, companions_;  // by processor; may be null
 };
 
-/// Adds counts and fill levels of caches to the view. The processors have the ids `first`, `first`
-/// + 1, ... in the machine.
+/// Adds counts of accesses and fill levels of caches to the view. The processors have the ids
+/// `first`, `first` + 1, ... in the machine.
 void show(observe::ControlPanel& view, const VirtualMemory& memory, int first = 0);
 
 }  // namespace shared_memory

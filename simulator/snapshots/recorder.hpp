@@ -38,7 +38,7 @@ class Recorder {
   /// Records the final picture and ends the recording.
   void end(double now_s, const std::function<Snapshot()>& look);
 
-  /// pictures() are those at the requested times, growth() those at equal intervals.
+  /// pictures() are those for at_s and every_s of the schedule, growth() those for its growth.
   const std::vector<Snapshot>& pictures() const { return pictures_; }
   const std::vector<Snapshot>& growth() const { return growth_; }
 

@@ -161,7 +161,7 @@ void FrameBuffer::add(const renderer::Block& block, renderer::Work& work) {
     }
 }
 
-// True if the sample's pixel shows the sample's own cell or a smaller one.
+// True if the sample's pixel shows its own cell or a smaller one.
 bool FrameBuffer::is_sampled(std::uint32_t sample) const {
   return owner_[sample] <= cells_.fineness_of(sample);
 }
@@ -180,7 +180,7 @@ int FrameBuffer::size_now(std::uint32_t sample) const {
   return size;
 }
 
-// Takes over the pixels of the sample's cell from larger cells.
+// Assigns the pixels of the sample's cell to this cell, except those that a smaller cell owns.
 void FrameBuffer::own(std::uint32_t sample) {
   if (is_sampled(sample)) return;
   const auto fineness = cells_.fineness_of(sample);
@@ -219,7 +219,7 @@ bool FrameBuffer::paint(std::uint32_t sample, renderer::Work& work) {
   return changed;
 }
 
-// Repaints the cells that have this sample at one of their other corners.
+// Repaints the cells that have this sample at a corner other than the upper left.
 bool FrameBuffer::paint_neighbours(std::uint32_t sample, renderer::Work& work) {
   bool changed = false;
   const auto p = pixel_of(sample, width_);

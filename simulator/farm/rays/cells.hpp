@@ -16,8 +16,8 @@ enum class CellOrder : std::uint8_t {
   random,      ///< shuffled, depending on a seed
   sequential,  ///< from top to bottom, each row from left to right
   recursive,   ///< recursive quadrants: upper left, upper right, lower left, lower right
-  /// Random order; a cell exists only after its parent has been sampled. If the parent's object
-  /// differs from a neighbour's, the cell precedes cells up to four times as large.
+  /// Random order; a cell exists only after its parent has been sampled. If the parent's sample
+  /// shows another object than a neighbour's, the cell precedes cells up to four times as large.
   adaptive
 };
 
@@ -40,8 +40,8 @@ struct Cells {
   std::uint32_t fineness_of(std::uint32_t sample) const;
   /// The part of the sample's cell within `limit`.
   renderer::Area area_of(std::uint32_t sample, const renderer::Area& limit) const;
-  /// Samples within `limit` of all cells that result from dividing the cell of `sample`, down to
-  /// single pixels. Each sample of size less than max_cell belongs to exactly one divided cell.
+  /// Divides the cell of `sample` down to single pixels. Returns the new samples within `limit`.
+  /// Each sample of size less than max_cell results from the division of exactly one cell.
   std::vector<std::uint32_t> divide(std::uint32_t sample, const renderer::Area& limit) const;
   /// Position of a sample in the queue of quadrants.
   std::uint32_t rank_of(std::uint32_t sample) const;

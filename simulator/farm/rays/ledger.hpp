@@ -23,8 +23,8 @@ class Ledger {
   /// Records the hit and contribution of a sample's ray, and the number of its children.
   void note(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit,
             const renderer::Rgb& contribution, std::size_t children);
-  /// The number of the pixel's next sample, if one is needed and ready. Within a round, it must
-  /// wait for the primary ray of the previous sample. A new round must wait for all rays of the
+  /// The number of the pixel's next sample; none if it needs none or must wait. Within a round, a
+  /// sample waits for the primary ray of the previous one. A new round waits for all rays of the
   /// previous round and for the corners.
   std::optional<int> next_sample(std::uint32_t pixel);
   /// Returns the pixels finished by next_sample() since the previous call, for

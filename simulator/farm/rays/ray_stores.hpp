@@ -52,7 +52,7 @@ struct DatabaseWork {
 
 class RayStores {
  public:
-  /// `weights` apply to limits that have none.
+  /// `weights` apply if the limits have none.
   RayStores(Cells cells, Limits limits, Weights weights = {})
       : cells_(cells), weights_(weights), limits_(limits) {}
 
@@ -60,8 +60,8 @@ class RayStores {
   /// Takes a feeler if there is one, otherwise the first ray of the heap. If both are empty and
   /// `any` is true, takes a ray beyond the limits. Returns none if there is no such ray.
   std::optional<renderer::Ray> take(bool any, DatabaseWork& work);
-  /// Reclassifies all rays, moves them between stores and rebuilds the heap. Rays that are now
-  /// within the limits are assigned to `order`.
+  /// Reclassifies all rays, moves them between stores and rebuilds the heap. Rays that the new
+  /// limits admit are assigned to the user's order number `order`.
   void set_limits(const Limits& limits, DatabaseWork& work, std::uint8_t order = 0);
 
   std::size_t size() const { return feelers_.size() + heap_.size() + later_.size(); }

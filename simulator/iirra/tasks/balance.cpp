@@ -19,8 +19,8 @@ class NoBalance : public Balance {
   }
 };
 
-// Base class of passive methods. A worker requests tasks once, then waits for tasks or new limits;
-// workers that cannot serve the request remember it.
+// Base class of passive methods. A worker requests tasks once, then waits for tasks or new limits.
+// Another worker that cannot serve the request at once remembers it.
 class Passive : public Balance {
  public:
   using Balance::Balance;
@@ -76,7 +76,7 @@ class AskNeighbours : public Passive {
 };
 
 // Every worker on the route to the coordinator may serve the request. If none does, the coordinator
-// forwards it to a worker, chosen in rotation, which remembers it.
+// forwards the request to a worker, chosen in rotation, which remembers it.
 class AskCoordinator : public Passive {
  public:
   using Passive::Passive;
@@ -94,8 +94,8 @@ class AskCoordinator : public Passive {
   }
 };
 
-// If a request returns to its sender unserved, it is sent once more to the next worker in the ring,
-// which remembers it.
+// A request that returns to its sender unserved is sent once more. The next worker in the ring then
+// remembers it.
 class AskRing : public Passive {
  public:
   using Passive::Passive;

@@ -11,10 +11,10 @@ namespace iirra {
 enum class BalanceMethod : std::uint8_t {
   none,
   neighbours,   ///< passive: a worker without tasks asks one neighbour after another
-  coordinator,  ///< passive: such a worker asks all processors towards the coordinator
+  coordinator,  ///< passive: a worker without tasks asks all processors towards the coordinator
   active,       ///< a worker with new tasks gives some to the neighbour with the lowest known load
   mixed,        ///< combination of `active` and `neighbours`
-  green,        ///< tasks are passed down a tree from the coordinator, on demand (Green, 1991)
+  green,        ///< tasks move down a tree from the coordinator, on demand (Green, 1991)
   ring          ///< requests circulate in a ring of all workers (Badouel, 1990)
 };
 
@@ -26,15 +26,15 @@ struct Peers {
   int parent = 0;               ///< parent in the spanning tree from the coordinator
 };
 
-/// The worker's interface that its load balancing uses.
+/// The functions of a worker that its load balancing calls.
 class TaskGiver {
  public:
-  /// Number of tasks waiting within the limits, without the one in work.
+  /// Number of waiting tasks within the limits, without the one being worked on.
   virtual std::size_t load() const = 0;
   /// Sends some tasks to `to`. Returns their number, 0 if there are none to spare.
   virtual std::size_t give(int to) = 0;
   virtual void send_to(network::Address to, IirraMessage::Content content) = 0;
-  /// Returns an offered message to the router because this worker does not serve it.
+  /// Gives an offered message back to the router, because this worker does not serve it.
   virtual void pass_on(const network::Message& message) = 0;
 
  protected:
@@ -51,7 +51,8 @@ class Balance {
   virtual void ask() {}
   /// Called when the number of tasks has increased.
   virtual void created() {}
-  /// Called after each microtask, when the tasks that it blocked can be given away.
+  /// Called after each step of a task. Other tasks that share the step's samples can then be given
+  /// away.
   virtual void worked() {}
   /// Called when `message` contains a request of another worker.
   virtual void requested(const network::Message& message, const TaskRequest& request) = 0;

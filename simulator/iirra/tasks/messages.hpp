@@ -26,7 +26,7 @@ struct TaskRequest {
 struct NoTasks {
   std::size_t load = 0;
 };
-/// Cells that the receiver shall measure with one sample each, but not keep.
+/// Cells whose time the receiver shall measure with one sample each. It does not keep these cells.
 struct Measure {
   std::vector<SampledCell> cells;
 };
@@ -107,12 +107,12 @@ struct Sizes {
   std::uint64_t of(const IirraMessage::Content& content) const;
 };
 
-/// Sends a message through `manager`'s client. `from` is the process that receives it back if it
-/// cannot be delivered.
+/// Sends a message through `manager`'s client. If the message cannot be delivered, process `from`
+/// gets it back.
 void send(shared_memory::DataManager& manager, const Sizes& sizes, int from, network::Address to,
           IirraMessage::Content content);
-/// The content of a message. Throws machine::Fault that names both ends if it was returned as
-/// undeliverable.
+/// The content of a message. If the message was returned as undeliverable, throws machine::Fault
+/// that names both ends.
 const IirraMessage::Content& read(const Sizes& sizes, const network::Message& message);
 
 }  // namespace iirra

@@ -19,8 +19,8 @@ bool meets(const SampledCell& cell, const Area& area) {
                             cell.y < area.y + area.height && cell.y + cell.side > area.y);
 }
 
-// 1 if the cell overlaps the area of interest. Otherwise 1 minus their distance divided by the
-// image's diagonal.
+// 1 if the cell overlaps the area of interest. Otherwise 1 minus the distance between them, divided
+// by the image's diagonal.
 double eval_position(const SampledCell& cell, const Area& area, const Area& image) {
   if (meets(cell, area)) return 1;
   const auto gap = [](int a, int a_end, int b, int b_end) {
@@ -85,7 +85,8 @@ std::uint64_t eval_bayer(int x, int y, int bits) {
 CellQuadrants make_cell_quadrants(const Area& image, int max_cell) {
   CellQuadrants quadrants;
   for (int side = max_cell; side >= 2; side /= 2) {
-    // Includes cells that result from dividing a largest cell but lie outside the image.
+    // Number of cells of this size in a row or column, including those outside the image that
+    // result from dividing a largest cell.
     const auto cells = [&](int pixels) {
       return (pixels + max_cell - 1) / max_cell * (max_cell / side);
     };

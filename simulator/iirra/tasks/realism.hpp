@@ -58,9 +58,9 @@ enum class Advance : std::uint8_t {
   deepen   ///< trace the next level of the samples' shading trees
 };
 
-/// Chooses a cell's next step. Refines resolution while contrast is at least the influence of
-/// waiting rays, because contrast estimates the light that is still misplaced. Otherwise deepens
-/// the shading trees. Second and later samples of pixels come last.
+/// Chooses a cell's next step. Refines the resolution while the contrast is at least the influence
+/// of waiting rays; otherwise deepens the shading trees. The contrast estimates the light that the
+/// present resolution still misplaces. Second and later samples of pixels come last.
 Advance choose(const SampledCell& cell, const Quantities& quantities, const Limits& limits);
 
 /// The order of cells with equal importance.
@@ -72,18 +72,19 @@ enum class CellOrder : std::uint8_t {
   adaptive     ///< highest contrast first, then random
 };
 
-/// The element at column x and row y, from 0, of B. Bayer's matrix (1973) of order 2^bits. Eq 5.7
-/// shows the matrix for 2 bits, but counts from 1.
+/// The element at column x and row y, both from 0, of Bayer's matrix (B. Bayer, 1973) of order
+/// 2^bits. Elements count from 0. Eq 5.7 shows the matrix for 2 bits, with elements from 1.
 std::uint64_t eval_bayer(int x, int y, int bits);
 
-/// The importance of a cell: weighted sum of its quantities, and its rank among equal sums.
+/// The importance of a cell: the weighted sum of its quantities, and its rank among cells with
+/// equal sums.
 struct Importance {
   double sum = 0;
   std::uint64_t place = 0;
 };
 
-/// Quadrant order of cells, by side. Coordinates count in cells from the upper left corner of the
-/// image.
+/// Quadrant order of cells, by side length. The orders count coordinates in cells from the upper
+/// left corner of the image.
 using CellQuadrants = std::map<int, renderer::progressive::QuadrantOrder>;
 CellQuadrants make_cell_quadrants(const renderer::Area& image, int max_cell);
 

@@ -10,7 +10,7 @@ namespace progressive = renderer::progressive;
 
 namespace {
 
-// First samples of pixels precede all others.
+// Sample number of the task's step. Tasks with lower numbers come first.
 int pass_of(const Task& task) { return task.next == Advance::deepen ? task.quantities.pass : 0; }
 
 bool goes_before(const Task& a, const Task& b) {

@@ -18,7 +18,7 @@ struct TaskCell : SampledCell {
   /// Number of paintings of this cell and of the cells from which it was divided. The display
   /// compares these numbers to find the newer of two pictures of a pixel.
   std::uint32_t paintings = 0;
-  int sampled = 0;  ///< number of points of the next level that are already sampled
+  int sampled = 0;  ///< number of points of the next level that have already been sampled
 };
 
 /// A cell with the assessment made when it was stored.
@@ -65,8 +65,8 @@ class TaskStores {
   void add(const Task& task, TaskWork& work);
   /// Removes and returns the most important task. Returns none if the priority queue is empty.
   std::optional<Task> take(TaskWork& work);
-  /// Removes and returns a task for which `may_go` is true, searched at the end of the heap, so
-  /// that the most important tasks stay. Returns none if the search fails.
+  /// Removes and returns a task for which `may_go` is true, or none. Searches only the end of the
+  /// heap, so that the most important tasks stay.
   std::optional<Task> take_last(const std::function<bool(const Task&)>& may_go, TaskWork& work);
   /// Removes and returns all tasks, for reclassification.
   std::vector<Task> take_all();
@@ -106,7 +106,8 @@ class SampleTable {
   std::unordered_map<std::uint64_t, Sample> table_;  // never iterated, so its order does not matter
 };
 
-/// Computes a cell's quantities from its samples. Counts waiting rays only at points_to_deepen().
+/// Computes a cell's quantities from its samples. Of the waiting rays, counts only those of
+/// points_to_deepen().
 Quantities find_quantities(const SampledCell& cell, const SampleTable& samples,
                            const Limits& limits, TaskWork& work);
 /// The samples of a cell whose shading trees must be traced: all samples, or only the cell's own

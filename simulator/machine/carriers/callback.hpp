@@ -7,8 +7,8 @@
 
 namespace machine {
 
-/// A small function object that is copied bytewise. std::function would need an allocation or an
-/// indirect call for each of millions of moves.
+/// A small function object that is copied bytewise. The event queue moves it millions of times;
+/// std::function would need an allocation or an indirect call for each move.
 class Callback {
  public:
   Callback() = default;

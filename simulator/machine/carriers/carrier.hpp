@@ -38,12 +38,12 @@ class Carrier {
 
   /// Moves `bytes` (> 0) over an idle direction, starting now, then calls `arrived`.
   virtual void start(std::size_t direction, std::uint64_t bytes, Callback arrived) = 0;
-  /// Bytes of the current message left at `date`, provided that no message starts or ends on the
-  /// link before; 0 if the direction is idle.
+  /// Number of bytes of the current message that are still to be moved at `date`, provided that no
+  /// message starts or ends on the link before; 0 if the direction is idle.
   virtual double left_of(std::size_t direction, double date) const = 0;
   /// Cuts a direction. The current message never arrives, and no message may start afterwards.
   virtual void cut(std::size_t direction) = 0;
-  /// Handles events and moves messages until both are exhausted or the events are stopped.
+  /// Handles events and moves messages until none are left or the events are stopped.
   virtual void run() = 0;
 
   /// For a machine in several parts, see Parts. next() returns the moment of the next event, and

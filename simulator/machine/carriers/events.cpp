@@ -14,7 +14,7 @@ namespace machine {
 namespace {
 
 constexpr int PLACE_BITS = 24;  // limits the heap to 2^24 pending events
-// Number of pending events up to which a machine fits into the host's caches.
+// A machine with at most this number of pending events fits into the host's caches.
 constexpr std::size_t FEW = 64;
 
 __extension__ using Key = unsigned __int128;
@@ -74,8 +74,8 @@ void Events::handle_next() {
   next_ = heap_->empty() ? NEVER : heap_->top().date();
   free_.push_back(static_cast<std::uint32_t>(event.place()));
   now_ = event.date();
-  // In a large machine, the processor of the next event is not in the host's near caches.
-  // Prefetching it saves 8 % of the time on meshes of at least 8 x 8.
+  // The processor of the next event is prefetched, because a large machine does not fit into the
+  // host's near caches. This saves 8 % of the time on meshes of at least 8 x 8.
   if (heap_->size() > FEW) callbacks_[heap_->top().place()].prefetch();
   handle(callbacks_[event.place()]);
 }
@@ -95,7 +95,7 @@ void Events::handle(Callback callback) {
 
 void Events::finish() {
   for (std::size_t i = 0; i < soon_.size() && !stopped_; ++i) {
-    Callback then = soon_[i];  // the callback may itself call soon()
+    Callback then = soon_[i];  // a copy, because the callback may itself call soon()
     then();
   }
   soon_.clear();

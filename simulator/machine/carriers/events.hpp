@@ -15,7 +15,7 @@ namespace machine {
 struct Pace {
   virtual ~Pace() = default;
   /// Returns true if the clock may advance to `date`, the date of the next event or NEVER. Returns
-  /// false if a later event has been scheduled meanwhile; the hook is then called again.
+  /// false if events have been scheduled during the call; the hook is then called again.
   virtual bool before(double date) = 0;
 };
 
@@ -23,8 +23,8 @@ struct Pace {
 /// same date. Ends of messages come after all other events of a date.
 struct Moment {
   double date = std::numeric_limits<double>::infinity();
-  std::uint64_t order = 0;  // Events::ENDS for the end of a message
-  double since = 0;         // for the end of a message: the date of its prediction
+  std::uint64_t order = 0;  // first key among events of a date; Events::ENDS for ends of messages
+  double since = 0;         // for the end of a message: the date at which it was predicted
   std::uint64_t rank = 0;   // rank of the link, for message ends predicted at the same date
   auto operator<=>(const Moment&) const = default;
 };
@@ -41,7 +41,7 @@ class Events {
   ~Events();
 
   double now() const { return now_; }                  ///< in seconds
-  double last_useful() const { return last_useful_; }  ///< date of the last effect
+  double last_useful() const { return last_useful_; }  ///< date of the last event with an effect
   double until() const { return until_; }              ///< limit of simulated time
   void set_until(double date) { until_ = date; }
 
@@ -78,15 +78,16 @@ class Events {
   void handle_next();
   /// Advances the clock to `date`; no effect if `date` is in the past.
   void advance(double date) { now_ = date > now_ ? date : now_; }
-  /// Handles an event now, including its callbacks of soon(). Stops instead at the time limit or
-  /// after request_stop().
+  /// Handles an event now, including its callbacks of soon(). Stops the run instead if the time
+  /// limit has passed or request_stop() has been called.
   void handle(Callback callback);
 
   /// Marks the current event as one without effect, so that it does not extend the run.
   void ignore() { ignored_ = true; }
   /// Sets the clock back to `date`.
   void rewind_to(double date) { now_ = date; }
-  /// Drops all pending callbacks. After several calls, end() returns the first reason.
+  /// Ends the run and drops all pending callbacks. After several calls, end() returns the reason
+  /// given first.
   void stop(End why);
   bool stopped() const { return stopped_; }
   End end() const { return end_; }
@@ -99,8 +100,8 @@ class Events {
   // Defined in the source file, because Boost.Heap compiles slowly and many files include this
   // header.
   struct Heap;
-  // Returns the address where the callback is constructed. Copying an object just written would
-  // stall the host's processor.
+  // Makes room for a callback and returns its address. The caller constructs the callback there,
+  // because copying an object just written would stall the host's processor.
   Callback* ask(double date, std::uint64_t order);
 
   double now_ = 0, until_ = NEVER, last_useful_ = 0;

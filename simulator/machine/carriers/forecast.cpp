@@ -21,7 +21,7 @@ double Forecast::left(std::size_t direction, double date) const {
   return way(direction).busy ? left(links_[direction / 2], direction % 2, date) : 0;
 }
 
-// Updates the bytes left, using the rates valid until `date`, before the rates change.
+// Updates the numbers of bytes left at `date`. Must be called before the rates change.
 Forecast::Link& Forecast::change(std::size_t direction, double date) {
   Link& link = links_[direction / 2];
   const std::array left_now{left(link, 0, date), left(link, 1, date)};

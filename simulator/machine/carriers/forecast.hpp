@@ -54,7 +54,7 @@ class Forecast {
 
  private:
   struct Way {
-    double left = 0;  // in bytes, at the link's date `since`
+    double left = 0;  // bytes left at the link's date `since`
     bool busy = false;
     std::uint64_t valid = 0;  // number of its valid entry in the heap
     End end = {};
@@ -67,8 +67,8 @@ class Forecast {
     std::size_t newest = 0;  // direction of the message started last
     bool changed = false;
   };
-  // An entry of the heap. Outdated entries, whose number is not valid any longer, are removed when
-  // they reach the top.
+  // An entry of the heap. An entry is outdated if its number is no longer valid; it is removed when
+  // it reaches the top.
   struct Entry {
     double date, since;
     std::uint64_t number;

@@ -85,7 +85,7 @@ class KeptSignals {
 
  private:
   static constexpr int SIGNALS[] = {SIGINT, SIGTERM, SIGSEGV};
-  // Blocks signals meanwhile, because SimGrid's handlers would end the program.
+  // Blocks signals during this object's lifetime, because SimGrid's handlers would end the program.
   const base::HeldSignals held_{SIGNALS};
   struct sigaction kept_[std::size(SIGNALS)];
   std::terminate_handler terminate_ = std::get_terminate();
@@ -315,7 +315,7 @@ void OnSimGrid::run() {
   call([this] { run_ahead(); });
   try {
     engine_->run();
-  } catch (const AllWait&) {  // all actors wait for ever; SimGrid would kill them
+  } catch (const AllWait&) {  // all actors wait for ever, and SimGrid would kill them
   }
   if (failure_) std::rethrow_exception(failure_);
 }
@@ -336,15 +336,15 @@ void OnSimGrid::start_scheduler() {
   });
 }
 
-// Handles our events up to the earliest possible end of a communication. Events up to SimGrid's
-// clock are always safe, because communications that end by then have ended.
+// Handles our events before the earliest possible end of a communication. Events up to SimGrid's
+// clock are always safe, because communications that end by then have already ended.
 void OnSimGrid::run_ahead() {
   const double clock = s4u::Engine::get_clock();
   while (!events_.stopped() && events_.next() < Events::NEVER &&
          (events_.next() < forecast_.next().earliest() || events_.next() <= clock))
     events_.handle_next();
-  // If a communication certainly ends before our next event, its callback comes in time without a
-  // timer.
+  // If a communication certainly ends before our next event, no timer is needed: the callback at
+  // its end continues here.
   if (events_.stopped() || events_.next() == Events::NEVER ||
       forecast_.next().latest() < events_.next())
     return;
@@ -378,8 +378,8 @@ void OnSimGrid::start_all(double date) {
     start_now(starts_.front().second);
 }
 
-// Starts the communication when SimGrid's clock reaches our date. Communications of the same date
-// start in the order of requests.
+// Starts the communication when SimGrid's clock reaches the date of our clock. Communications of
+// the same date start in the order of requests.
 void OnSimGrid::start_later(std::size_t number) {
   const double date = events_.now();
   const bool timer_set = !starts_.empty() && starts_.back().first == date;

@@ -23,8 +23,8 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   Seconds sum, sent;
   machine[0].start("sender", Priority::high, [&] {
     for (std::int64_t i = 0; i < messages; ++i) {
-      // The distance lets the machine become idle in between. It is odd, so that messages interrupt
-      // the computation at varying points.
+      // The machine becomes idle between two messages. Their distance is not a round number, so
+      // that they interrupt the computation at varying points.
       occam::wait_until(occam::ticks(START + static_cast<double>(i) * Seconds{1.237e-3}));
       sent = now();
       out(machine.channels[0], Message{params.bytes});

@@ -18,7 +18,7 @@ struct DataLoad {
   /// True: after each pass, all processors wait for the last one. False: each continues
   /// immediately.
   bool together = true;
-  bool coordinator_too = false;  ///< the coordinator makes accesses too
+  bool coordinator_too = false;  ///< the coordinator also makes accesses
   std::uint64_t seed = 1;
 };
 
@@ -27,7 +27,7 @@ struct DataPass {
   double time_s = 0;           ///< from the first processor's start to the last one's end
   double mean_s = 0;           ///< mean duration of the pass over the processors
   shared_memory::DataUse use;  ///< total over the processors with accesses
-  std::optional<std::uint64_t> server_seen;  ///< requests to the coordinator, with `together`
+  std::optional<std::uint64_t> server_seen;  ///< requests to the coordinator; only with `together`
 };
 
 /// Runs the test. Throws Unfinished and the exceptions of the simulation.

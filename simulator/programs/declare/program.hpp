@@ -27,7 +27,7 @@ struct Setup {
   topologies::Topology topology;           ///< a single processor if the program uses no network
   observe::RunMonitor* monitor = nullptr;  ///< limit and trace of the run; may be null
   topologies::RoutingTable routes = {};    ///< empty unless Uses::routes
-  std::optional<topologies::TreeLinks> tree = {};  ///< broadcast tree; without it, one per sender
+  std::optional<topologies::TreeLinks> tree = {};  ///< broadcast tree; default: one per sender
   std::vector<PlannedFault> faults = {};           ///< empty unless Uses::faults
   std::optional<double> cycles_per_host_s = {};    ///< cycles charged per second of host time
   bool profile = false;                            ///< true: measure the host time of kernels
@@ -44,7 +44,7 @@ struct Image {
   std::function<void(const std::string& path)> save;  ///< writes the format of `extension`
   /// Writes the full range as OpenEXR.
   std::function<void(const std::string& path)> save_exr = nullptr;
-  /// True: the file name contains the sweep's point only if another image has the same name.
+  /// True: the file name omits the sweep's point unless several images have the same name.
   bool is_named = false;
   const char* extension = ".png";  ///< extension of the file that `save` writes
 };
@@ -62,7 +62,7 @@ struct Extras {
   std::vector<Image> images = {};
   std::vector<Row> growth = {};           ///< rows of growth.csv: the picture's quality over time
   machine::End end = machine::End::done;  ///< if not `done`, the rows cover the run up to this end
-  bool is_saturated = false;              ///< queues grow without bound
+  bool is_saturated = false;              ///< true: queues grow without bound
   std::optional<observe::Use> use = {};   ///< use of resources, for run.json
   std::vector<Load> loads = {};
   std::uint64_t events = 0;                      ///< number of simulated events, if counted
@@ -90,7 +90,7 @@ struct RecordList {
   std::vector<Parameter> fields;  ///< the fields of a record
   std::function<std::any()> make_record;
   std::function<void(std::any& params)> clear;
-  /// Throws BadInput if the record has unknown or missing entries.
+  /// Appends the record to the list. Throws BadInput if entries are unknown or missing.
   std::function<void(std::any& params, const std::any& record)> append;
 };
 
@@ -107,7 +107,7 @@ struct Uses {
   bool faults = false;   ///< the program uses [[fault]]
   bool timed = false;    ///< the program supports run.cost = "timed"
   bool others = false;   ///< the program uses [[processor]]
-  bool threads = false;  ///< --threads: the data that processors share on the host are constant
+  bool threads = false;  ///< supports --threads: processors share only constant data on the host
 };
 
 /// A program whose parameters are stored in a std::any.
@@ -122,13 +122,14 @@ struct Program {
   std::function<Outcome<Row>(const Setup&, const std::any&)> run;
   /// Checks that go beyond the ranges of parameters, before anything runs. Throws BadInput.
   std::function<void(const Setup&, const std::any&)> check;
-  /// Columns that are known before a run; they are shown with the axes.
+  /// Columns that are known before a run. Tables show them with the axes.
   std::function<Row(const std::any&)> describe = {};
-  /// Points with equal keys must produce equal images. If not set, images are not compared.
+  /// Points with equal keys must produce equal images. Without this function, images are not
+  /// compared.
   std::function<std::string(const std::any&)> picture_key = {};
   bool shows_picture = false;  ///< the picture is visible during the run
-  /// Returns the parameter whose value makes `key` irrelevant, so that `key` cannot be an axis, or
-  /// "".
+  /// Returns the parameter whose value makes `key` irrelevant, or "" if there is none. An
+  /// irrelevant key cannot be an axis.
   std::function<std::string(const std::any&, const std::string& key)> voids = {};
   /// Name of the column with the number of working processors.
   std::string processors = "processors";
@@ -188,11 +189,11 @@ struct Unfinished : machine::Fault {
   using Fault::Fault;
 };
 
-/// Runs a program's machine to its end. A live page shows `view`. Throws Unfinished and the
+/// Runs a program's machine to its end. `view` is shown by a live page. Throws Unfinished and the
 /// exceptions of the simulation.
 void run_machine(const Setup& setup, machine::Machine& machine,
                  const observe::ControlPanel& view = {});
-/// Runs a program without an end up to `date`, like run_machine.
+/// Like run_machine, for a program without an end: runs it up to `date`.
 void run_machine_until(const Setup& setup, machine::Machine& machine, machine::Seconds date,
                        const observe::ControlPanel& view = {});
 

@@ -23,15 +23,15 @@ struct Message {
   std::uint64_t bytes() const { return length; }
 };
 
-constexpr std::uint64_t MEMORY = 1 << 20;  ///< in bytes; programs of bare code allocate nothing
-constexpr Seconds START{1024e-6};          ///< date by which every process waits for input
+constexpr std::uint64_t MEMORY = 1 << 20;  ///< in bytes, for bare code, which allocates nothing
+constexpr Seconds START{1024e-6};          ///< by this date every process waits for input
 
 inline Seconds now() { return this_process().now(); }
 inline void wait_for_start() { occam::wait_until(occam::ticks(START)); }
 inline void compute(Cycles cycles) { this_process().charge(cycles); }
 
-/// A machine with unconnected processors p0, p1, ... If their number equals that of the topology,
-/// they have the topology's labels instead.
+/// A machine with unconnected processors p0, p1, ... If there are as many as in the topology, they
+/// have its labels instead.
 struct Machine : machine::Machine {
   Machine(const Setup& setup, int count, machine::Code code = machine::Code::bare)
       : machine::Machine(setup.model, code, setup.engine) {

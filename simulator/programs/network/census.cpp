@@ -49,7 +49,8 @@ Passed count_passed(const Setup& setup, const Params& params, const Around& arou
   return passed;
 }
 
-// Names the processor with the most routes. Returns no note if all processors are neighbours.
+// Makes a note that names the processor with the most routes. Makes none if all processors are
+// neighbours.
 std::vector<std::string> describe_busiest(const topologies::Topology& topology,
                                           const Passed& passed) {
   const auto most = std::ranges::max_element(passed.through);

@@ -103,7 +103,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   const auto arrivals = make_arrivals(setup, params);
   const auto result = run_traffic(setup, arrivals, params.bytes);
   const double window_s = params.window_s;
-  // Counts packets sent in the second half of the window, when queues have reached their usual
+  // Counts only packets sent in the second half of the window, when queues have reached their usual
   // length.
   double sum_s = 0, count = 0;
   for (const auto& d : result.deliveries)

@@ -21,7 +21,7 @@ struct Measured {
   std::optional<double> exponent, rays_share, rmse_share;
 };
 
-// Renders with `samples` samples per pixel. Each number of samples has its own random numbers.
+// Renders with `samples` samples per pixel. The random numbers differ for each value of `samples`.
 renderer::Rendering render_with(const renderer::Scene& scene, renderer::Params image, int samples,
                                 double adaptive = 0) {
   image.sampling.pixel_samples = samples;

@@ -12,8 +12,8 @@ using network::Client;
 
 constexpr int ASKED = 0, ASKING = 1;  // process numbers
 
-// Answers requests. On the route, a request is answered with `probability` or else returned; at its
-// destination, it is always answered.
+// Answers requests. On the route, answers a request with `probability` and otherwise returns it to
+// the router. At its destination, answers every request.
 void answer(Client& client, double probability, std::uint64_t seed) {
   this_process().set_server();
   base::Random random(seed, client.processor());

@@ -12,8 +12,8 @@ using network::Message;
 
 struct Seen {
   double sum_s = 0;
-  std::uint64_t offered = 0, count = 0;  // offered in the window; number of these received
-  std::uint64_t in_window = 0;           // number received in the window
+  std::uint64_t offered = 0, count = 0;  // messages offered in the window; of these, received
+  std::uint64_t in_window = 0;           // number of messages received in the window
 };
 
 struct Params {
@@ -103,7 +103,7 @@ Measured measure(const Offers& offers, const RouterMachine& on, const Seen& all,
                  bool has_overflowed) {
   const auto& params = offers.params;
   const double now_s = on.now().value;
-  // If buffers overflowed, only the part of the window before the overflow.
+  // After an overflow of buffers: only the part of the window before the overflow.
   const double window_s = has_overflowed ? now_s - params.warm_up_s : params.window_s;
   const double time_s = std::max(now_s, params.warm_up_s + window_s);
   Measured m{.offered_per_s = offers.rate_per_s,

@@ -56,8 +56,8 @@ std::vector<Planned> make_plan(int processors, const Params& params) {
   return plan;
 }
 
-// True if the process on this processor answers the offered message. One in four does; the
-// message's number determines which.
+// True if the process on this processor answers the offered message. Each message is answered on
+// every fourth processor; its number determines on which.
 bool answers(const Message& message, int here) {
   return (message.number * 0x9e3779b97f4a7c15ULL >> 32) % 4 == static_cast<unsigned>(here) % 4;
 }
@@ -160,7 +160,7 @@ class Account {
   std::map<std::tuple<int, int, int>, std::uint64_t> last_;  // number of the last message plus 1
 };
 
-// Sends the planned messages and receives in between; afterwards only receives.
+// Sends the planned messages and receives others in between; afterwards only receives.
 void live(Client& client, const std::vector<Planned>& plan, Account& account) {
   const int here = client.processor();
   network::Handed handed;
