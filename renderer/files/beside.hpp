@@ -1,5 +1,5 @@
 #pragma once
-// File names on a line of a text file.
+// File names in the statements of text files.
 
 #include <optional>
 #include <string>

@@ -4,8 +4,9 @@
 // The reader uses newmtl, Kd, Ks, Ke, Ns, d, Tr, Ni, illum, and map_Kd with its options -o and -s.
 // It skips Ka, sharpness, map_aat, and the keys of physically based rendering (Pr, Pm, ...). It
 // leaves out and counts all others. Names of statements may have any case. A material's name is the
-// rest of its line. A comment `# surface R G B KD` at the start of a line factors a Kd that a
-// program multiplied. It is valid if R G B times KD equals the Kd before it.
+// rest of its line. A comment `# surface R G B KD` at the start of a line splits the preceding Kd
+// into a colour and a factor, as NFF needs them. It is ignored unless R G B times KD equals that
+// Kd.
 
 #include <string>
 #include <string_view>
@@ -29,11 +30,11 @@ struct MtlMaterial {
   double kd = 0;
   bool operator==(const MtlMaterial&) const = default;
 
-  /// Sets `diffuse` to the product of a colour and a factor, which are kept too.
+  /// Sets `diffuse` to the product of a colour and a factor, and keeps both in `colour` and `kd`.
   void set_diffuse(const Rgb& of, double factor) {
     colour = of, kd = factor, diffuse = factor * of;
   }
-  /// Sets `diffuse` with a factor of 1. Black is stored as white with a factor of 0.
+  /// Sets `diffuse` to a colour with the factor 1. Black becomes white with the factor 0.
   void set_diffuse(const Rgb& rgb) {
     rgb == Rgb{} ? set_diffuse({1, 1, 1}, 0) : set_diffuse(rgb, 1);
   }
@@ -49,7 +50,7 @@ struct PictureMap {
   bool operator==(const PictureMap&) const = default;
 };
 
-/// A material, the map of its picture, and its place.
+/// A material as read, with the map of its picture.
 struct MtlEntry {
   MtlMaterial material{};
   PictureMap map{};
@@ -57,8 +58,8 @@ struct MtlEntry {
 };
 
 /// Reads a library. `left_out` counts unreadable values and missing pictures, which get their
-/// defaults. A material without Kd is white with a picture. Without a picture it is light grey
-/// unless it emits, reflects or transmits light. `Tr 1` without `d` means opaque if illum has no
+/// defaults. A material without Kd is white if it has a picture. If it has none, it is light grey
+/// unless it emits, reflects or transmits light. `Tr 1` without `d` means opaque if `illum` has no
 /// transparency, because MeshLab writes it so. Throws BadInput for UTF-16.
 std::vector<MtlEntry> read_mtl(std::string_view text, const std::string& path, LeftOut& left_out);
 

@@ -17,8 +17,8 @@ namespace {
 constexpr int MAX_VERTICES = 1 << 24;
 constexpr double MAX_TIME = 1e6;
 
-// Predicates for statements in comments. They test whether the words after the name have the
-// statement's form; otherwise the comment is prose.
+// Predicates for statements in comments. A comment is prose unless the words after the name have
+// the form of that statement.
 bool always(const Words&) { return true; }
 bool has_file(const Words& words) {
   return std::ranges::any_of(std::array{".path", ".csv", ".txt"}, [&](const char* ending) {

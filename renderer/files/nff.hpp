@@ -17,25 +17,25 @@
 //
 //   # lens APERTURE FOCUS                              diameter, and the distance in focus
 //   # shutter T0 T1                                    when it opens and closes, frames
-//   # move DX DY DZ                                    velocity of the objects that follow it, a
-//                                                      frame
+//   # move DX DY DZ                                    velocity of the objects that follow it,
+//                                                      per frame
 //   # path FILE                                        their displacement over time: T X Y Z
 //   # camera FILE                                      the view over time: T FROM AT
 //   # light rect X Y Z  UX UY UZ  VX VY VZ [R G B]     middle and two half edges
 //   # light sphere X Y Z R [R G B]
 //   # gloss S                                          of the surface of the objects that follow
 //   # translucent S
-//   # texture FILE planar O U V                        of the same surface; from point O, a picture
-//                                                      goes as far as edges U and V
+//   # texture FILE planar O U V                        of the same surface; O is the picture's
+//                                                      lower left corner, U and V its edges there
 //   # texture FILE spherical X Y Z [axis AX AY AZ]     around a middle; axis 0 0 1 by default
 //   # texture FILE mesh                                by coordinates:
 //   # uv U V U V ...                                   a pair for each corner of the `p` or `pp`
 //                                                      that follows; further lines add to it
 //
-// A comment is a statement if its first word is a statement's name and its next words fit, as
-// above. They begin with a number, a light's shape and a number, the name of a single file (.path,
-// .csv or .txt), or the name of a picture (.png). The statement ends with its line. Other comments
-// are prose.
+// A comment is a statement if its first word is the name of a statement above and the next words
+// have that statement's form: a number, a light's shape and a number, the name of a single file
+// (.path, .csv or .txt), or the name of a picture (.png). The statement ends with its line. Other
+// comments are prose.
 
 #include <optional>
 #include <string>
@@ -52,15 +52,15 @@ struct Shutter {
   double open = 0, close = 0;
 };
 
-/// Motion of objects. The displacement at a time, in frames, is given by the path, or without a
-/// path by time * velocity.
+/// Motion of objects. The path gives the displacement at a time in frames. Without a path, the
+/// displacement is time * velocity.
 struct Motion {
   Vec velocity;  ///< velocity in scene units per frame
   Path path;
 };
 
-/// Receiver of the statements of an NFF file, in the order of the file. If it throws BadInput, the
-/// message gets the line of the statement.
+/// Receiver of the statements of an NFF file, in the order of the file. If a function throws
+/// BadInput, the reader puts the line of the statement before its message.
 class NffTarget {
  public:
   virtual ~NffTarget() = default;
@@ -71,7 +71,7 @@ class NffTarget {
 
   virtual void set_view(const View& view) = 0;
   virtual void set_background(const Rgb&) {}
-  /// Adds a light that has no colour yet.
+  /// Adds a light with a colour, or with a default intensity if there is no colour.
   virtual void add_light(const Light& light, const std::optional<Rgb>& colour) = 0;
   virtual void set_surface(const Surface& surface) = 0;
   /// Sets the surface of the objects that follow.

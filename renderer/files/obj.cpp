@@ -35,13 +35,13 @@ std::optional<CornerWords> split_corner(std::string_view word) {
     if (slash == word.size()) return parts;
     word.remove_prefix(slash + 1);
   }
-  return {};  // none after a third slash
+  return {};  // a third slash is an error
 }
 
 bool is_readable(const Vec& item) { return !std::isnan(item.x); }
 bool is_readable(const Corner& item) { return !std::isnan(item.u); }
 
-// Items of one kind, and their number above the current line.
+// Items of one kind, such as vertices. `above` is the number of those above the current line.
 template <class Item>
 struct Items {
   const std::vector<Item>& all;
@@ -58,7 +58,7 @@ struct Items {
   }
 };
 
-// Normals or coordinates of a face's corners.
+// Normals or texture coordinates of a face's corners.
 template <class Item>
 struct Attributes {
   std::vector<Item> items;
@@ -84,8 +84,8 @@ ObjFace pick(const ObjFace& face, std::span<const std::uint32_t> corners) {
   return part;
 }
 
-// Keeps one of several neighbouring corners at the same point. Some programs write triangles as
-// quadrilaterals.
+// Keeps one of several neighbouring corners at the same point. Some programs write a triangle as a
+// quadrilateral that repeats a corner.
 ObjFace drop_repeated(ObjFace face) {
   std::vector<std::uint32_t> kept;
   const auto count = static_cast<std::uint32_t>(face.corners.size());
@@ -337,7 +337,7 @@ class ObjReader {
   PictureMap map_;
   bool is_told_ = false, has_view_ = false;
   std::size_t faces_ = 0, grey_ = 0;
-  std::string unknown_, bad_face_, why_grey_;  // messages about the first of each
+  std::string unknown_, bad_face_, why_grey_;  // message about the first of each kind
 };
 
 }  // namespace
@@ -364,7 +364,7 @@ View look_from_outside(const Bounds& bounds) {
   View view;
   const Vec across = bounds.hi - bounds.lo;
   if (std::hypot(across.x, across.z) < 1e-3 * across.y) view.up = {0, 0, 1};
-  const double sine = 0.38268343236508977;  // sine of half the view's 45 degrees
+  const double sine = 0.38268343236508977;  // sine of half the view's angle, 45 degrees
   view.at = 0.5 * (bounds.lo + bounds.hi);
   view.from = view.at + (0.5 / sine) * across;
   return view;

@@ -1,14 +1,14 @@
 #pragma once
 // Wavefront's OBJ with its MTL files, for scenes and rooms: flat faces and their materials.
 //
-// The reader uses v, vt, vn, f, usemtl and mtllib, wherever they stand: faces may precede their
-// vertices, and usemtl its library. Names of statements have any case, a backslash joins lines, and
-// names of materials and files may have blanks and '#'. It skips groups, smoothing and display
-// attributes. It leaves out and counts points, lines, curves, unknown statements, and whatever it
-// cannot read; an unreadable vertex keeps its number, and faces that use it are left out.
+// The reader uses v, vt, vn, f, usemtl and mtllib in any order: faces may precede their vertices,
+// and usemtl its library. Names of statements have any case, a backslash joins lines, and names of
+// materials and files may have blanks and '#'. It skips groups, smoothing and display attributes.
+// It leaves out and counts points, lines, curves, unknown statements, and whatever it cannot read;
+// an unreadable vertex keeps its number, and faces that use it are left out.
 //
 // NFF statements without an OBJ equivalent stand in comments that begin a line, so that other
-// readers skip them. renderer/files/nff.hpp describes their syntax and how it differs from prose:
+// readers skip them. renderer/files/nff.hpp describes their syntax, and which comments are prose:
 //
 //   # v from X Y Z at X Y Z up X Y Z angle DEGREES [hither D] [resolution W H]
 //   # b R G B
@@ -24,10 +24,10 @@
 
 namespace renderer {
 
-/// Receiver of an OBJ file. First it gets the libraries and their materials, with paths relative to
+/// Receiver of an OBJ file. The libraries and their materials come first, with paths relative to
 /// the working directory, then the other statements in the order of the file. If add_face() throws
-/// BadInput, the reader leaves out the face and counts it. For other functions the message gets
-/// the line of the statement.
+/// BadInput, the reader leaves out the face and counts it. If another function throws BadInput, the
+/// reader adds the line of the statement and passes it on.
 class ObjTarget {
  public:
   virtual ~ObjTarget() = default;
@@ -43,7 +43,7 @@ class ObjTarget {
                         std::vector<Corner> coordinates) = 0;
   virtual void set_view(const View&) {}
   virtual void set_background(const Rgb&) {}
-  /// Adds a light that has no colour yet.
+  /// Adds a light with a colour, or with a default intensity if there is no colour.
   virtual void add_light(const Light&, const std::optional<Rgb>&) {}
 
   int line = 0;  ///< line of the current statement
@@ -61,12 +61,12 @@ struct ObjFace {
   std::vector<Corner> coordinates;
 };
 
-/// Cuts a face into triangles, as triangulate() does. Leaves out triangles whose height is at most
-/// 2e-6 of their longest edge. Throws BadInput if none remains.
+/// Cuts a face into triangles, as triangulate() does. Leaves out each triangle whose height is at
+/// most 2e-6 of its longest edge. Throws BadInput if none remains.
 std::vector<ObjFace> cut_into_triangles(const ObjFace& face);
 
-/// Default view of an OBJ: from the diagonal of its bounds, beyond their greatest corner. The
-/// bounds just fit into the picture. Up is y, or z if the bounds are almost a line along y.
+/// Default view of an OBJ: along the diagonal of its bounding box, from beyond its greatest corner.
+/// The box just fits into the picture. Up is y, or z if the box is almost a line along y.
 View look_from_outside(const Bounds& bounds);
 
 }  // namespace renderer

@@ -37,7 +37,8 @@ ObjMaterials::ObjMaterials(const std::string& name,
   for (const auto& of_line : libraries) read_libraries(name, of_line);
 }
 
-// Blanks separate the names but can be part of them. Takes the longest name of an existing file.
+// Blanks separate the names of libraries, but can be part of a name. At each word, takes the
+// longest name of an existing file.
 void ObjMaterials::read_libraries(const std::string& name, const ObjItems::Libraries& libraries) {
   target_.line = libraries.line;
   const auto place = fmt::format("{}:{}", name, libraries.line);

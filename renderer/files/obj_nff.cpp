@@ -38,7 +38,8 @@ void ObjAsNff::add_material(const MtlMaterial& material) {
   looks_.push_back(look);
 }
 
-// Selects the surface of the next polygon. A picture needs texture coordinates.
+// Selects the surface of the next polygon, without its picture if the polygon has no texture
+// coordinates.
 void ObjAsNff::use_look(bool has_coordinates) {
   auto [surface, emission] = looks_[material_];
   const bool has_picture = surface.texture != NO_TEXTURE;

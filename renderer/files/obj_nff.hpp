@@ -4,9 +4,10 @@
 //
 //   f R G B KD KS SHINE T IOR  =  Kd KD*R KD*G KD*B   Ks KS KS KS   Ns SHINE   Tr T   Ni IOR
 //
-// A coloured Ks reflects as its greatest component. A material with illum < 3 reflects nothing,
-// because NFF has no highlights without mirror images. A perfect mirror gets `illum` 3, the mirror
-// of a room; one that is also diffuse gets 5. Pictures (map_Kd) become textures by coordinates.
+// KS is the greatest component of a coloured Ks. A material with `illum` below 3 gets KS 0, because
+// NFF has no highlights without mirror images. A surface that only mirrors (KS 1, KD 0) gets
+// `illum` 3, the mirror of a room; other mirrors get 5. Pictures (map_Kd) become textures by
+// coordinates.
 
 #include "renderer/files/nff.hpp"
 #include "renderer/files/obj.hpp"
@@ -19,8 +20,8 @@ class ObjAsNff : public ObjTarget {
  public:
   /// `left_out` counts what NFF cannot express, such as coloured mirrors.
   ObjAsNff(NffTarget& target, LeftOut& left_out) : target_(target), left_out_(left_out) {}
-  /// Completes the scene after the last statement. If the file has no view, adds one from outside,
-  /// and without lights also a light at its eye. Files with a view get no extra light.
+  /// Completes the scene after the last statement. If the file has no view, adds one from outside
+  /// the objects. If it has neither view nor lights, also adds a light at the eye.
   void finish();
 
   void add_library(const std::string& path) override { target_.add_file(path); }

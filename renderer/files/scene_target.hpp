@@ -36,7 +36,8 @@ class SceneTarget : public NffTarget {
   void add_cone(const Vec& base, double base_radius, const Vec& apex, double apex_radius) override;
 
  private:
-  // A motion, and the index of its first object. It ends at the first object of the next motion.
+  // A motion, and the index of the first object that it moves. It ends where the next motion
+  // begins.
   struct Moving {
     Motion motion;
     std::size_t first;

@@ -8,7 +8,7 @@
 
 namespace renderer {
 
-/// Makes names single words, each different from the earlier ones.
+/// Turns names into single words, each different from those before.
 class WordNames {
  public:
   std::string make(std::string name);
@@ -20,7 +20,8 @@ class WordNames {
 class NffText : public NffTarget {
  public:
   /// Makes NFF text with picture paths relative to `folder`. Throws BadInput for invalid polygons,
-  /// and for paths that NFF cannot express: those with blanks or #, or without a full stop.
+  /// and for picture paths that NFF cannot express: those with blanks or '#', or without a full
+  /// stop.
   explicit NffText(std::string folder) : folder_(std::move(folder)) {}
 
   /// The complete text: view, background and lights first, then the other statements in their
@@ -51,7 +52,7 @@ std::string describe_light(const Light& light, const std::optional<Rgb>& colour)
 /// Formats "X Y Z" or "R G B" such that it reads back bit for bit.
 std::string describe(const Vec& v);
 std::string describe(const Rgb& colour);
-/// Throws BadInput for a name with blanks or #, which would end the word.
+/// Throws BadInput for a name that contains blanks or '#', which end a word in NFF.
 void check_word(const std::string& name);
 /// Makes the path of `file` relative to `folder`. Throws as check_word() does.
 std::string find_from(const std::string& folder, const std::string& file);

@@ -12,7 +12,7 @@ class ObjText : public ObjTarget {
  public:
   /// `library` is the name of the MTL file, which is in `folder` beside the OBJ file. Picture paths
   /// are relative to `folder`. The member functions throw BadInput for invalid faces, and for names
-  /// with blanks or #.
+  /// with blanks or '#'.
   ObjText(std::string folder, std::string library);
 
   std::string text() const;
@@ -32,7 +32,7 @@ class ObjText : public ObjTarget {
 
   std::string folder_, library_name_, head_, body_, library_;
   std::vector<std::string> names_;  // names of the materials
-  // numbers of vertices, normals and coordinates, by statement
+  // number of each vertex, normal and texture coordinate, by its statement
   std::map<std::string, std::size_t> points_, normals_, coordinates_;
 };
 

@@ -26,7 +26,8 @@ class LeftOut {
   /// One sentence for each kind that has a remark.
   std::vector<std::string> describe_remarks() const;
 
-  /// describe_remarks(), and one sentence with the counts of the other kinds in the file `name`.
+  /// The sentences of describe_remarks(), and one with the counts of the other kinds in the file
+  /// `name`.
   std::vector<std::string> describe_all(const std::string& name) const;
 
  private:

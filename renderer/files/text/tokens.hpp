@@ -15,7 +15,7 @@ namespace renderer {
 /// Largest magnitude of a number in a scene. It keeps products of several numbers finite.
 inline constexpr double MAX_NUMBER = 1e15;
 
-/// Parses a finite decimal number, independent of the locale; none if there is anything else. The
+/// Parses a finite decimal number, independent of the locale. Returns none for any other word. The
 /// exponent may be Fortran's: 1.0D+00.
 std::optional<double> parse_number(std::string_view word);
 
@@ -33,7 +33,7 @@ class Tokens {
   Tokens(std::string_view text, std::string name, IsStatement is_statement = nullptr,
          Lines lines = Lines::separate);
 
-  /// Begins a statement that ends with its line: until the next call no word of another line is
+  /// Begins a statement that ends with its line. Until the next call, only words of this line are
   /// taken. Returns false at the end of the file. A reader that never calls it treats line breaks
   /// as blanks.
   bool begin_line();
@@ -56,7 +56,7 @@ class Tokens {
   bool take_if(std::string_view word);
   /// Takes the rest of the current statement's line with any '#' in it, without blanks at its ends.
   /// Call it right after take(). Lines are joined only if a blank precedes the backslash, because
-  /// names of Windows' folders end with one.
+  /// names of Windows folders may end with a backslash.
   std::string take_rest();
   /// Skips the rest of the current statement's line.
   void skip_line();
@@ -95,7 +95,7 @@ class Tokens {
   [[noreturn]] void fail(int line, std::string_view message) const;
   /// Throws BadInput "found ..., expected ..." for the next word.
   [[noreturn]] void fail_next(std::string_view expected);
-  /// Runs `action`. A BadInput that it throws gets the prefix `line`.
+  /// Runs `action`. If it throws BadInput, adds the file's name and `line` before the message.
   template <class Action>
   void at_line(int line, const Action& action) const {
     at_place(fmt::format("{}:{}", name_, line), action);
