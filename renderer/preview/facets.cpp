@@ -20,8 +20,8 @@ Turn make_turn(double angle) { return {round_sine(std::cos(angle)), round_sine(s
 // eye.
 double eval_pixels(const View& view, const Params& params, double size, double distance) {
   const Raster raster = make_raster(view, params);
-  // A corner of the image is the worst case: the distance ahead is shortest there, and a shift
-  // along the ray covers most pixels.
+  // A corner of the image is the worst case. At a given distance from the eye, the depth is least
+  // there, and a shift along the ray covers the most pixels.
   const double x = raster.step * params.width / 2, y = view.half_height;
   return size * (1 + x * x + y * y) / (raster.step * std::max(distance, 1e-9 * size));
 }
@@ -42,8 +42,8 @@ void end_facet(Facets& facets) {
   facets.ends.push_back(static_cast<std::uint32_t>(facets.indices.size()));
 }
 
-// Adds the facets between two rings of `n` corners whose indices begin at `a` and `b`. A pole is a
-// ring of one corner.
+// Adds the facets between two rings of `n` corners each, whose indices begin at `a` and `b`. A pole
+// is a ring that has shrunk to one corner.
 void add_band(Facets& facets, std::uint32_t a, bool a_is_pole, std::uint32_t b, bool b_is_pole,
               std::uint32_t n) {
   for (std::uint32_t i = 0; i < n; ++i) {

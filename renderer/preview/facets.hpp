@@ -19,7 +19,7 @@ struct Facets {
 /// Fineness of the tessellation of spheres and cones. Polygons and patches are one facet.
 enum class Fineness : std::uint8_t {
   outline,    ///< edges about ten pixels apart, 4 to 24 around
-  silhouette  ///< inscribed facets, at most half a pixel off the object in the image
+  silhouette  ///< inscribed facets; outlines in the image are at most half a pixel off the object's
 };
 
 /// Largest number of facets around a sphere or cone, however near it is.

@@ -51,7 +51,7 @@ Facet make_facet(const Object& object, const Vec& eye, std::span<const std::uint
     outwards += corners[i].normal;
     last = i;
   }
-  // The facet of a cone at its apex has an edge of zero length, but an area.
+  // At the apex of a cone, a facet has an edge of length zero, but still an area.
   const double area = length(newell);
   facet.normal = area > 0 ? (1 / area) * newell : normalize(outwards);
   if (dot(facet.normal, outwards) < 0) facet.normal = -facet.normal;
@@ -76,7 +76,7 @@ class Previewer {
         raster_(make_raster(scene.view, params)),
         scanner_(raster_, area_),
         pixels_(static_cast<std::size_t>(params.width) * static_cast<std::size_t>(params.height)) {
-    params_.limits.depth = 1;  // lets hits spawn shadow feelers only
+    params_.limits.depth = 1;  // a hit then has shadow feelers, but no other children
     preview_.samples = Samples(params.width, params.height);
   }
 
@@ -209,7 +209,7 @@ class Previewer {
     draw_facets(Fineness::outline,
                 [](const Object&, const Facet&) { return [](std::uint32_t) { return Triple{}; }; });
     std::vector<Fragment> facets(pixels_.size());
-    facets.swap(pixels_);  // edges are drawn on an empty picture
+    facets.swap(pixels_);  // edges are drawn into a second, empty z-buffer
     for_each_object(Fineness::outline, [&](const Object& object) {
       for_each_facet(object, [&](const Facet& facet) {
         const double slack = eval_slack(facet);
@@ -231,8 +231,8 @@ class Previewer {
   // Largest relative difference in 1 / depth up to which an edge shows through a facet.
   static constexpr double MOST_SLACK = 0.02;
 
-  // Change of 1 / depth from a pixel of a facet to its neighbours. Samples of an edge may lie
-  // behind its own facet by this amount.
+  // Change of 1 / depth from a pixel of a facet to its neighbours. An edge may lie this far behind
+  // the facet that it borders.
   double eval_slack(const Facet& facet) const {
     const View& view = scene_.view;
     const double offset = std::abs(dot(facet.normal, facet.middle - view.from));
@@ -241,8 +241,8 @@ class Previewer {
            std::max(offset, 1e-300);
   }
 
-  // Blends the drawing with the background by depth: the nearest pixel keeps its colour, and the
-  // farthest a quarter of it.
+  // Blends pixels with the background by depth. The nearest pixel keeps all of its colour, and the
+  // farthest keeps a quarter.
   void cue_depth() {
     double nearest = 0, farthest = std::numeric_limits<double>::infinity();
     for (const Fragment& pixel : pixels_)
@@ -307,7 +307,7 @@ class Previewer {
     const Fragment& pixel = at(x, y);
     const Ray ray = make_primary(scene_.view, params_, x, y);
     auto hit = intersect_object(scene_, ray, pixel.place, preview_.work);
-    if (!hit) {  // rounding at the rim: use the facet instead of the object
+    if (!hit) {  // at the rim, rounding may miss the object: use the facet
       const Tag tag = visit(scene_, pixel.place, [](const auto& p) { return p.tag; });
       const double distance = 1 / (pixel.nearness * dot(ray.direction, scene_.view.ahead));
       Vec normal = normalize(to_vec(pixel.values));

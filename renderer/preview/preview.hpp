@@ -1,6 +1,6 @@
 #pragma once
-// Preview pictures of a scene by z-buffer, available before the first ray. Each step is better and
-// more expensive than the one before (L. Bergman et al., Image Rendering by Adaptive Refinement,
+// Preview pictures of a scene by z-buffer, without rays from the eye. Each step is better and more
+// expensive than the one before (L. Bergman et al., Image Rendering by Adaptive Refinement,
 // SIGGRAPH 1986; thesis, 4.1).
 
 #include "renderer/image/image.hpp"
@@ -20,8 +20,8 @@ enum class PreviewStep : std::uint8_t {
 /// The steps by name.
 const base::Names<PreviewStep>& preview_steps();
 
-/// Work of a preview without shading, which Work counts because the ray tracer's kernels do it.
-/// `edges` draws facets twice, to hide and to find edges.
+/// Work of a preview except for shading. (Shading is done by the ray tracer's kernels, which count
+/// it in Work.) PreviewStep::edges draws all facets twice: for the z-buffer, and for their edges.
 struct PreviewCounts {
   std::uint64_t vertices = 0;       ///< facet corners projected onto the image
   std::uint64_t facets = 0;         ///< facets drawn, without those on the far side of a sphere
