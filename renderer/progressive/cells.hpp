@@ -1,6 +1,6 @@
 #pragma once
-// Cells of the image (thesis, 4.2.2): rectangles with samples at their four corners. Borders to
-// smaller neighbours have further samples.
+// Cells of the image (thesis, 4.2.2): rectangles with samples at their four corners. A border to
+// smaller cells has further samples.
 
 #include <vector>
 
@@ -22,7 +22,7 @@ int get_size(const Cell& cell);
 
 /// Makes cells with sides of `side` steps over the image, row by row. The last ones may be smaller.
 std::vector<Cell> make_cells(int width, int height, int side);
-/// Divides a cell into cells of half its size: 4, or 2 if it is narrow.
+/// Divides a cell into 4 cells of half its size, or into 2 if one side cannot be halved.
 std::vector<Cell> divide(const Cell& cell);
 /// True if a cell has a pixel in an area.
 bool meets(const Cell& cell, const Area& area);

@@ -9,10 +9,10 @@ namespace renderer::progressive {
 
 /// Target of one step.
 struct Step {
-  /// contrast (Eq 4.7) above which cells are divided, 0..1; 0: divide all cells
+  /// contrast (Eq 4.7) above which a cell is divided, 0..1; 0: divide all cells
   double contrast = 0;
   int min_cell = 1;     ///< side of the smallest cell, pixels, a power of two
-  bool pyramid = true;  ///< true: cells that may hide an object are divided as well (figure 4.4)
+  bool pyramid = true;  ///< true: also divide cells that may hide an object (figure 4.4)
   int depth = 15;       ///< levels of the shading trees, 1..1000
   Area area;            ///< area of interest; cells without a pixel in it stay unchanged
 };

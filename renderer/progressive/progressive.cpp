@@ -57,8 +57,9 @@ void Progressive::deepen_border(const Cell& c, int depth) {
       if (sampled_.has(x, y)) want(x, y, depth);
 }
 
-// Traces the requested samples in parallel. Threads take samples one by one and write to separate
-// data; sums do not depend on the order. Returns false if `is_stopped` ended it.
+// Traces the requested samples in parallel. Each thread takes one sample after the other. Samples
+// have separate data, and the sums of counts do not depend on the order. Returns false if
+// `is_stopped` ended the step.
 bool Progressive::trace_wanted(int depth, const Stop& is_stopped, StepCounts& counts) {
   for (const Wanted& wanted : wanted_) ++(wanted.from > 0 ? counts.deepened : counts.samples);
   std::vector<std::uint32_t> hits(wanted_.size());
@@ -91,7 +92,7 @@ bool Progressive::trace_wanted(int depth, const Stop& is_stopped, StepCounts& co
 }
 
 // Divides the cells that qualify. Evaluates all cells before dividing any, so that their order does
-// not matter. Returns true if it divided one.
+// not matter. Returns true if it divided any cell.
 bool Progressive::divide_cells(const Step& step, StepCounts& counts) {
   std::vector<Verdict> verdicts;
   for (const Cell& cell : cells_) verdicts.push_back(judge(cell, step, counts));

@@ -35,13 +35,13 @@ class Progressive {
   /// BadInput as check() does.
   Progressive(const Scene& scene, const Params& params, int max_cell, int threads = 1);
 
-  /// Executes a step. The first step samples every corner of cells of max_cell steps a side,
-  /// whatever its area. Every step deepens the trees of the samples in its area's cells to its
-  /// depth, and divides these cells until none qualifies. A cell larger than min_cell qualifies if
-  /// it exceeds the contrast, or may hold an object that no sample has hit.
+  /// Executes a step. The first step makes cells with sides of `max_cell` over the whole image, and
+  /// samples their corners. Every step selects the cells in `step.area`, deepens the trees of their
+  /// samples to `step.depth`, and divides these cells until none qualifies. A cell larger than
+  /// `min_cell` qualifies if it exceeds the contrast, or may hold an object that no sample has hit.
   ///
-  /// After a step over the whole image with min_cell 1 and the pyramid test, every object visible
-  /// at a pixel of the full image has a sample. The result depends on earlier steps, but not on the
+  /// After a step over the whole image with `min_cell` 1 and the pyramid test, a sample has hit
+  /// every object that is visible at any pixel. The result depends on earlier steps, but not on the
   /// number of threads. Returns none if `is_stopped` ended the step; the picture is then invalid.
   /// Throws BadInput as check() does.
   std::optional<StepCounts> advance(const Step& step, const Stop& is_stopped);

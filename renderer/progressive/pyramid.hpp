@@ -8,19 +8,19 @@
 
 namespace renderer::progressive {
 
-/// An infinite pyramid from the eye through a rectangle of the image plane, given by two opposite
-/// corners.
+/// An infinite pyramid from the eye through a rectangle of the image plane. Two opposite corners
+/// define the rectangle.
 class Pyramid {
  public:
   Pyramid(const Scene& scene, const PlanePoint& upper_left, const PlanePoint& lower_right);
-  /// Tests conservatively whether a ray of the pyramid meets the box. May also return true for a
-  /// box outside, near an edge of the pyramid.
+  /// True if a ray of the pyramid meets the box. May also be true for a box outside of the pyramid,
+  /// near an edge.
   bool may_meet(const Bounds& box) const;
 
  private:
   Vec eye_;
   Vec inward_[5];  // inward normals of the four sides, and the view direction
-  Bounds reach_;   // bounding box of the pyramid, infinite on one side of each axis
+  Bounds reach_;   // bounding box of the pyramid, with infinite ends where the pyramid has
   double tolerance_;
 };
 

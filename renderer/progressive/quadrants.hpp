@@ -16,9 +16,9 @@ struct Pixel {
   bool operator==(const Pixel&) const = default;
 };
 
-/// The computed pixel of a quadrant: the lower left one on the screen. The paper counts y upwards.
-/// In a picture of H rows, its quadrant (x, y, w, h) is {x, H - y - h, w, h} here, and its pixel
-/// (x, y) is (x, H - 1 - y).
+/// The computed pixel of a quadrant: the lower left one on the screen. The paper counts y upwards:
+/// in a picture of H rows, the paper's quadrant (x, y, w, h) is {x, H - y - h, w, h} here, and the
+/// paper's pixel (x, y) is (x, H - 1 - y).
 inline Pixel own_pixel(const Area& quadrant) {
   return {quadrant.x, quadrant.y + quadrant.height - 1};
 }

@@ -9,7 +9,7 @@ namespace renderer::progressive {
 
 namespace {
 
-// limits in pixels; MAX_BATCH is for each thread
+// largest number of pixels in a batch, for each thread, and in one part of a batch
 constexpr std::uint64_t MAX_BATCH = 1 << 12, MAX_PART = 256;
 
 std::uint64_t divide_up(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }

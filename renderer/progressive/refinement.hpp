@@ -21,8 +21,8 @@ base::Field<P> order_field(Access access) {
       "order of pixels: row by row, or quadrants of the picture from large to small");
 }
 
-/// Iterator over the pixels of an area in an order. Each comes with the rectangle that shows its
-/// colour.
+/// Iterator over the pixels of an area in a given order. For each pixel it returns the rectangle to
+/// fill with the pixel's colour.
 class Walk {
  public:
   Walk(Order order, const Area& area);
@@ -40,11 +40,11 @@ class Walk {
 struct RefinementState {
   std::uint64_t done = 0;  ///< number of samples taken (see Refinement::done())
   std::vector<Samples::Sums> sums;
-  std::vector<std::uint16_t> counts;  ///< samples of each pixel: 0, 1 or all
+  std::vector<std::uint16_t> counts;  ///< number of samples of each pixel: 0, 1 or all of them
   /// objects hit by the first samples; only with adaptive sampling
   std::vector<std::uint32_t> objects;
   CornerObjects corners;
-  int corner_rows = 0;  ///< number of rows known in `corners`
+  int corner_rows = 0;  ///< number of rows of `corners` that have been traced
   RayCounts rays;
   Work work;
 };
@@ -64,9 +64,9 @@ class Refinement {
   /// samples.
   std::uint64_t done() const { return state_.done; }
   bool is_finished() const { return done() == total(); }
-  /// Takes this many samples, or a few more: all further samples of a pixel are taken together. The
-  /// loop `while (r.done() < n) r.advance(n - r.done())` ends at the first pixel that reaches n
-  /// samples, whatever the earlier steps and the number of threads.
+  /// Takes this many samples, or a few more, since all samples of a pixel after its first are taken
+  /// together. The loop `while (r.done() < n) r.advance(n - r.done())` ends at the first pixel that
+  /// reaches n samples, whatever the earlier steps and the number of threads.
   void advance(std::uint64_t samples);
 
   /// The picture so far. A pixel with one sample has that sample's colour.

@@ -23,7 +23,8 @@ Rgb mix(const Rgb& p, double weight_p, const Rgb& q, double weight_q, const Rgb&
   return weight_p * p + weight_q * q + weight_r * r;
 }
 
-// Interpolates at (u, v) of the unit square over four triangles, one for each side and the middle.
+// Interpolates at (u, v) of the unit square over four triangles, each between a side and the
+// middle.
 Rgb eval_four(const Square& s, double u, double v) {
   if (v <= u && v <= 1 - u) return mix(s.a, 1 - u - v, s.b, u - v, s.m, 2 * v);
   if (v >= u && v >= 1 - u) return mix(s.c, v - u, s.d, u + v - 1, s.m, 2 * (1 - v));
@@ -31,8 +32,9 @@ Rgb eval_four(const Square& s, double u, double v) {
   return mix(s.b, u - v, s.d, u + v - 1, s.m, 2 * (1 - u));
 }
 
-// Interpolates over eight triangles, one for each half side and the middle. `corner` and `half`
-// (the middle of a side) are nearest to (u, v). `along` and `across` are distances from the corner.
+// Interpolates over eight triangles, each between half a side and the middle. The point lies in the
+// triangle of `corner`, `half` (the middle of a side) and the middle. `along` and `across` are the
+// distances from `corner` along that side and across it.
 Rgb eval_eight(const Square& s, double u, double v) {
   const bool right = u > 0.5, down = v > 0.5;
   const double du = right ? 1 - u : u, dv = down ? 1 - v : v;  // distances from the nearest corner

@@ -1,6 +1,7 @@
 #pragma once
 // Stepwise deepening of a shading tree without storing rays (thesis, 4.2.1). Each step traces the
-// rays of earlier levels again to find their children, but not their shadow feelers.
+// rays of earlier levels again to find their children. It does not trace their shadow feelers
+// again.
 
 #include "renderer/trace/render.hpp"
 
@@ -9,7 +10,7 @@ namespace renderer::progressive {
 /// Numbers of rays of one or more trees.
 struct TreeRays {
   std::uint64_t repeated = 0;  ///< N_A of Eq 4.1: rays traced again
-  RayCounts fresh;             ///< N_T: rays of new levels, with their feelers
+  RayCounts fresh;             ///< N_T: rays of new levels, including feelers
   Work work;                   ///< work of repeated and new rays
 
   TreeRays& operator+=(const TreeRays& other);
