@@ -118,7 +118,8 @@ double ssim(const Bitmap& a, const Bitmap& b) {
 
 double border_energy(const Bitmap& picture, int side) {
   constexpr const char* WHO = "border_energy";
-  // Rounding variance of a second difference, 1 -2 1. Each of its values has a variance of 1/12.
+  // Rounding variance of a second difference a - 2 b + c. Each of the rounded values has a variance
+  // of 1/12.
   constexpr double ROUNDING = (1 + 4 + 1) / 12.0;
   check(picture, WHO);
   require(side >= MIN_BORDERED_CELL, WHO, fmt::format("cells of {} pixels", side),
