@@ -20,7 +20,8 @@ inline constexpr int MAX_WEBP_SIDE = 16383;  ///< largest side of a WebP picture
 /// Encodes the frames as a lossless WebP that repeats for ever. Equal consecutive frames may be
 /// merged into one with their total duration. The bytes depend only on the frames and on the
 /// version of libwebp; they contain no date or text. Throws BadInput for no frames, frames of
-/// unequal or too large sizes, a duration out of range, and a total above 2^31 - 1 ms.
+/// unequal sizes or larger than MAX_WEBP_SIDE, a duration out of range, and a total duration above
+/// 2^31 - 1 ms.
 std::string make_webp(std::span<const Frame> frames);
 /// Encodes `count` frames, which `make` returns one by one from 0. Holds one frame at a time in
 /// memory.

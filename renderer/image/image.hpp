@@ -14,7 +14,7 @@ namespace renderer {
 
 /// Three colour sums for each pixel, in units of 2^-32 of full intensity. Each contribution is
 /// rounded to the nearest unit and clamped to -MAX_CONTRIBUTION..MAX_CONTRIBUTION; NaN counts as 0.
-/// Sums are exact below 2^21 contributions of that size, and wrap beyond.
+/// Sums of fewer than 2^21 contributions are exact; sums of more may wrap.
 struct Samples {
   static constexpr double ONE = 4294967296.0;  ///< units of full intensity, 2^32
   static constexpr double MAX_CONTRIBUTION = 1024;
@@ -62,8 +62,8 @@ Bitmap make_bitmap(const Samples& samples);
 /// Largest number of pixels in a picture file.
 inline constexpr std::int64_t MAX_PICTURE = std::int64_t{1} << 24;
 /// Loads a PNG of any kind (grey, palette, 16 bits, alpha) as displayed on a white background.
-/// Restores the bytes written by save_png(). Throws BadInput with the file's name if it cannot be
-/// read, is not a complete PNG or has more than MAX_PICTURE pixels.
+/// Returns exactly the bytes that save_png() wrote. Throws BadInput with the file's name if it
+/// cannot be read, is not a complete PNG or has more than MAX_PICTURE pixels.
 Bitmap load_png(const std::string& path);
 
 /// Converts to rows from the top, 3 bytes per pixel. Maps 0..1 to 0..255, rounded and clamped.
@@ -75,7 +75,8 @@ std::array<std::uint8_t, 3> make_rgb8(const Rgb& colour);
 /// Writes an 8-bit RGB PNG as base::save_whole does, with the same errors. The bytes depend only on
 /// the samples. Throws BadInput for an image without pixels.
 void save_png(const std::string& path, const Samples& samples);
-/// Writes bytes in the order of make_rgb8(). Throws BadInput unless there are 3 * width * height.
+/// Writes bytes in the order of make_rgb8(). Throws BadInput unless there are 3 * width * height of
+/// them.
 void save_png(const std::string& path, int width, int height,
               const std::vector<std::uint8_t>& rgb8);
 
