@@ -10,8 +10,8 @@ namespace radiosity {
 
 namespace {
 
-// Relative to the room's size: tolerance for rounding, and distance up to which two lines are the
-// same.
+// Tolerance for rounding, and distance up to which two lines are the same, both relative to the
+// size of the room.
 constexpr double TOLERANCE = 1e-6, SAME = 1e-5;
 // Creases shorter than this fraction of their face are dropped.
 constexpr double SHORTEST = 1e-3;
@@ -49,7 +49,7 @@ bool overlap(const renderer::Bounds& a, const renderer::Bounds& b) {
 }
 
 // Clips the light to its part above the receiver, and other faces to their parts above both. The
-// light is empty if the two do not face each other.
+// light becomes empty if light and receiver do not face each other.
 Stage make_stage(const Piece& light, const Piece& receiver, std::span<const Piece> faces,
                  double tolerance) {
   Stage stage{light.side, receiver.side, {}, tolerance};
@@ -68,7 +68,7 @@ Stage make_stage(const Piece& light, const Piece& receiver, std::span<const Piec
 }
 
 // Approximate unoccluded illumination at the receiver's middle. Cosines have a lower limit, since a
-// face seen edge-on from there may be visible from other points.
+// light that is seen edge-on from the middle may be visible from other points.
 double eval_strength(const Piece& light, const Piece& receiver) {
   constexpr double LEAST_COSINE = 0.1;
   const Vec way = eval_mean(receiver.side.corners) - eval_mean(light.side.corners);
@@ -100,8 +100,8 @@ struct Ranked {
   std::pair<bool, std::size_t> rank;
 };
 
-// Merges a crease with overlapping or touching ones on the same line. The result is appended, with
-// the strongest rank.
+// Merges a crease with those that overlap or touch it on the same line, and appends the result. It
+// gets the least of their ranks.
 void merge(Ranked added, double same, std::vector<Ranked>& creases) {
   for (std::size_t i = 0; i < creases.size();) {
     Crease longer = creases[i].crease, other = added.crease;
@@ -153,7 +153,8 @@ std::vector<Crease> find_creases(const Room& room) {
         merge({crease, {false, rank}}, SAME * size, merged);
       for (const Crease& crease : found.within) merge({crease, {true, rank}}, SAME * size, merged);
     }
-    // Waits for the other side of a two-sided face, since the creases of both sides cut it.
+    // Both sides of a two-sided face are cut by the creases of both, which are therefore collected
+    // first.
     if (r + 1 < receivers.size() && receivers[r + 1].face == receiver.face) continue;
     std::ranges::stable_sort(merged, {}, &Ranked::rank);
     for (const auto& [crease, rank] : merged)

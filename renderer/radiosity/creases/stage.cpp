@@ -6,10 +6,11 @@ namespace radiosity {
 
 namespace {
 
-// Distance of sight lines from the borders of light and occluder, relative to their sizes. It keeps
-// sight lines from touching them.
+// Distance that keeps sight lines from touching the borders of light and occluder, relative to the
+// sizes of these.
 constexpr double ASIDE = 1e-4;
-// Least descent from light to occluder, in tolerances. It limits the length of shadows.
+// Least height of the light above the occluder, as a multiple of the tolerance. It limits the
+// length of shadows.
 constexpr double LEAST_FALL = 0.1;
 
 // Sight lines through the apex to the segment from a to b.
@@ -18,8 +19,8 @@ struct Pencil {
 };
 
 // Adds the parts of the segment from a to b that a face hides from the apex. The segment lies
-// beyond the apex. The face lies between the two, or before the apex if sight lines come from
-// `behind`.
+// beyond the apex. The face lies between apex and segment. If sight lines come from `behind` the
+// apex, it may also lie there.
 void add_hidden(std::span<const Vec> face, const Vec& apex, const Vec& a, const Vec& b, bool behind,
                 std::vector<Interval>& hidden) {
   const Vec u = a - apex, w = b - apex, across = cross(u, w);
@@ -27,7 +28,7 @@ void add_hidden(std::span<const Vec> face, const Vec& apex, const Vec& a, const 
   if (!(square > 0)) return;
   const auto ends = cut(face, make_plane(normalize(across), apex));
   if (!ends) return;
-  // Coordinates of the points x in the plane: x - apex = p u + q w.
+  // Coordinates p and q of a point x in the plane: x - apex = p u + q w.
   double p[2], q[2];
   for (int i = 0; i < 2; ++i) {
     const Vec x = (*ends)[i] - apex;
@@ -49,8 +50,8 @@ void add_hidden(std::span<const Vec> face, const Vec& apex, const Vec& a, const 
   }
 }
 
-// The parts of the segment that every pencil reaches past all faces except one. The pencils'
-// segments nearly coincide. Sight lines begin at the apex, or before it if they come from `behind`.
+// The parts of the segment that no face hides from any pencil, where the face `except` does not
+// count. The segments of all pencils nearly coincide. `behind` is as for add_hidden().
 std::vector<Interval> find_seen(std::span<const std::vector<Vec>> faces, std::size_t except,
                                 std::span<const Pencil> pencils, bool behind) {
   std::vector<Interval> hidden, seen;
@@ -68,7 +69,7 @@ std::vector<Interval> find_seen(std::span<const std::vector<Vec>> faces, std::si
 }
 
 // Sight lines in a critical plane, from the light through a point of the occluder's border to the
-// receiver. They share either their start or the point that they pass.
+// receiver. All of them share either their start or the point of the occluder that they pass.
 struct Wedge {
   std::array<Vec, 2> from, through;
 };
@@ -85,15 +86,16 @@ Vec project(const Plane& ground, const Vec& from, const Vec& through) {
   return from + (high / (high - low)) * (through - from);
 }
 
-// Makes pencils slightly beside the wedge, from inside the light's border past the occluder. If all
-// sight lines pass a corner of the occluder, there is a pencil on either side of the corner along
-// the wedge's plane. A corner that continues in another face is not a corner of the shadow, and one
-// pencil is then blocked.
+// Makes pencils that lie slightly beside the wedge: they begin just inside the light and pass just
+// outside the occluder. If all sight lines pass a corner of the occluder, makes one pencil on
+// either side of this corner. If another face continues the occluder there, the corner is not one
+// of the shadow, and the face blocks one of the pencils.
 std::vector<Pencil> step_aside(const Wedge& wedge, const Shadow& shadow) {
   const Plane& ground = shadow.stage.receiver.plane;
   const bool passes_one = wedge.through[0] == wedge.through[1];
   Vec beside;
-  // offset from the occluder's plane, in which sight lines would meet a face at only one point
+  // offset from the occluder's plane, since faces in that plane would meet sight lines at one point
+  // only
   Vec off;
   if (passes_one) {
     off = 0.1 * ASIDE * (lerp(wedge.from[0], wedge.from[1], 0.5) - wedge.through[0]);
@@ -140,7 +142,7 @@ void add_wedge(Wedge wedge, const Shadow& shadow, std::vector<Crease>& creases) 
       wedge.through[i] = lerp(whole.through[0], whole.through[1], ends[i]);
     }
   };
-  // Drops sight lines that do not descend towards the receiver.
+  // Drops the sight lines that do not descend from the light to the occluder.
   const double least = LEAST_FALL * stage.tolerance;
   Interval falling;
   const double above[] = {fall(0) - least, fall(1) - least};
@@ -152,7 +154,8 @@ void add_wedge(Wedge wedge, const Shadow& shadow, std::vector<Crease>& creases) 
                      project(ground, wedge.from[1], wedge.through[1])};
   const auto inside = clip_segment(far[0], far[1], shadow.edges, stage.tolerance);
   if (!inside) return;
-  // Converts a fraction of the segment on the receiver to a fraction of the edge.
+  // Converts a fraction of the segment on the receiver to one of the edges that the wedge starts
+  // from or passes.
   const double falls[] = {fall(0), fall(1)};
   const auto back = [&](double t) { return t * falls[0] / ((1 - t) * falls[1] + t * falls[0]); };
   shorten({back(inside->from), back(inside->to)});
@@ -181,8 +184,8 @@ bool contains(const Plane& plane, std::span<const Vec> polygon, double tolerance
   });
 }
 
-// The plane through a corner and an edge, one of the light and one of the occluder. None if they
-// span no plane, if the plane cuts the occluder, or if the light lies in it.
+// The plane through a corner of the light and an edge of the occluder, or the reverse. None if they
+// span no plane, if the plane cuts the occluder, or if the light lies in the plane.
 std::optional<Plane> find_plane(const Stage& stage, std::span<const Vec> blocker, const Vec& corner,
                                 const Vec& a, const Vec& b) {
   const double tolerance = stage.tolerance;
@@ -196,7 +199,8 @@ std::optional<Plane> find_plane(const Stage& stage, std::span<const Vec> blocker
   return plane;
 }
 
-// Adds the creases of the occluder's own plane on the receiver, if the plane cuts the light.
+// Adds the creases in which the occluder's own plane meets the receiver, if this plane cuts the
+// light.
 void add_own_plane_creases(const Shadow& shadow, std::vector<Crease>& creases) {
   const auto& light = shadow.stage.light.corners;
   const auto& face = shadow.stage.between[shadow.blocker];
@@ -211,12 +215,13 @@ void add_own_plane_creases(const Shadow& shadow, std::vector<Crease>& creases) {
   }
 }
 
-// Adds the creases of the face between[blocker] on the receiver that no other face hides from the
-// light. Borders lie on planes through an edge of the light and a corner of the occluder, or the
-// reverse, that cut neither. On one side of such a plane, the occluder hides nothing of the light,
-// or as much as it can. Further borders lie on the occluder's own plane if it cuts the light, and
-// where the occluder touches the receiver. A plane through an edge of the occluder and a corner of
-// the light yields a crease within the penumbra if it cuts the light.
+// Adds the creases that the occluder `between[blocker]` causes on the receiver, as far as no other
+// face hides them from the light. Borders lie on planes through an edge of the light and a corner
+// of the occluder, or the reverse, if the plane cuts neither of them. On one side of such a plane,
+// the occluder hides either nothing of the light, or as much as it can. Further borders lie on the
+// occluder's own plane if it cuts the light, and where the occluder touches the receiver. A plane
+// through an edge of the occluder and a corner of the light yields a crease within the penumbra if
+// it cuts the light.
 void add_shadow_creases(const Stage& stage, std::size_t blocker, StageCreases& found) {
   const auto& light = stage.light.corners;
   const auto& face = stage.between[blocker];
@@ -250,8 +255,8 @@ void add_shadow_creases(const Stage& stage, std::size_t blocker, StageCreases& f
   add_own_plane_creases(shadow, found.borders);
 }
 
-// Adds the crease where the light's own plane cuts the receiver. The light shines on one side of it
-// only.
+// Adds the crease where the light's own plane cuts the receiver. The light shines only on one side
+// of this line.
 void add_horizon_crease(const Stage& stage, std::vector<Crease>& creases) {
   const FaceSide& light = stage.light;
   if (!cuts(light.plane, stage.receiver.corners, stage.tolerance)) return;

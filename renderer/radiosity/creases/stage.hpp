@@ -8,7 +8,7 @@ namespace radiosity {
 /// A side of a face that emits or receives light.
 struct FaceSide {
   std::vector<Vec> corners;  ///< corners, counter-clockwise
-  Plane plane;               ///< plane of the face, with the side above it
+  Plane plane;               ///< plane of the face; the side is the one above
 };
 
 /// A light, a receiver and the faces between them.
@@ -27,8 +27,7 @@ struct StageCreases {
 };
 
 /// Intersections of the receiver with the light's own plane, and with the critical planes of the
-/// light and each face between. Parts hidden by other faces are excluded. See find_creases() of a
-/// room.
+/// light and each occluder. Parts that other faces hide are excluded. See find_creases() for rooms.
 StageCreases find_creases(const Stage& stage);
 
 }  // namespace radiosity
