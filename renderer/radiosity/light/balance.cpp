@@ -45,8 +45,8 @@ bool meets_contact(const Mesh& mesh, const Patch& patch, renderer::Ray ray, Work
   return hit && hit->distance * dot(ray.direction, patch.normal) < 2 * aside;
 }
 
-// Casts side x side rays from points all over a patch, one into each of as many equal shares of its
-// light.
+// Casts side x side rays from random points of a patch. Each ray stands for an equal share of the
+// patch's light.
 Exits find_exits(const Mesh& mesh, const std::vector<std::vector<Vec>>& fronts, std::size_t p,
                  std::size_t side) {
   const Patch& patch = mesh.patches[p];

@@ -7,12 +7,12 @@ namespace radiosity {
 
 /// Shares of the emitted power over all colours: absorbed + unsent + escaped = 1.
 struct Balance {
-  double reflected = 0;  ///< counted at every reflection, so it may exceed 1
+  double reflected = 0;  ///< light is counted at every reflection, so the sum may exceed 1
   double absorbed = 0;
   double unsent = 0;
   /// the rest: light that left the room, fell on backs or into mirrors, and numerical error
   double escaped = 0;
-  /// estimate by rays of the part of `escaped` that falls on backs; 0 with mirrors
+  /// part of `escaped` that falls on backs, estimated by rays; 0 if there are mirrors
   double backs = 0;
 };
 
@@ -21,7 +21,8 @@ struct Balance {
 Balance eval_balance(const Mesh& mesh, std::span<const Rgb> arrived, std::span<const Rgb> unsent);
 
 /// True if no light leaves the room: it has no mirror, and 16 rays from each patch all meet a face.
-/// In such a room `escaped` minus `backs` is the numerical error. (A hanging lamp has a back.)
+/// In such a room `escaped` minus `backs` is the numerical error. (A closed room may contain backs,
+/// such as that of a hanging lamp.)
 bool is_closed(const Mesh& mesh);
 
 }  // namespace radiosity

@@ -1,7 +1,8 @@
 #pragma once
 // Subdivision of a patch into delta areas as seen from a point: the sum of Eq 3.8.
 //
-// Formulas are templates over a number or several numbers in SIMD lanes (renderer/scene/lanes.hpp).
+// Formulas are templates. Their numbers are single ones, or several in SIMD lanes
+// (renderer/scene/lanes.hpp).
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +30,7 @@ struct Quad {
     by_t = dot(normal, cross(c, b));
   }
   [[gnu::always_inline]] Vec eval(double s, double t) const { return p + s * a + t * (b + s * c); }
-  /// Area per unit of s and t, with its derivatives.
+  /// Area per unit of s and t at a point.
   template <class Number>
   [[gnu::always_inline]] Number eval_density(const Number& s, const Number& t) const {
     return density + s * by_s + t * by_t;
@@ -45,19 +46,20 @@ struct Viewpoint {
   Vec at, normal;
 };
 
-/// A term of Eq 3.8 with A_2/N = `area`. `square` is the squared distance; `here` and `there` are
-/// the cosines times the distance.
+/// A term of Eq 3.8; `area` is A_2/N there. `square` is the squared distance; `here` and `there`
+/// are the cosines at viewpoint and delta area, times the distance.
 inline double eval_delta(double area, double square, double here, double there) {
   return here * there / square * area / (std::numbers::pi * square + area);
 }
 
-/// A side of a delta area, measured at its middle, as seen by a distant viewpoint.
+/// A side of a delta area, measured at the middle of the delta area, as seen by a distant
+/// viewpoint.
 template <class Number, class Share>
 struct DeltaSide {
-  Number turn;    ///< component along the direction to the delta area's centre, per distance
-  Number rise;    ///< component along the viewpoint's normal, relative to that of the way
-  Number square;  ///< squared length of the side, relative to that of the way
-  Share growth;   ///< relative growth of the other side along this one
+  Number turn;    ///< component along the way from the viewpoint, relative to the way's length
+  Number rise;    ///< component along the viewpoint's normal, relative to the way's component
+  Number square;  ///< squared length of the side, relative to the squared distance
+  Share growth;   ///< relative growth of the other side, from end to end of this one
 
   /// The term of this side in eval_extent() of a delta area.
   [[gnu::always_inline]] Number eval_extent() const {
@@ -72,9 +74,10 @@ struct DeltaSide {
   }
 };
 
-/// Correction for the extent of a delta area: its factor is 1 + eval_extent() times that of a point
-/// with its area, up to the fourth power of side over distance. It combines the kernel's second
-/// derivatives along the sides, over 24, and the shift of area towards the end of a growing side.
+/// Correction for the extent of a delta area. Its form factor is that of a point with its area,
+/// times 1 + eval_extent(), except for terms of the fourth power of side over distance. It combines
+/// the kernel's second derivatives along the sides, over 24, and the shift of area towards the end
+/// of a growing side.
 template <class Number, class Share>
 [[gnu::always_inline]] inline Number eval_extent(const DeltaSide<Number, Share>& a,
                                                  const DeltaSide<Number, Share>& b) {
@@ -98,8 +101,8 @@ struct DeltaOf {
 using Delta = DeltaOf<double>;
 
 /// The target of visibility rays on a delta area, slightly off its centre. In symmetric rooms,
-/// lines between centres pass exactly through edges, above all between two mirrors. Rounding would
-/// then decide the side.
+/// especially between two mirrors, lines between centres pass exactly through edges. Rounding would
+/// then decide on which side they pass.
 [[gnu::always_inline]] inline Vec find_aim(const Quad& quad, const Delta& delta) {
   constexpr double ASIDE = 0.7e-6, ABOVE = 1.1e-6;
   return quad.eval(delta.s + ASIDE * delta.along, delta.t + ABOVE * delta.across);
@@ -119,17 +122,17 @@ struct DeltaSize {
   Share square_a, square_b;  ///< squared lengths of the delta area's sides
 };
 
-/// Components of the patch's sides along a viewpoint's normal: scalar products with Quad's a, b and
-/// c.
+/// Scalar products of a viewpoint's normal with a, b and c of a Quad.
 template <class Number>
 struct Rise {
   Number a, b, c;
 };
 
 /// The term of a delta area with sides shorter than its distance, times `source.eval(s, t)`. It is
-/// exact to second order in side over distance. `way` leads from the viewpoint to the delta area;
-/// `square` is its squared length; `here` and `there` are as in eval_delta(). Share is a number for
-/// one delta area or several; Vector and Number are for one viewpoint or several.
+/// exact to second order in side over distance. `way` is the vector from the viewpoint to the delta
+/// area; `square` is its squared length; `here` and `there` are as in eval_delta(). Share is the
+/// number type for one or several delta areas; Vector and Number are the types for one or several
+/// viewpoints.
 template <class Share, class Vector, class Number, class Source>
 [[gnu::always_inline]] inline auto eval_far(const Quad& quad, const DeltaOf<Share>& delta,
                                             const DeltaSize<Share>& size, const Rise<Number>& rise,
@@ -163,7 +166,7 @@ struct Cut {
 
 /// A delta area as seen from a viewpoint, if they face each other.
 struct Look {
-  Vec point, way;      ///< point given by find_aim(), and the vector to it
+  Vec point, way;      ///< point returned by find_aim(), and the vector to it
   double square;       ///< squared distance from the viewpoint
   double here, there;  ///< cosines times the distance (see eval_delta())
 };
@@ -224,7 +227,7 @@ class Cutter {
   renderer::Work& work_;
 };
 
-/// True if a delta area is wider than its distance, so that Eq 3.8 applies.
+/// True if a delta area is wider than its distance from the viewpoint, so that Eq 3.8 applies.
 inline bool is_wide(const DeltaSize<double>& size, double square) {
   return std::max(size.square_a, size.square_b) > square;
 }

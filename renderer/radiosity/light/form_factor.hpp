@@ -19,11 +19,12 @@ struct FactorParams {
   double spread = 0.18;  ///< largest width of a delta area, as a share of its distance, > 0
   int halvings = 12;     ///< limit on the halvings of a delta area, 0 to 30; 0: all have equal size
   int reflections = 2;   ///< limit on the mirrors on a path of light, 0 to MOST_REFLECTIONS
-  /// Largest width of a delta area seen over mirrors, as a share of the width of the narrowest
-  /// mirror as seen from the vertex, > 0. It has no effect below a quarter of `spread`.
+  /// Replaces `spread` for delta areas seen over mirrors: largest angle of a delta area, as a share
+  /// of the angle of the narrowest mirror as seen from the vertex, > 0. The result is clamped to a
+  /// quarter of `spread` up to `spread`.
   double mirror_share = 0.5;
-  /// Pieces along and across a mirror, 0 to 1000. 0: the piece through which each delta area is
-  /// seen (mirrors.hpp).
+  /// Pieces along and across a mirror, 0 to 1000. With 0, mirrors are not divided; each delta area
+  /// is seen through a piece of its own (mirrors.hpp).
   int mirror_pieces = 0;
   renderer::Traversal traversal = renderer::Traversal::nearest;
 };
@@ -101,9 +102,9 @@ struct Sender {
   bool is_even;
 };
 
-/// The subdivision of a sender for direct light. Delta areas of lamps are small enough that none
-/// contributes more than Mesh::most_at_once of emitted light. Their form factors are estimated by
-/// an upper bound.
+/// The subdivision of a sender for direct light. Delta areas of lamps are so small that none
+/// contributes more than Mesh::most_at_once to the emitted light at a point, by an upper bound on
+/// form factors.
 inline Cut direct_cut(const Eye& eye, const Sender& sender) {
   Cut cut = direct_cut(eye.params);
   const double emitted = sum(eye.mesh.materials[sender.patch.material].emission) / 3;
@@ -113,21 +114,22 @@ inline Cut direct_cut(const Eye& eye, const Sender& sender) {
 }
 
 /// The sum of Eq 3.9 times A_2, without mirrors: the cosine-weighted share of the vertex's
-/// hemisphere that the visible patch covers, 0..1. B_1 is rho_1 B_2 times this share. Adds to
-/// `work`.
+/// hemisphere that the visible part of the patch covers, 0..1. In Eq 3.9, B_1 is rho_1 B_2 times
+/// this share. Adds to `work`.
 double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, renderer::Work& work);
 
-/// True if light may arrive by mirrors.
+/// True if light may arrive over mirrors.
 inline bool has_mirrors(const Eye& eye) {
   return !eye.mesh.mirrors.empty() && eye.params.reflections > 0;
 }
 
-/// The light from a patch that arrives at a vertex, directly and by mirrors, with each colour
-/// scaled by their reflectance. For a constant radiosity it is the form factor times the radiosity.
-/// Adds to `work`.
+/// The light from a patch that arrives at a vertex, directly and over mirrors. Mirrors multiply
+/// each colour by their reflectance. For a constant radiosity it is the form factor times the
+/// radiosity. Adds to `work`.
 Rgb eval_light(const Eye& eye, const Vertex& vertex, const Sender& sender, renderer::Work& work);
 
-/// True if part of the patch is in front of the viewpoint, and the viewpoint in front of the patch.
+/// True if part of the patch is in front of the viewpoint, and the viewpoint is in front of the
+/// patch.
 inline bool face_each_other(const Viewpoint& eye, const Patch& patch) {
   if (dot(patch.normal, eye.at - patch.centre) <= 0) return false;
   for (const Vec& corner : patch.at)

@@ -11,9 +11,9 @@ using renderer::Work;
 
 namespace {
 
-// The unfolded path of light over a chain of mirrors. Instead of the visible surface, the viewpoint
-// is reflected (figures 3.11 and 3.12). The first of `images` is the vertex's viewpoint; images[j]
-// is its image in the chain's first j mirrors.
+// The unfolded path of light over a chain of mirrors. The mirrors reflect the viewpoint instead of
+// the visible surface (figures 3.11 and 3.12). `images[0]` is the viewpoint at the vertex;
+// `images[j]` is its image in the first j mirrors of the chain.
 struct Chain {
   template <class T, std::size_t most>
   using List = boost::container::static_vector<T, most>;
@@ -28,14 +28,14 @@ struct Chain {
   const Viewpoint& last() const { return images.back(); }
   // True if the mirror is visible from the end of the chain.
   bool can_meet(const Mirror& mirror) const;
-  // True if the last mirror may show part of a convex polygon: no plane through its edges separates
-  // the polygon from it.
+  // True if part of a convex polygon may be visible in the last mirror: no plane through the
+  // viewpoint's image and an edge of the mirror separates the two.
   bool may_show(std::span<const Vec> corners) const;
   // The chain extended by a mirror with the given reflectance.
   Chain extend(const Mirror& mirror, const Rgb& by) const;
 };
 
-// Points of a path on the mirrors of a chain, in their order.
+// Points in which a path meets the mirrors of a chain, in the order of the mirrors.
 using Path = std::array<Vec, MOST_REFLECTIONS>;
 
 Vec mirror_direction(const Mirror& mirror, const Vec& direction) {
@@ -105,7 +105,7 @@ std::optional<Path> find_path(const Chain& chain, const Vec& to) {
   return points;
 }
 
-// True if every path to points within a radius of `to` certainly misses a mirror. The paths form a
+// True if certainly each path to a point within a radius of `to` misses a mirror. The paths form a
 // cone with its apex at the image of the vertex; a mirror cuts the cone in an ellipse.
 bool surely_misses(const Chain& chain, const Vec& to, double radius) {
   Vec from = to;
@@ -238,8 +238,8 @@ class PieceSum {
       for (int j = 0; j < pieces_[k].n; ++j)
         for (int i = 0; i < pieces_[k].n; ++i) {
           seen_.work[Op::light_mirrored] += 1;
-          // A path is found once for each of its mirrors. It counts only at the mirror with the
-          // least solid angle.
+          // The same path may be found at each of its mirrors. It counts only at the mirror whose
+          // piece has the least solid angle.
           const auto way = follow(k, pieces_[k].centre(i, j));
           if (!way || way->least.mirror != k) continue;
           const double whole = solid_angle(area, way->end);
@@ -248,7 +248,7 @@ class PieceSum {
     return total;
   }
 
-  // The term of Eq 3.17 for a share h of the delta area.
+  // The term of Eq 3.17 for the share `h` of the delta area.
   double add_way(const Way& way, double area, double h) {
     const Viewpoint& eye = seen_.chain.last();
     const Vec line = way.end - eye.at;
@@ -285,7 +285,7 @@ class PieceSum {
     return area * -dot(seen_.quad.normal, line) / (square * std::sqrt(square));
   }
 
-  // The minimum of Eq 3.18 over the pieces on a path.
+  // The least solid angle (Eq 3.18) of the pieces on a path.
   Least least_angle(const Path& path) const {
     Least least;
     double distance = 0;
@@ -313,8 +313,8 @@ template <class Source>
 auto eval_chain(const MirroredSight& sight, const Source& source) {
   const FactorParams& params = sight.eye.params;
   if (params.mirror_pieces > 0) return PieceSum(sight, source).sum();
-  // Lower limit on `spread`, since a mirror that appears very narrow reflects too little light for
-  // more effort.
+  // Lower limit, relative to params.spread: a mirror that appears narrower reflects too little
+  // light to deserve smaller delta areas.
   constexpr double LEAST = 0.25;
   const double spread =
       std::clamp(params.mirror_share * sight.chain.width, LEAST * params.spread, params.spread);
@@ -325,7 +325,7 @@ auto eval_chain(const MirroredSight& sight, const Source& source) {
 template <class Source>
 constexpr bool KEEPS = std::is_same_v<Source, TermCollector>;
 
-// The sum over all chains that extend the chain of `sight`, without that chain itself.
+// The sum over all longer chains that begin with the chain of `sight`.
 template <class Source>
 auto sum_chains(const MirroredSight& sight, const Source& source) {
   const auto& [eye, vertex, patch, quad, chain, work] = sight;

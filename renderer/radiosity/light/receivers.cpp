@@ -16,8 +16,8 @@ using renderer::Work;
 
 namespace {
 
-// The receivers, one per SIMD lane. A missing one has the position of the first, and is not
-// `present`.
+// The receivers, one per SIMD lane. A lane without a receiver has the position of the first one,
+// and is not `present`.
 struct Points {
   [[gnu::always_inline]] explicit Points(const Receivers& receivers) {
     const Vertex& first = *receivers[0];
@@ -70,7 +70,7 @@ struct Looks {
   Mask looking;
 };
 
-// A TermCollector in SIMD lanes.
+// Terms in SIMD lanes, and a `source` that makes them, like TermCollector.
 struct TermLanes {
   Lanes share, s, t;
 };
@@ -90,8 +90,8 @@ struct Sum {
   TermsLanes* kept = nullptr;
 };
 
-// Adds the visible terms to the sums, as eval_seen() does for delta areas that are not wide.
-// `receiver(k)` is the receiver of lane k.
+// Adds the terms of the visible delta areas to the sums. They are equal to those of eval_seen() for
+// delta areas that are not wide. `receiver(k)` is the receiver of lane k.
 template <class Share, class Receiver>
 [[gnu::always_inline]] inline void add_terms(const Eye& eye, const Sender& sender,
                                              const Points& points, const Looks<Share>& looks,
@@ -193,8 +193,7 @@ class Near {
   Near(const Eye& eye, const Sender& sender, Sum& sum, Work& work)
       : eye_(eye), sender_(sender), sum_(sum), work_(work) {}
 
-  // Adds the direct light at the vertex, which the patch faces. Some of it is pending until
-  // flush().
+  // Adds the direct light at a vertex that the patch faces. Some terms are added only by flush().
   void add(const Vertex& vertex, std::size_t receiver) {
     const Viewpoint view{vertex.lit, vertex.normal};
     const auto misses = [](const Vec&, double) { return false; };

@@ -24,9 +24,9 @@ inline bool are_in_lanes(const Eye& eye) {
   return !eye.access && eye.params.traversal == renderer::Traversal::nearest;
 }
 
-/// The terms of the sums that eval_lights() returns, in its order. They do not depend on the
-/// radiosity of the sender. Adds the same work as for a radiosity that is not constant. Requires
-/// are_in_lanes().
+/// The terms of the sums that eval_lights() returns, in the order of summation. They do not depend
+/// on the radiosity of the sender. Adds the same work as eval_lights() for a radiosity that is not
+/// constant. Requires are_in_lanes().
 TermsLanes find_terms(const Eye& eye, const Receivers& receivers, const Sender& sender,
                       renderer::Work& work);
 

@@ -10,7 +10,8 @@ using renderer::Work;
 
 namespace {
 
-// The sum of terms, each times the radiosity at its position, as in eval_lights().
+// The sum of terms, each times the radiosity at its position, with the same rounding as
+// eval_lights().
 template <class Source>
 auto sum_terms(std::span<const Term> terms, const Source& source) {
   SumOf<Source> total{};
@@ -18,8 +19,9 @@ auto sum_terms(std::span<const Term> terms, const Source& source) {
   return total;
 }
 
-// The sum over chains, in the order of eval_mirrored_light(): the chains that extend a chain are
-// summed before they are added to its total. `end` is the end of the last chain's terms.
+// The sum over chains, in the order of eval_mirrored_light(): first the chains that extend a chain
+// are summed, then this sum is added to the total of the shorter chain. `end` is the end of the
+// last chain's terms.
 template <class Source>
 Rgb sum_chains(std::span<const ChainTerms> chains, std::span<const Term> terms, std::uint32_t end,
                const Source& source) {

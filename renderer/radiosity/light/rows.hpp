@@ -11,14 +11,16 @@
 
 namespace radiosity {
 
-/// Rows of form factors from the patches of a mesh to points, as far as memory permits.
+/// Rows of form factors from the patches of a mesh to points. Rows are kept as far as memory
+/// permits.
 class Rows {
  public:
-  /// `room` is the number of bytes left, which several Rows may share. `eye` and `room` must
+  /// `room` is the number of bytes left for rows. Several Rows may share it. `eye` and `room` must
   /// outlive the object.
   Rows(const Eye& eye, std::vector<Vertex> points, std::size_t& room);
-  /// The light at all points if the patch shoots, equal bit for bit to eval_lights(). Adds the same
-  /// work, including rays that are not cast again. Valid until the next call.
+  /// The light at all points if the patch shoots. The result equals that of eval_lights() bit for
+  /// bit, and is valid until the next call. Adds the same work, including rays that are not cast
+  /// again.
   std::span<const Rgb> eval(std::uint32_t patch, const Sender& sender, renderer::Work& work);
 
  private:

@@ -29,7 +29,7 @@ std::vector<std::uint32_t> count_up(std::size_t n) {
   return all;
 }
 
-// Calls f with LANES indices at a time, and at last with the remaining ones.
+// Calls f with groups of LANES indices. The last group may be smaller.
 template <class F>
 void for_lanes(std::span<const std::uint32_t> all, const F& f) {
   for (std::size_t begin = 0; begin < all.size(); begin += LANES)
@@ -48,7 +48,7 @@ Rgb eval_mean(const Mesh& mesh, std::uint32_t p, Mean mean, const State& state) 
 std::array<double, 4> eval_shares(const Patch& patch) {
   const Quad quad(patch);
   const auto eval = [&](double s, double t) {
-    // Integrals over a unit line: the weight of its end, and the product of weight and parameter.
+    // Weights of a corner along s and t, multiplied by s or t and integrated from 0 to 1.
     const double of_s = (1 + s) / 6, of_t = (1 + t) / 6;
     return (quad.density / 4 + quad.by_s * of_s / 2 + quad.by_t * of_t / 2) /
            (quad.density + quad.by_s / 2 + quad.by_t / 2);
@@ -56,8 +56,9 @@ std::array<double, 4> eval_shares(const Patch& patch) {
   return {eval(0, 0), eval(1, 0), eval(1, 1), eval(0, 1)};
 }
 
-// Changes the unsent light at a patch's corners so that its mean over the patch is `mean`. A
-// deficit is added equally to all corners. An excess is removed from each corner in proportion.
+// Changes the unsent light at a patch's corners so that its mean over the patch is `mean`. If light
+// is missing, all corners get the same amount. If there is too much, all corners are reduced in the
+// same proportion.
 Glow fit_glow(const Patch& patch, std::array<Rgb, 4> corners, const Rgb& mean) {
   const auto shares = eval_shares(patch);
   for (double Rgb::*colour : {&Rgb::r, &Rgb::g, &Rgb::b}) {
@@ -82,7 +83,7 @@ std::vector<Vertex> make_centres(const Mesh& mesh) {
   return centres;
 }
 
-// Applies the light at all vertices, as receive() does.
+// Adds the light that arrives at all vertices to the state, as receive() does.
 void take(const Mesh& mesh, std::span<const Rgb> lights, State& state, Work& work) {
   for (std::size_t v = 0; v < lights.size(); ++v) {
     state.received[v] = lights[v];
@@ -231,7 +232,8 @@ Unshot sum_unshot(const Mesh& mesh, const State& state, std::span<const std::uin
   const double unit = Unshot::ONE / sum(mesh.emitted);
   for (const auto p : patches) {
     const Rgb power = unit * state.areas[p] * state.unshot[p];
-    // Rounds half away from zero like std::llround(), which would dominate the cost.
+    // Rounds like std::llround(), halves away from zero. The library function would dominate the
+    // cost.
     const auto round = [](double share) {
       return static_cast<std::int64_t>(std::clamp(share, -MOST_UNSHOT, MOST_UNSHOT) +
                                        std::copysign(0.5, share));
@@ -299,7 +301,7 @@ Solution solve_room(const Room& room, const Mesh& mesh, const LightParams& param
   if (params.senders == 0) return solve(mesh, params.solve, step);
   MeshParams coarse = params.mesh;
   coarse.refine = params.senders;
-  Room even = room;  // patches that send light need not be finer near lights
+  Room even = room;  // the patches of the sending mesh need not be finer near lights
   even.fine_near_lights = false;
   return solve(make_mesh(even, coarse), params.solve, step, &mesh);
 }

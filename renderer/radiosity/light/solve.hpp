@@ -16,9 +16,9 @@ struct Shot {
   double power = 0;  ///< sum of `glow` over the colours, times the area of the patch
 };
 
-/// Distribution of a patch's unsent light over its area.
+/// Distribution of the light that a patch sends over its area.
 enum class Sends : std::uint8_t {
-  mean,     ///< constant, as by J. Wallace and in the thesis; dark edges and corners send too much
+  mean,     ///< constant, as by J. Wallace and in the thesis; dark parts of patches send too much
   corners,  ///< bilinear, as received by the corners
 };
 
@@ -40,7 +40,7 @@ struct State {
 /// Makes the initial state: all emission is unsent.
 State make_state(const Mesh& mesh, Sends sends);
 
-/// Makes the shot of the patch in `patches` with the most unsent power, the first one of equals.
+/// Makes the shot of the patch in `patches` with the most unsent power; of equal ones, the first.
 /// None if no patch has unsent power.
 std::optional<Shot> find_shot(const Mesh& mesh, const State& state,
                               std::span<const std::uint32_t> patches, renderer::Work& work);
@@ -60,9 +60,9 @@ enum class Mean : std::uint8_t {
   simpson,  ///< 1/12 of each corner and 2/3 of the centre; exact for cubic light
 };
 
-/// Adds the reflected mean of the received light to the unsent light of the given patches, and
-/// clears that of the patch that shot. The corners and centres of the patches must have received
-/// the shot.
+/// Adds the reflected part of the mean received light to the unsent light of the given patches, and
+/// clears the unsent light of the patch that shot. Before, the corners and centres of the patches
+/// must have received the shot.
 void settle(const Mesh& mesh, const Shot& shot, std::span<const std::uint32_t> patches, Mean mean,
             State& state, renderer::Work& work);
 
@@ -77,8 +77,8 @@ Unshot sum_unshot(const Mesh& mesh, const State& state, std::span<const std::uin
 /// The unsent fraction of the emitted power, initially 1.
 double eval_share(const Unshot& unshot);
 
-/// Cohen's ambient term: the light from the unsent power if it spreads evenly, and the mean
-/// reflectance of the room reflects it repeatedly.
+/// Cohen's ambient term: the light from the unsent power if it spreads evenly over the room and is
+/// reflected repeatedly, with the room's mean reflectance.
 Rgb eval_ambient(const Mesh& mesh, const Unshot& unshot);
 /// Adds to each vertex the ambient light times its reflectance.
 void add_ambient(const Mesh& mesh, const Rgb& ambient, std::vector<Rgb>& vertices);
@@ -111,15 +111,17 @@ base::Fields<SolveParams> solve_fields();
 /// ends the solution.
 using Step = std::function<bool(int shots, double unshot)>;
 
-/// Shoots until the tolerance or the number of shots is reached, or `step`, if given, ends it. With
-/// a mesh `fine` of the same room, its vertices receive every shot too and become the vertices of
-/// the solution. A fine mesh of 14,000 patches then takes as many shots as the coarse one, instead
-/// of a hundred times as many. (Substructuring: M. Cohen, D. Greenberg, D. Immel and P. Brock, "An
-/// Efficient Radiosity Approach for Realistic Image Synthesis", IEEE CG&A 6(3), 1986.)
+/// Shoots until the tolerance or the number of shots is reached, or until `step`, if given, ends
+/// it. If `fine`, another mesh of the room, is given, its vertices receive every shot too, and
+/// become the vertices of the solution. The number of shots is then that of the coarse mesh; a mesh
+/// of 14,000 patches would take a hundred times as many. (Substructuring: M. Cohen, D. Greenberg,
+/// D. Immel and P. Brock, "An Efficient Radiosity Approach for Realistic Image Synthesis", IEEE
+/// CG&A 6(3), 1986.)
 Solution solve(const Mesh& mesh, const SolveParams& params, const Step& step = {},
                const Mesh* fine = nullptr);
 
-/// Continues a solution of the same mesh with equal `sends`, as if it had not been interrupted.
+/// Continues a solution of the same mesh with equal `sends` as if the solution had not been
+/// interrupted.
 Solution solve_further(const Mesh& mesh, const SolveParams& params, Solution begun,
                        const Step& step = {});
 
@@ -138,8 +140,8 @@ struct LitRoom {
 
 struct LightParams {
   MeshParams mesh;
-  /// MeshParams::refine, 1 to 1000, of a separate sending mesh, which should be coarser. Its
-  /// patches send the light to the vertices of this mesh. 0: the mesh itself sends.
+  /// MeshParams::refine, 1 to 1000, of a separate mesh whose patches send the light; it should be
+  /// coarser than the mesh that receives it. 0: the patches of the receiving mesh send.
   int senders = 0;
   SolveParams solve;
   bool ambient = true;  ///< adds eval_ambient(), an estimate of the unsent light
@@ -157,7 +159,7 @@ Solution solve_room(const Room& room, const Mesh& mesh, const LightParams& param
 /// make_mesh and solve do.
 LitRoom light_room(const Room& room, const LightParams& params);
 
-/// The area-weighted mean radiosity of the mesh's patches over the three colours. Counts only
+/// The area-weighted mean radiosity of the mesh's patches and of the three colours. Counts only
 /// patches whose materials also occur in `other`.
 double eval_mean_radiosity(const LitRoom& lit, const Mesh& other);
 

@@ -15,7 +15,7 @@ struct Term {
   double share, s, t;
 };
 
-/// A chain of mirrors. Its terms extend from `begin` to those of the next chain.
+/// A chain of mirrors. Its terms are those from `begin` to the `begin` of the next chain.
 struct ChainTerms {
   std::uint32_t begin;   ///< index of the first Term
   std::uint32_t length;  ///< number of mirrors, >= 1
@@ -23,7 +23,8 @@ struct ChainTerms {
 };
 
 /// Terms of the light that a patch sends to one point, independent of the patch's radiosity. Direct
-/// terms come first, then those over mirrors. Longer chains follow the chain that they extend.
+/// terms come first, then those over mirrors. Each chain is followed by the longer chains that
+/// extend it.
 struct Terms {
   std::vector<Term> terms;
   std::vector<ChainTerms> chains;
