@@ -16,8 +16,8 @@ namespace {
 constexpr double WELL_SHAPED = 0.3;
 // A corner is straight if the sine of its exterior angle is smaller than this.
 constexpr double STRAIGHT = 0.17;
-// Least width of a cell that a crease cuts off, in units of the crease's `touch`: FLAT, or for a
-// flat cell half of its width before, but at least FLATTEST. Heights below ROUNDING count as 0.
+// In units of a crease's `touch`: each part of a cut cell must be at least half as wide as the cell
+// was. This limit is at least FLATTEST and at most FLAT. Heights below ROUNDING count as 0.
 constexpr double FLAT = 0.25, FLATTEST = 0.02, ROUNDING = 1e-6;
 // Least sine of the angles of a cut through a cell at a straight corner.
 constexpr double TOO_NARROW = 1e-3;
@@ -109,8 +109,8 @@ void cut_straight_corners(const Quads& quads, const Loop& loop, const Vec& norma
   cut_straight_corners(quads, left, normal, parts);
 }
 
-// The centroid of a convex polygon. Seen from any corner, it lies beyond the middles of the
-// adjacent edges. The mean of the corners may not.
+// The centroid of a convex polygon. Seen from any corner, it lies beyond the line between the
+// middles of the adjacent edges. The mean of the corners may lie before that line.
 Vec find_centre(std::span<const Vec> corners, const Vec& normal) {
   Vec sum;
   double total = 0;
@@ -136,11 +136,12 @@ void add_corners(Quads& quads, std::span<const std::uint32_t> loop, const Vec& n
   }
 }
 
-// The cells of a face. Where only the neighbour of a cell was cut, the cell has a straight corner.
+// The cells of a face. If only one of two neighbouring cells is cut at their common edge, the other
+// cell gets a straight corner there.
 class Cells {
  public:
-  // Starts with the quads of a division as cells. Equal points are merged; the others keep their
-  // order.
+  // Starts with the quads of a division as cells. Equal points are merged; the order of points is
+  // kept.
   Cells(const Division& division, const Vec& normal) : normal_(normal) {
     Welder welder(renderer::make_bounds(division.points));
     Loop index;
@@ -230,7 +231,7 @@ class Cells {
       const std::uint32_t p = make(chord->ends[0]), q = make(chord->ends[1]);
       if (!cut_cell(cell, p, q, touch)) kept = false;
     }
-    // Makes the crease's ends points of the edges that they lie on.
+    // Splits the edges on which the ends of the crease lie.
     for (const double end : {0.0, size}) split_edges_at(crease.a, along, end, touch, heights);
     return kept;
   }
@@ -329,13 +330,14 @@ class Cells {
     if (start == count) return std::nullopt;
     Chord chord;
     std::size_t found = 0;
-    std::uint32_t last = loop[start];  // the last point of the loop that is off the line
+    std::uint32_t last = loop[start];  // the latest point that is off the line
     for (std::size_t i = 1; i <= count; ++i) {
       const std::uint32_t before = loop[(start + i - 1) % count], here = loop[(start + i) % count];
       if (heights[here] == 0) continue;
       if ((heights[here] > 0) != (heights[last] > 0)) {
         if (found == 2) return std::nullopt;
-        // Interpolates the last point of the line, if the loop has further points in between.
+        // If points of the loop lie on the line, the last of these is the end. If none does,
+        // interpolates.
         const double share = before == last ? heights[last] / (heights[last] - heights[here]) : 0;
         chord.ends[found++] = {before, here, share};
       }

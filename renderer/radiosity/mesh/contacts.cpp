@@ -13,17 +13,17 @@ namespace radiosity {
 namespace {
 
 constexpr double OFF_PLANE = 1e-6;  // tolerance relative to the size of the face
-// Heights of edges beside which patches are graded, relative to the width of a patch. Edges below
-// LEAST_GAP touch the face. If there are no strips, so do edges up to TOUCHING_GAP.
+// Patches are graded beside hanging edges with heights from LEAST_GAP to GAP, relative to the width
+// of a patch. Lower edges count as touching. Without strips, edges up to TOUCHING_GAP do, too.
 constexpr double LEAST_GAP = 0.01, GAP = 1, TOUCHING_GAP = 0.5;
 // Graded strips end at FIRST_STRIP, GROWTH * FIRST_STRIP, ... times the height of the edge, up to
 // WIDEST_STRIP of a patch's width. At GROWTH times FIRST_STRIP, the illumination is still 15 %
 // below its full value.
 constexpr double FIRST_STRIP = 0.5, GROWTH = 2, WIDEST_STRIP = 0.6;
-// A face narrower than a patch hangs over it up to this height, relative to the face's width.
+// A face narrower than a patch can hang over another up to this height, relative to its own width.
 constexpr double NARROW_GAP = 0.06;
 // How far a face that covers others is lifted, relative to the larger face's size and to its
-// largest coordinate. It stays within OFF_PLANE and is more than a ray's epsilon.
+// largest coordinate. The lift is less than OFF_PLANE and more than a ray's epsilon.
 constexpr double LIFT = 1e-7, LIFT_OF_PLACE = 1e-9;
 // Least cosine of the angle between the normals of a face and of another that hangs over it.
 constexpr double PARALLEL = 0.8;
@@ -33,7 +33,7 @@ constexpr std::size_t MOST_PAIRS = 1'000'000, MOST_PAIRS_PER_FACE = 100;
 struct Flat {
   const Face* face;
   Plane plane;
-  std::vector<Plane> edges;  // planes of the edges, with the inside above
+  std::vector<Plane> edges;  // planes through the edges; the inside is above
   renderer::Bounds bounds;
   double size;
   double width;        // least width of the face
@@ -60,7 +60,7 @@ Flat make_flat(const Face& face, int refine) {
       width, find_patch_width(even, refine)};
 }
 
-// Two faces that may touch, described relative to the first.
+// Two faces that may touch. Functions describe `other` relative to `on`, the first.
 struct Pair {
   const Flat& on;
   const Flat& other;
@@ -180,8 +180,8 @@ std::optional<Crease> find_touch(const Pair& pair) {
   return Crease{points[0], points[1]};
 }
 
-// Least and largest height of the other face's corners above the first face. For a two-sided first
-// face, heights are measured on the side of each corner.
+// Least and largest height of the other face's corners above the first face. If the first face is
+// two-sided and all corners are behind it, heights are measured from its back.
 struct Heights {
   double low, high;
 };
@@ -210,8 +210,8 @@ bool lies_on(const Flat& flat, const Vec& point, double tolerance) {
 }
 
 // True if no light enters under an edge of a face that hangs over another. Either a face descends
-// from the edge, or one continues the hanging face at the same height. `outward` points away from
-// the hanging face in its plane; `neighbours` are those of the hanging face.
+// from the edge, or a face beyond it hangs equally near. `outward` points away from the hanging
+// face in its plane; `neighbours` are those of the hanging face.
 bool is_shut(const Pair& hanging, const Crease& edge, const Vec& outward,
              std::span<const Flat> flats, std::span<const std::uint32_t> neighbours) {
   const Vec middle = 0.5 * (edge.a + edge.b);
@@ -228,8 +228,8 @@ bool is_shut(const Pair& hanging, const Crease& edge, const Vec& outward,
 
 Vec project(const Plane& plane, const Vec& p) { return p - eval_height(plane, p) * plane.normal; }
 
-// Planes through the edges of a hanging face, perpendicular to the face below, with the inside
-// above.
+// Planes through the edges of a hanging face, perpendicular to the face below. The inside is above
+// them.
 std::vector<Plane> make_shape(const Pair& pair) {
   std::vector<Vec> below;
   for (const Vec& corner : pair.other.face->corners)
@@ -264,8 +264,8 @@ void find_open_edges(const Pair& pair, std::span<const Flat> flats,
 }
 
 // The segment below an edge, moved inwards by a multiple of the edge's height, or outwards if
-// negative. Outside, it is extended at both ends by the same length, so that neighbouring segments
-// meet.
+// negative. A segment that is moved outwards is also extended by the same length at both ends, so
+// that neighbouring segments meet.
 Crease shift(const OpenEdge& edge, double heights) {
   const Vec along = normalize(edge.below.b - edge.below.a);
   const double longer = std::max(0.0, -heights);
@@ -273,15 +273,15 @@ Crease shift(const OpenEdge& edge, double heights) {
           edge.below.b + edge.height[1] * (heights * edge.inward + longer * along)};
 }
 
-// Adds an edge as if it touched the face, since it is too near for strips to resolve the fading
-// light.
+// Adds an edge as if it touched the face, since the edge is so near that strips cannot resolve the
+// fading light.
 void add_touching(const OpenEdge& edge, const Crease& line, Contacts& contacts) {
   contacts.lines.push_back(line);
   contacts.hanging.push_back({line, edge.inward, edge.pair.other.plane});
 }
 
-// Adds strips of fading light beside an edge. At the distance x outside a long edge of height h,
-// the fraction (1 + x / sqrt(x^2 + h^2)) / 2 of the light arrives.
+// Adds strips where the light fades beside an edge. At a distance x outside of a long edge at
+// height h, the fraction (1 + x / sqrt(x^2 + h^2)) / 2 of the light arrives.
 void add_strips(const OpenEdge& edge, std::size_t most, Contacts& contacts) {
   const Pair& pair = edge.pair;
   const auto shape = make_shape(pair);
@@ -300,8 +300,8 @@ void add_strips(const OpenEdge& edge, std::size_t most, Contacts& contacts) {
   }
 }
 
-// Adds the contacts of a face with edges that hang over it. All edges together share `most_strips`
-// strips on each of their sides, so that with many edges each has few or none.
+// Adds the contacts of a face with edges that hang over it. All edges together get at most
+// `most_strips` strips on each side. With many edges, each has few or none.
 void add_hanging(std::span<const OpenEdge> edges, std::size_t most_strips, Contacts& contacts) {
   const std::size_t most = most_strips / std::max<std::size_t>(1, edges.size());
   for (const OpenEdge& edge : edges) {
@@ -354,7 +354,7 @@ bool covers(const Room& room, const Pair& pair) {
   return &other > &on;
 }
 
-// Sets Contacts::lift: a face is above the highest of those that it covers.
+// Sets Contacts::lift, so that each face lies above the highest of the faces that it covers.
 void lift_covering(const Room& room, std::span<const Flat> flats,
                    std::span<const std::vector<std::uint32_t>> neighbours,
                    std::vector<Contacts>& contacts) {

@@ -20,7 +20,7 @@ struct HangingEdge {
 struct Ledge {
   Crease foot;               ///< line where the face meets the surface
   Vec out;                   ///< unit vector in the plane of the strip, away from the face
-  std::vector<Plane> edges;  ///< planes at the ends of the surface, with the surface above
+  std::vector<Plane> edges;  ///< planes at the border of the surface, which is above them
 };
 
 /// The width of a ledge outwards from a point of its foot; infinite if no edge lies ahead.
@@ -28,39 +28,40 @@ double eval_width(const Ledge& ledge, const Vec& at);
 
 /// Contacts of a face with others.
 struct Contacts {
-  /// lines at which the illumination is discontinuous, or has just faded
+  /// lines at which the illumination jumps, or fades within a part of a patch
   std::vector<Crease> lines;
-  /// lines below open edges that hang higher, at which the slope of the illumination changes
+  /// lines below higher open edges; the slope of the illumination changes there
   std::vector<Crease> folds;
   std::vector<Crease> strips;  ///< lines beside folds, where light fades smoothly
   std::vector<HangingEdge> hanging;
   std::vector<Ledge> ledges;  ///< ledges on the surfaces below the face
-  Vec lift;                   ///< moves the face in front of those that it covers in its plane
+  Vec lift;                   ///< moves the face in front of the faces in its plane that it covers
 };
 
 inline constexpr std::size_t MOST_STRIPS = 96;
 
 /// Finds, for each face, the segments where other faces touch it in front, within 1e-6 of the
-/// larger face's size, or overlap it in its plane. Two-sided faces count on both sides. Faces that
-/// touch only with their borders, like walls, have no contact, unless a third face continues the
-/// surface there.
+/// larger face's size, or overlap it in its plane. Two-sided faces can be touched on both sides.
+/// Two faces whose borders touch, like walls, have no contact there, unless a third face continues
+/// the surface of one of them.
 ///
 /// If two faces overlap in a plane and show the same side, one of them covers the other: the one
-/// that emits, else the smaller one, else the one listed later. It is lifted by at least 1e-7 of
-/// the size of the larger face.
+/// that emits; if both or none emit, the smaller one; if they are equally large, the one listed
+/// later. The covering face is lifted by at least 1e-7 of the size of the larger face.
 ///
 /// A face hangs over another if it is at most a patch's width above it, about parallel to it, and
-/// at least as wide as a patch or as 17 times its height. Its edges are open if no face descends
-/// from them, and no face beyond them hangs as near. An open edge nearer than a hundredth of a
-/// patch's width touches the face. A higher one makes a fold below it, and strips on both sides of
-/// the fold. Strips end at half the edge's height, at once, twice, four times it, and so on up to
-/// 0.6 of a patch's width. All open edges over a face share `most_strips` on each side. If there
-/// are no strips, an edge within half a patch's width touches the face.
+/// at least as wide as a patch or as 17 times its height. An edge of it is open if no face descends
+/// from the edge, and no face that hangs equally near continues beyond it. An open edge lower than
+/// a hundredth of a patch's width counts as touching. A higher one makes a fold below it, and
+/// strips on both sides of the fold. Strips end at 0.5, 1, 2, 4, ... times the edge's height from
+/// the fold, up to 0.6 of a patch's width. All open edges over a face together have at most
+/// `most_strips` strips on each side. If there are no strips, an edge up to half a patch's width
+/// high counts as touching.
 ///
-/// A ledge is the remainder of a face in front of a one-sided face that stands on it, about
-/// upright, by its border. The width of patches follows from `along` and `across` of a face, times
-/// `refine`. Throws BadInput if more than 1,000,000 + 100 n pairs of the n faces touch or nearly
-/// touch.
+/// A ledge is the part of a face that remains in front of a one-sided face. The latter stands on
+/// the former about upright, at its border. The width of a patch follows from Face::along and
+/// Face::across, times `refine`. Throws BadInput if more than 1,000,000 + 100 n pairs of the n
+/// faces touch or nearly touch.
 std::vector<Contacts> find_contacts(const Room& room, int refine,
                                     std::size_t most_strips = MOST_STRIPS);
 

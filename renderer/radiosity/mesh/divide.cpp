@@ -9,8 +9,8 @@ namespace radiosity {
 
 namespace {
 
-// Shares of a patch's width. A grid line nearer than KEEP to a crease is replaced by it. A crease
-// whose direction differs from that of a side by less than ALONG counts as parallel to the side.
+// Shares of a patch's width. A crease replaces a grid line that is nearer than KEEP. A crease whose
+// direction differs from that of a side by less than ALONG counts as parallel to the side.
 constexpr double KEEP = 1.0 / 3, ALONG = 1e-3;
 // Tolerances in units of a crease's `touch`. An edge of a quad lies on the crease if it is less
 // than ASIDE beside it, and less than BEYOND beyond its ends.
@@ -19,11 +19,12 @@ constexpr double ASIDE = 1.1, BEYOND = 1.01;
 constexpr std::size_t LEAST_PATCHES = 16;
 // A crease lies in the plane of a face if its distance is less than this share of the face's size.
 constexpr double IN_PLANE = 1e-5;
-// Grid points move to a crease that is nearer than this share of twice a patch's width.
+// The points of a coarse grid, whose cells are two patches wide, move to a crease that is nearer
+// than this share of a cell.
 constexpr double REACH = 0.3;
 
-// Adds a grid over four corners, with lines at these parameters. Points are not shared with other
-// grids, so that they are doubled where grids touch.
+// Adds a grid between four corners, with lines at these parameters. Grids do not share points, so
+// points are doubled where grids touch.
 void add_grid(Division& division, std::span<const Vec> corners, const std::vector<double>& along,
               const std::vector<double>& across) {
   const auto first = static_cast<std::uint32_t>(division.points.size());
@@ -44,8 +45,8 @@ std::vector<double> make_even_lines(int count) {
   return lines;
 }
 
-// A desired grid line at a parameter from 0 to 1. Later desired lines nearer than `touch` are
-// dropped.
+// A desired grid line at a parameter from 0 to 1. It is dropped if an earlier line is nearer than
+// `touch`.
 struct Wanted {
   double at = 0, touch = 0;
 };
@@ -61,8 +62,8 @@ bool is_near(std::span<const double> lines, const Wanted& wanted) {
       lines, [&](double line) { return std::abs(line - wanted.at) < wanted.touch; });
 }
 
-// The grid lines from 0 to 1: the desired lines, and those of the given lines that are not near a
-// desired one.
+// The grid lines from 0 to 1: the desired lines, and the given lines that are not near any desired
+// one.
 std::vector<double> make_lines(const std::vector<double>& given, Row row) {
   std::ranges::sort(row.creases, {}, &Wanted::at);
   std::ranges::sort(row.ends, {}, &Wanted::at);
@@ -95,7 +96,7 @@ struct Cutting {
   std::vector<Line> crossing;  // lines inside the face: contacts, folds, strips, creases
 };
 
-// The length of the part of a crease that is inside all planes by a margin.
+// The length of the part of a crease that is at least `margin` above all planes.
 double find_inside(const Crease& crease, std::span<const Plane> planes, double margin) {
   const auto inside = clip_segment(crease.a, crease.b, planes, margin);
   return inside ? (inside->to - inside->from) * length(crease.b - crease.a) : 0;

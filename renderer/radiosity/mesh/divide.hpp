@@ -18,8 +18,9 @@ struct Division {
   std::size_t left_out = 0;    ///< number of creases that are not completely edges of quads
 };
 
-/// Divides a face. One of 4 corners becomes a grid of along x across quads. Any other becomes one
-/// grid for each corner, between the corner, the middles of its edges, and the centre.
+/// Divides a face. A face of 4 corners becomes a grid of along x across quads. Any other face
+/// becomes several grids, one for each corner, between the corner, the middles of the adjacent
+/// edges, and the centre.
 Division divide_face(const Face& face, int refine);
 /// The grid lines of a face with 4 corners: its own grid, or even lines.
 Grid find_grid(const Face& face, int refine);
@@ -45,15 +46,15 @@ struct Cuts {
   std::span<const Crease> creases{};  ///< creases, the most important ones first
   /// contacts with other faces, which are cut before all creases
   std::span<const Crease> contacts{};
-  std::span<const Crease> folds{};   ///< like creases, but cut before them and never left out
+  std::span<const Crease> folds{};   ///< lines that are cut before creases and never left out
   std::span<const Crease> strips{};  ///< like folds, but the illumination is smooth there
-  /// Limit on the number of patches with creases, as a multiple of that without.
+  /// Limit on the number of patches with creases, as a multiple of the number without creases.
   int growth = 1000;
 };
 
-/// Divides a face such that creases and contacts in its plane become edges of quads. Creases may be
-/// moved to existing edges by a tenth of a patch's width, and contacts by 0.002 of it. Shorter ones
-/// are not cut.
+/// Divides a face such that creases and contacts in its plane become edges of quads. To meet
+/// existing edges, a crease may be moved by a tenth of a patch's width, and a contact by 0.002 of
+/// it. Lines shorter than this are left out.
 Division divide_face(const Face& face, int refine, const Cuts& cuts);
 
 /// Bilinear interpolation of four corners at (s, t), each 0..1.

@@ -16,8 +16,8 @@ namespace radiosity {
 
 namespace {
 
-// Number of patches with creases that any room may have. A single face may have MOST_FACE_GROWTH
-// times its number without creases.
+// Number of patches that creases may always produce in a room, however few it has without. In a
+// single face, creases may multiply the number of patches by up to MOST_FACE_GROWTH.
 constexpr std::size_t MOST_ANYHOW = 2000;
 constexpr int MOST_FACE_GROWTH = 64;
 // Largest step of the illumination in a penumbra, relative to the mean illumination that the room
@@ -79,15 +79,16 @@ bool is_on(const Patch& patch, const Vec& point) {
   return true;
 }
 
-// Lines near a face's border that determine how far inside the border vertices are lit.
+// Lines near a face's border. They determine at what distance from the border the light of its
+// vertices is computed.
 struct Fringe {
   std::vector<Crease> creases;  // creases and contacts of the face
   const Contacts& contacts;
   double width;  // width of a patch
 };
 
-// The share of `way` at which it crosses a crease that is too near to be kept, at most `width`
-// times CREASE_TOUCH away. 0 if it crosses none, or only at a low angle.
+// The share of `way` at which `way` crosses the crease, if the crease is too near to be kept: at
+// most `width` times CREASE_TOUCH from `at`. 0 if they do not cross, or only at a low angle.
 double find_crossing(const Vec& at, const Vec& way, const Vec& normal, const Crease& crease,
                      double width) {
   constexpr double STEEP = 0.3;  // least sine of the angle between way and crease
@@ -100,10 +101,10 @@ double find_crossing(const Vec& at, const Vec& way, const Vec& normal, const Cre
   return place >= 0 && place <= 1 ? off / across : 0;
 }
 
-// The distance z0 from a border at which to light a patch behind a gap along the border. Distances
-// and the gap's width w are in lengths of the patch. A long gap gives the illumination f(z) = (1 -
-// z / sqrt(z^2 + w^2)) / 2 at the distance z. z0 is chosen so that (f(z0) + f(1)) / 2, the mean of
-// the patch's ends, equals the mean of f over the patch.
+// The distance z0 from a border at which to compute the light of a patch behind a gap along the
+// border. Distances and the gap's width w are in lengths of the patch. A long gap gives the
+// illumination f(z) = (1 - z / sqrt(z^2 + w^2)) / 2 at the distance z. z0 is chosen so that (f(z0)
+// + f(1)) / 2, the mean of the patch's ends, equals the mean of f over the patch.
 double eval_lit_place(double width) {
   constexpr double NONE = 1e-9;
   if (width < NONE) return 0;
@@ -112,7 +113,8 @@ double eval_lit_place(double width) {
   return width * sine / std::sqrt(1 - sine * sine);
 }
 
-// The share of the way from a border vertex to a point inside, at which the vertex is lit.
+// The share of the way from a border vertex to a point inside at which the vertex's light is
+// computed.
 double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe& fringe,
                   double inset) {
   constexpr double MOST = 0.5;
@@ -122,8 +124,8 @@ double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe
     if (const double t = find_crossing(at, way, normal, crease, fringe.width);
         t > inset && t <= MOST)
       share = std::max(share, t + inset);
-  // Light enters through a gap of this width between the border and an edge parallel to it.
-  // `inside` is a unit vector.
+  // Accounts for light that enters through a gap of this width between the border and an edge
+  // parallel to it. `inside` is a unit vector.
   const auto light_through = [&](double width, const Vec& inside) {
     constexpr double WIDE = 4;  // gap width, in patches, beyond which the light is even
     const double depth = 2 * std::abs(dot(way, inside));  // depth of the patch behind the border
@@ -163,9 +165,9 @@ std::vector<double> find_angles(const Mesh& mesh) {
   return angles;
 }
 
-// Finds the feet of edges: vertices at which a contact turns, with more than a half-plane around
-// them. The shadow of an upright edge narrows to a point at its foot. The limit of the light there
-// depends on the direction of approach.
+// Finds the feet of upright edges: vertices at which a contact turns and the face fills more than a
+// half-plane. The shadow of an upright edge narrows to a point at its foot, where the limit of the
+// light depends on the direction of approach.
 std::set<std::uint32_t> find_feet(const Mesh& mesh, const Edges& contacts) {
   // tolerance for rounding of a straight contact
   constexpr double MORE_THAN_HALF = 1.05 * std::numbers::pi;
@@ -195,8 +197,8 @@ void split_at(Mesh& mesh, const std::set<std::uint32_t>& vertices, const Edges& 
   }
 }
 
-// Sets Vertex::lit of the vertices on a border (MeshParams::inset). `fringes` has one entry per
-// face.
+// Sets Vertex::lit of the vertices on a border, as MeshParams::inset describes. `fringes` has one
+// entry per face.
 void inset_borders(Mesh& mesh, const std::vector<bool>& is_border, double inset,
                    std::span<const Fringe> fringes) {
   const auto surroundings = find_surroundings(mesh);
@@ -239,8 +241,8 @@ Face turn(Face face) {
   return face;
 }
 
-// A slightly larger polygon, so that no ray passes between faces of which one has a corner in the
-// middle of the other's edge.
+// A slightly larger polygon. Otherwise rays could pass between two faces if a corner of one lies in
+// the middle of an edge of the other.
 std::vector<Vec> grow(std::vector<Vec> corners) {
   constexpr double SHARE = 1e-9;
   const Vec centre = eval_centre(corners);
@@ -264,7 +266,7 @@ void check_count(const Room& room, int refine) {
   }
 }
 
-// The normals of a face, interpolated if it stands for a curved surface.
+// The normals of a face. If the face is part of a curved surface, they are interpolated.
 class Normals {
  public:
   explicit Normals(const Face& face) : flat_(normalize(eval_area_normal(face.corners))) {
@@ -302,7 +304,8 @@ class Builder {
       add(face, i);
     }
     finish(mesh_.blockers);
-    // Contacts are borders: points on either side are lit a little inside their side.
+    // Contacts become borders. The light of points on a contact is computed slightly inside either
+    // side.
     std::vector<std::array<std::uint32_t, 4>> before;
     for (const Patch& patch : mesh_.patches) before.push_back(patch.corners);
     split_at_creases(mesh_, touched_);
@@ -356,7 +359,8 @@ class Builder {
       contacts_ = find_contacts(room_, params_.refine, strips /= 2);
   }
 
-  // Finds the largest growth per face that keeps the limit: halves it, then raises it by bisection.
+  // Finds the largest growth per face that keeps the limit: first halves the growth, then raises it
+  // by bisection.
   void limit_creases(std::size_t most) {
     growth_ = MOST_FACE_GROWTH;
     while (growth_ > 1 && count_with_cuts() > most) growth_ /= 2;
@@ -447,7 +451,7 @@ class Builder {
   Mesh mesh_;
   Welder welder_;
   std::vector<Contacts> contacts_;  // contacts of each face
-  Edges creases_, touched_;         // all edges on creases, and edges on creases that are contacts
+  Edges creases_, touched_;         // edges on creases or contacts; edges on contacts
   std::uint32_t object_ = 0;
   int growth_ = 1;  // growth that make_cuts() passes to Cuts::growth
 };

@@ -15,8 +15,8 @@ namespace radiosity {
 struct Vertex {
   Vec at;
   /// Point at which the illumination of the vertex is computed, usually `at`. At borders and
-  /// contacts it lies a little inside: there it sees the adjacent faces, and is outside shadows
-  /// along the border that are too narrow for patches.
+  /// contacts, the point lies slightly inside the face: there the adjacent faces are visible from
+  /// it, and it is outside of shadows along the border that are too narrow for patches.
   Vec lit;
   Vec normal;  ///< unit normal of the surface
   std::uint32_t material = 0;
@@ -65,30 +65,32 @@ struct Mesh {
 
 struct MeshParams {
   int refine = 1;  ///< factor on the divisions of every face, 1 to 1000
-  /// Limit on the number of patches with creases, 1 to 1000, as a multiple of that without (after
-  /// halving near lights). At least 2000 patches are always allowed. Above half of the limit,
-  /// strips below hanging faces are coarsened. Above the limit, creases are left out, the last ones
-  /// of each face first, beginning with the faces that grow most.
+  /// Limit on the number of patches with creases, 1 to 1000, as a multiple of the number without
+  /// creases (after halving near lights). At least 2000 patches are always allowed. If the limit is
+  /// exceeded, strips below hanging faces are removed until they fit half of it. Then creases are
+  /// left out: the last ones of each face first, in the faces that grow most.
   int crease_growth = 4;
-  /// Distance from the border at which border vertices are lit, 0 to 0.5, as a share of the way to
-  /// the mean centre of their patches. If that lies outside them, it is the way to the largest
-  /// patch's centre. The distance is larger, up to half the way, beyond creases too near to be
-  /// kept. Behind a gap along the border, such as under a hanging face or over a narrow ledge, it
-  /// is chosen to make the patch's mean right. With 0, vertices are lit at the border itself.
+  /// Distance from the border at which the light of a border vertex is computed, 0 to 0.5, as a
+  /// share of the way to the mean centre of its patches. If this centre lies outside of them, it is
+  /// replaced by the largest patch's centre. The distance grows up to half the way if a crease too
+  /// near to be kept lies before it. Behind a gap along the border, such as under a hanging face or
+  /// over a narrow ledge, the distance is chosen so that the mean over the patch is right. With 0,
+  /// light is computed at the border itself.
   double inset = 0.01;
 };
 
 /// Makes the fields refine and crease_growth.
 base::Fields<MeshParams> mesh_fields();
 
-/// Builds the mesh of a room, which must pass check(). Contacts of faces (find_contacts) are
-/// creases, with separate illumination on their two sides. At the foot of an edge, where a contact
-/// turns, the illumination is separate between any two creases. With Room::fine_near_lights, the
-/// patches are those of make_graded(). Throws BadInput beyond 10 million patches.
+/// Builds the mesh of a room, which must pass check(). Contacts of faces (find_contacts) become
+/// creases, with separate illumination on their two sides. At the foot of an upright edge, where a
+/// contact turns, each sector between two creases has an illumination of its own. With
+/// Room::fine_near_lights, the patches are those of make_graded(). Throws BadInput beyond 10
+/// million patches.
 Mesh make_mesh(const Room& room, const MeshParams& params);
 
-/// The patches around every vertex, in order. Those of vertex v are `patches` from first[v] to
-/// first[v + 1].
+/// The patches around all vertices, vertex by vertex. Those of vertex v are in `patches` from
+/// `first[v]` up to `first[v + 1]`, exclusive.
 struct Surroundings {
   std::vector<std::uint32_t> first, patches;
   std::span<const std::uint32_t> of(std::uint32_t vertex) const {
