@@ -95,7 +95,8 @@ class RoomReader {
 
   int take_divisions(std::string_view what) { return tokens_.take_count(what, 1, MAX_DIVISIONS); }
 
-  // Reads a face with the given number of corners; without a number, takes all corners on the line.
+  // Reads a face with the given number of corners, or without a number, with all corners on the
+  // line.
   void read_face(std::optional<int> corners) {
     Face face;
     face.material = take_material(tokens_, room_, "lines above");
@@ -135,7 +136,8 @@ class RoomReader {
       for (const int end : {0, 1}) {
         face.corners.clear();
         for (const auto& [next, last] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
-          // Orders corners counter-clockwise as seen from the far end of the axis, or clockwise.
+          // True if the front faces along the axis: corners are then counter-clockwise as seen from
+          // its far end, else clockwise.
           const bool seen = (end == 1) != inside;
           double at[3];
           at[axis] = ends[end][axis];
@@ -332,8 +334,8 @@ Read find_reader(const std::string& name) {
       "{}: found another ending in the name of a room, expected .room, .nff or .obj", name));
 }
 
-// Moves a room to the origin if its distance is more than FAR times its size. Computations are then
-// as exact as the coordinates.
+// Moves a room to the origin if it is more than FAR times its size away. Computations are then as
+// exact as the coordinates.
 Room bring_near(Room room) {
   constexpr double FAR = 1000;
   const renderer::Bounds bounds = eval_bounds(room);

@@ -1,8 +1,8 @@
 #pragma once
 // Rooms from files of three formats, distinguished by the file name's ending.
 //
-// .room is tlab's own text format: one statement a line, `#` starts a comment, materials come
-// before their uses. Divisions are Face::along and across.
+// .room is tlab's own text format: one statement a line, `#` starts a comment, and materials come
+// before their uses. `divide` sets Face::along and Face::across.
 //
 //   material NAME reflect R G B [emit R G B]
 //   mirror NAME reflect R G B
@@ -13,10 +13,10 @@
 //   crease x y z  x y z
 //   view from x y z at x y z up x y z angle DEGREES size W H      required, once
 //
-// .nff (renderer/files/nff.hpp): faces are p and pp. The surface f before them is diffuse and
-// reflects kd times its colour; with ks = 1 and kd = 0 it is a perfect mirror. Its highlights are
-// ignored, like l and b. `# emit R G B` after an f makes the following faces emit. Spheres and
-// cones, which are not flat, and T above 0 are errors.
+// .nff (renderer/files/nff.hpp): faces are p and pp. The surface `f` before them is diffuse and
+// reflects kd times its colour; with ks = 1 and kd = 0 it is a perfect mirror. Highlights, lights
+// (`l`) and background (`b`) are ignored. `# emit R G B` after an `f` makes the following faces
+// emit. Spheres and cones, which are not flat, and T above 0 are errors.
 //
 // .obj, with its MTL files (renderer/files/obj.hpp): every face is one patch before
 // MeshParams::refine. A face that is not flat or not convex becomes triangles; normals that are not
@@ -33,10 +33,11 @@
 
 namespace radiosity {
 
-/// Loads a room from a file. It has passed check(), and its view has its image plane. A room a
-/// thousand times as far from the origin as it is wide is moved there, so that computations are as
-/// exact as its coordinates. `left_out`, if given, counts the parts of a file that cannot be read
-/// or that rooms do not have, such as lights. Throws BadInput "file:line: found ..., expected ...".
+/// Loads a room from a file. It has passed check(), and its view has its image plane. A room that
+/// is more than 1000 times as far from the origin as it is wide is moved to the origin, so that
+/// computations are as exact as its coordinates. `left_out`, if given, counts the parts of a file
+/// that cannot be read or that rooms do not have, such as lights. Throws BadInput "file:line: found
+/// ..., expected ...".
 Room load_room(const std::string& path, renderer::LeftOut* left_out = nullptr);
 
 /// Reads a room from a text, without moving it. `name` replaces the path in errors.

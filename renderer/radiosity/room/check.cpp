@@ -19,7 +19,8 @@ constexpr double NO_TURN = 1e-6;    // least sine of the angle between two edges
 
 std::string show(const Vec& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
 
-// Limits the size of numbers so that products remain finite. A comparison with NaN is false.
+// Limits the size of numbers so that products remain finite. NaN is refused too, since comparisons
+// with it are false.
 void require_finite(const Vec& v, const std::string& what) {
   const double max = renderer::MAX_NUMBER;
   require(std::abs(v.x) <= max && std::abs(v.y) <= max && std::abs(v.z) <= max,

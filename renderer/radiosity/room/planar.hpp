@@ -29,13 +29,13 @@ inline Vec lerp(const Vec& a, const Vec& b, double t) { return a + t * (b - a); 
 /// The distance of a point from the segment from a to b, which may have zero length.
 double eval_distance(const Vec& point, const Vec& a, const Vec& b);
 Vec eval_mean(std::span<const Vec> corners);
-/// The mean of the corners. Unlike eval_mean(), each corner is divided before it is added, with
-/// different rounding.
+/// The mean of the corners. Unlike eval_mean(), it divides each corner before adding it, and thus
+/// rounds differently.
 Vec eval_centre(std::span<const Vec> corners);
 using renderer::eval_area_normal;
 
-/// The part of a polygon above the plane; corners within `tolerance` of the plane lie in it. Empty
-/// unless a corner lies above.
+/// The part of a polygon above the plane; corners within `tolerance` of the plane lie in the plane.
+/// Empty if no corner lies above.
 std::vector<Vec> clip(std::span<const Vec> polygon, const Plane& plane, double tolerance);
 
 /// The two points where the polygon's border crosses the plane; none if it does not.
@@ -50,7 +50,7 @@ struct Interval {
   bool keep_positive(double here, double there);
 };
 
-/// Planes through the edges of the polygon and perpendicular to it, with its inside above. Edges of
+/// Planes through the edges of the polygon, perpendicular to it; its inside is above them. Edges of
 /// zero length are omitted.
 std::vector<Plane> make_edge_planes(std::span<const Vec> polygon, const Vec& normal);
 

@@ -22,8 +22,8 @@ struct Material {
   bool operator==(const Material&) const = default;
 };
 
-/// Increasing lines between patches, in fractions (0 to 1) of a face's first edge and of the next
-/// edge.
+/// Positions of the lines between patches, increasing from 0 to 1: along a face's first edge, and
+/// along its next edge.
 struct Grid {
   std::vector<double> along, across;
 };
@@ -40,13 +40,13 @@ struct Face {
   /// without 4 corners has `along` x `along` patches in each of the quads between a corner and the
   /// centre.
   int along = 1, across = 1;
-  Grid grid;          ///< for 4 corners: lines instead of even ones; may be empty
+  Grid grid;          ///< lines of a face with 4 corners; if empty, the lines are evenly spaced
   std::string where;  ///< position for errors, "room.txt:12"; may be empty
 };
 
 /// A straight line that becomes an edge of patches. At the border of a penumbra the illumination is
-/// continuous, but not its slope (3.1.4.2). At a line within a penumbra, its curvature is
-/// discontinuous.
+/// continuous, but not its slope (3.1.4.2). At a line within a penumbra, the curvature of the
+/// illumination is discontinuous.
 struct Crease {
   Vec a, b;
 };
