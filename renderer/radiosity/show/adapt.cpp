@@ -16,11 +16,11 @@ namespace {
 
 // Share of the allowed mean square error that may remain in patches that are not halved.
 constexpr double LEFT = 0.5;
-// A patch is halved only along its longer side if that is more than this many times as long as the
+// A patch is halved only along its longer side if this side is more than LONG times as long as the
 // other.
 constexpr double LONG = 1.5;
-// Rows are halved in only one direction if the light changes in it more than this many times as
-// much.
+// Rows are halved in only one direction if the light changes more than STEEP times as much in it as
+// in the other.
 constexpr double STEEP = 2;
 // Limits for make_lit_mesh(): how often patches are halved, and the growth of their number.
 constexpr int MOST_HALVINGS = 2;
@@ -32,29 +32,30 @@ constexpr int MOST_TRIES = 4;
 // LESS.
 constexpr double ROUGH = 0.2, LESS = 0.02;
 
-// Mean square of an error over a patch, divided by its square in the middle. For illumination that
-// is quadratic along both sides it is between 4/9 and 8/15.
+// Mean square of an error over a patch, divided by the squared error in the middle. The ratio is
+// between 4/9 and 8/15 for illumination that is quadratic along both sides.
 constexpr double SMOOTH = 0.5;
 
 // Pixels along the longer side of the picture used for the error estimate.
 constexpr int SIDE = 256;
 
-// The weight of each patch in the picture of the room's view.
+// The weight of each patch in the picture from the room's view (see find_shares()).
 std::vector<Rgb> find_weights(const Mesh& mesh, const renderer::View& view) {
   const double scale = std::min(1.0, static_cast<double>(SIDE) / std::max(view.width, view.height));
   const auto shorten = [&](int side) { return std::max(1, static_cast<int>(scale * side)); };
   return find_shares(mesh, view, {.width = shorten(view.width), .height = shorten(view.height)});
 }
 
-// The radiosity at the middle of a patch, by solving Simpson's rule for it.
+// The radiosity at the middle of a patch, which follows from its mean and corners by Simpson's
+// rule.
 Rgb find_middle(const Mesh& mesh, const Solution& solution, std::uint32_t p) {
   Rgb corners;
   for (const auto corner : mesh.patches[p].corners) corners += solution.vertices[corner];
   return 1.5 * (solution.means[p] + -1.0 / 12 * corners);
 }
 
-// The difference between the light at a patch's middle and the surface there; 0 for a curved patch,
-// whose middle has another normal than its surface.
+// The light computed at a patch's middle, less the interpolated surface there. 0 for a curved
+// patch, since its middle is lit with the normal of a flat one.
 Rgb find_off(const Mesh& mesh, const Solution& solution, const Illumination& illumination,
              std::uint32_t p) {
   const Patch& patch = mesh.patches[p];
@@ -77,8 +78,9 @@ std::vector<double> find_errors(const Mesh& mesh, const Solution& solution,
   return errors;
 }
 
-// The patches whose light at the middle, with unsent light, differs from the surface by more than
-// MOST_OFF_HERE. They are in descending order of their part of the mean square.
+// The patches at whose middle the surface differs from the computed light by more than
+// MOST_OFF_HERE, relative to the light including unsent light. Sorted by squared difference times
+// area, largest first.
 std::vector<std::uint32_t> find_patches_off(const Mesh& mesh, const Solution& solution) {
   const Illumination illumination = reconstruct(mesh, solution.vertices, {});
   std::vector<std::pair<double, std::uint32_t>> found;
@@ -146,8 +148,8 @@ Extent find_extent(const Face& face, const Patch& patch) {
   return extent;
 }
 
-// Marks the steps between lines that overlap an interval by more than a tenth, and the step around
-// the interval's middle.
+// Marks each step between lines of which more than a tenth lies in the interval, and the step that
+// contains the interval's middle.
 void mark(const std::vector<double>& lines, double from, double to, std::vector<bool>& marks) {
   const double middle = (from + to) / 2;
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
@@ -285,7 +287,8 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
 
 namespace {
 
-// Halves rows of as many of the chosen patches as keep the room within `most` patches.
+// Halves rows of the chosen patches. Leaves out the last half of these repeatedly until the room
+// has at most `most` patches.
 Room halve_some(const Room& room, const AdaptedMesh& adapted, std::vector<std::uint32_t> chosen,
                 int refined, std::size_t most) {
   for (; !chosen.empty(); chosen.resize(chosen.size() / 2)) {

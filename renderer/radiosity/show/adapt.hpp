@@ -24,39 +24,40 @@ struct AdaptedMesh {
 };
 
 /// Halves patches, starting from those of params.mesh, until the estimated error of the picture in
-/// the room's view is at most `adapt.error`. This error is a root mean square relative to that of
-/// the picture's light without emission. It estimates the interpolation error only, not the error
-/// at the vertices.
+/// the room's view is at most `adapt.error`. This error is a root mean square, divided by the root
+/// mean square of the picture's light without emission. It estimates the interpolation error only,
+/// not the error at the vertices.
 ///
 /// Each round halves the patches with the largest errors (W. Doerfler, "A Convergent Adaptive
 /// Algorithm for Poisson's Equation", SIAM J. Numerical Analysis 33(3), 1996). Only visible patches
 /// count (B. Smits, J. Arvo, D. Salesin, "An Importance-Driven Radiosity Algorithm", SIGGRAPH
 /// 1992). Whole rows of a face are halved, so that patches meet at their corners; a face without 4
-/// corners is refined everywhere. Curved faces are not evaluated. Also ends after MOST_ROUNDS, or
-/// before the room would exceed MOST_ADAPTED patches.
+/// corners is refined everywhere. Curved faces count as free of errors. Rounds also end after
+/// MOST_ROUNDS, or when the next one would exceed MOST_ADAPTED patches.
 ///
 /// Calls `step` in all solutions (see solve()). Throws BadInput for an error below LEAST_ERROR, and
 /// unless params.solve.mean is Mean::simpson. Throws as find_shares() does.
 AdaptedMesh adapt_mesh(Room room, const LightParams& params,
                        const ReconstructionParams& reconstruction, const AdaptParams& adapt,
                        const Step& step = {});
-/// The light of a mesh from adapt_mesh() or make_lit_mesh(). Continues `rough` if possible, and is
-/// else as solve_room().
+/// The light of a mesh from adapt_mesh() or make_lit_mesh(). Continues `rough` if there is one and
+/// the mesh itself sends light; otherwise solves as solve_room() does.
 Solution solve_adapted(const Room& room, AdaptedMesh& adapted, const LightParams& params,
                        const Step& step = {});
 
 /// Makes the mesh of a room. With Room::fine_near_lights, rows of patches are halved up to twice if
 /// the light at a patch's middle differs from the surface by more than MOST_OFF_HERE. They are
-/// halved in the direction in which the light of the corners differs, for example behind a slit or
-/// beside a bright strip, whatever the view. The mesh has at most twice the patches of
-/// make_graded()'s. `rough` is a solution that solve_adapted() continues. With Params::senders,
-/// Mean::corners or faces without 4 corners, the patches are those of make_mesh().
+/// halved in the direction in which the light of the patch's corners differs more, for example
+/// across a slit or a bright strip. The view does not matter. The mesh has at most twice as many
+/// patches as make_graded() makes. `rough` is a solution that solve_adapted() continues. With
+/// LightParams::senders or Mean::corners, the patches are those of make_mesh(). Faces without 4
+/// corners are not halved.
 AdaptedMesh make_lit_mesh(const Room& room, const LightParams& params, const Step& step = {});
 inline constexpr double MOST_OFF_HERE = 0.15;
 
-/// Estimates the interpolation error of the picture in `view`, as a root mean square relative to
-/// that of its light without emission. It is 0 unless means are by Simpson's rule. `solution` must
-/// be that of the sending mesh.
+/// Estimates the interpolation error of the picture in `view`: a root mean square, divided by the
+/// root mean square of the picture's light without emission. It is 0 unless params.mean is
+/// Mean::simpson. `solution` must be that of the sending mesh.
 double estimate_error(const Mesh& mesh, const Solution& solution, const SolveParams& params,
                       const ReconstructionParams& reconstruction, const renderer::View& view);
 

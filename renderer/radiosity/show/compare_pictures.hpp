@@ -4,12 +4,12 @@
 
 namespace radiosity {
 
-/// An error is the root mean square of the difference, relative to that of the reference. The error
-/// of a peak is the difference of the maxima relative to the reference's maximum. Along the line,
-/// only red counts.
+/// An error is the root mean square of the difference, divided by the root mean square of the
+/// reference. The error of a peak is the difference of the maxima, divided by the reference's
+/// maximum. Along the line, only red counts.
 struct PictureError {
   double image = 0;                              ///< error of radiosity over all pixels
-  double line = 0, line_peak = 0;                ///< errors of displayed values, 0..255
+  double line = 0, line_peak = 0;                ///< errors of displayed values along the line
   double line_linear = 0, line_peak_linear = 0;  ///< errors of radiosity along the line
   int peak_shift = 0;  ///< displacement of the peak from the reference's, pixels
 };
@@ -18,7 +18,7 @@ struct PictureError {
 struct Compared {
   std::vector<bool> left_out;         ///< for each pixel: true if it shows an emitter
   int line = 0;                       ///< row of the line, counted from the top
-  double peak_from = 0, peak_to = 1;  ///< part of the width in which the peak is searched
+  double peak_from = 0, peak_to = 1;  ///< limits of the search for the peak, as shares of the width
 };
 
 /// Compares two pictures of equal size.

@@ -7,7 +7,7 @@ namespace radiosity {
 
 /// Display parameters: a pixel is 255 * min(1, exposure * radiosity) ^ (1 / gamma), rounded.
 struct Display {
-  /// value before gamma of a pixel with radiosity 1, > 0; 0: automatic (see fit())
+  /// value of a pixel with radiosity 1 before `gamma` applies, > 0; 0: automatic (see fit())
   double exposure = 0;
   double gamma = 2.2;  ///< exponent gamma of the display, > 0
 };
@@ -17,7 +17,8 @@ base::Fields<Display> display_fields();
 
 /// The exposure that brings the quantile `share` of the pixels' largest components to 1. If that
 /// quantile is 0, the maximum becomes 1. The exposure is 1 if all pixels are black. Pixels in
-/// `left_out` (find_emitters) are ignored unless all are; an empty list ignores none.
+/// `left_out` (see find_emitters()) are ignored, unless these are all pixels. An empty list ignores
+/// none.
 double find_exposure(const Picture& picture, const std::vector<bool>& left_out = {},
                      double share = 0.99);
 

@@ -1,8 +1,8 @@
 #pragma once
-// Limits that keep bicubic surfaces near the illumination around them. A steep slope at the border
-// of a shadow must not overshoot it. A cubic lies within the convex hull of its control points (P.
-// Bezier). These are limited in the way in which F. Fritsch and R. Carlson, "Monotone Piecewise
-// Cubic Interpolation", SIAM J. Numerical Analysis 17(2), 1980, limit slopes.
+// Limits that keep bicubic surfaces near the illumination around them. Without them, a surface
+// overshoots where it is steep, at the border of a shadow. A cubic lies within the convex hull of
+// its control points (P. Bezier). The control points are limited like the slopes in F. Fritsch and
+// R. Carlson, "Monotone Piecewise Cubic Interpolation", SIAM J. Numerical Analysis 17(2), 1980.
 
 #include "renderer/radiosity/show/slopes.hpp"
 
@@ -25,8 +25,8 @@ std::vector<Limits> find_limits(const Mesh& mesh, const Fans& fans, std::span<co
 ///   one (after H. Huynh, "Accurate Monotone Cubic Interpolation", SIAM J. Num. Analysis 30(1),
 ///   1993);
 /// - or it makes a bulge below 2 % of the illumination.
-/// Any other change is replaced by the nearest of these. Finally, a third of the change is clamped
-/// to the limits of the vertex.
+/// Any other change is replaced by the nearest change that would be kept. Finally, the control
+/// point, a third of the change from the vertex, is clamped to the limits of the vertex.
 Rgb limit_change(const Limits& limits, const Rgb& value, const Rgb& change, const Rgb& whole,
                  const Rgb& there);
 

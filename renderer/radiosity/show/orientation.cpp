@@ -26,7 +26,7 @@ std::string name_face(const Room& room, std::size_t face) {
   return where.empty() ? fmt::format("face {}", face + 1) : where;
 }
 
-// Reports the visible share of backs if they fill most of the visible surface.
+// Reports the share of backs in the visible surface, if it is more than half.
 std::optional<std::string> check_camera(const Room& room, const Mesh& mesh) {
   constexpr int SIDE = 32;  // rays along each side of the picture
   const renderer::View view = make_image_plane(room.view);
@@ -48,8 +48,8 @@ std::optional<std::string> check_camera(const Room& room, const Mesh& mesh) {
       100.0 * backs / (fronts + backs));
 }
 
-// True if a lamp would light something straight ahead of its centre, on the side of the normal. The
-// front of a face does so unless it is directly before the lamp.
+// True if a ray from the centre of a lamp along `normal` meets the front of a face, and not
+// directly before the lamp.
 bool lights_something(const Room& room, const Mesh& mesh, std::size_t face, const Vec& normal) {
   constexpr double NEAR = 0.1;  // least distance of the lit face, relative to the size of the lamp
   const auto& corners = room.faces[face].corners;

@@ -9,8 +9,8 @@
 
 namespace radiosity {
 
-/// Returns a sentence for each problem. A camera should not see more (black) backs of one-sided
-/// faces than fronts. A one-sided lamp should not shine into a wall or out of the room while
+/// Returns a sentence for each problem. More fronts than (black) backs of faces should be visible
+/// from the camera. A one-sided lamp should not shine into a wall or out of the room while
 /// something behind it could be lit. `mesh` is made from the room.
 std::vector<std::string> find_turned_faces(const Room& room, const Mesh& mesh);
 

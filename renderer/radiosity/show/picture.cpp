@@ -20,7 +20,7 @@ renderer::Params make_params(const PictureParams& params) {
   return made;
 }
 
-// The point of a patch that a ray sees, with the influence factor after mirrors.
+// The point of a patch that a ray meets, and the ray's influence factor after all mirrors.
 struct Seen {
   Spot spot;
   Rgb influence;
@@ -37,8 +37,8 @@ struct Tracer {
     return intersect(mesh.blockers, ray, renderer::Traversal::nearest, work);
   }
 
-  // The first hit of the ray on a visible side. If a face shows nothing there, searches slightly
-  // further on, since two faces may lie back to back.
+  // The first hit of the ray on a visible side. If the side that it hits is not visible, searches
+  // slightly beyond it, since two faces may lie back to back.
   std::optional<renderer::Hit> meet_side(const renderer::Ray& ray) {
     const auto is_nothing = [&](const renderer::Hit& hit) {
       return get_side(sides, hit.object, hit.inside).kind == Side::Kind::nothing;
@@ -91,7 +91,8 @@ struct Fragment {
   }
 };
 
-// A z-buffer of convex polygons with two parameters, for a view with its image plane.
+// A z-buffer for convex polygons whose corners have parameters s and t. The view must have its
+// image plane.
 class ZBuffer {
  public:
   struct Point {
@@ -106,8 +107,8 @@ class ZBuffer {
         fragments_(width_ * static_cast<std::size_t>(params.height)) {}
 
   // Draws both sides of a convex polygon of 3 corners or more. The nearest polygon stays. Of
-  // coincident ones the first stays, except that a back never hides other kinds. In each triangle
-  // from the first corner, s and t are linear in space.
+  // coincident ones the first stays, except that a back never hides other kinds. The polygon is cut
+  // into triangles at its first corner; in each of them, s and t are linear in space.
   void draw(Fragment::Kind kind, std::uint32_t patch, const std::vector<Point>& points) {
     const auto corner = [&](std::size_t i) -> renderer::Scanner<2>::Corner {
       return {renderer::to_eye(view_, points[i].at), {points[i].s, points[i].t}};

@@ -27,11 +27,11 @@ void check(const PictureParams& params);
 /// Replaces width and height by those of the view if they are 0. Throws as check() does.
 PictureParams fit(PictureParams params, const renderer::View& view);
 
-/// Makes a picture by simplified ray tracing. A ray is reflected by mirrors and gets the
-/// illumination of the first diffuse patch, without feelers and shading. It is black if it hits
-/// nothing, a back, or a mirror after `depth` others. Throws as check() and
-/// renderer::make_image_plane() do. Adds to `work` one Op::sample_updated for each ray from the
-/// eye, and one Op::ray_reflected for each mirror.
+/// Makes a picture by simplified ray tracing. Mirrors reflect a ray until it meets a diffuse patch.
+/// It gets the illumination there, without feelers and shading. It is black if it hits nothing, a
+/// back, or a mirror after `depth` others. Throws as check() and renderer::make_image_plane() do.
+/// Adds to `work` one Op::sample_updated for each ray from the eye, and one Op::ray_reflected for
+/// each mirror.
 Picture trace_picture(const Mesh& mesh, const Illumination& illumination,
                       const renderer::View& view, const PictureParams& params,
                       renderer::Work& work);
@@ -40,9 +40,9 @@ Picture trace_picture(const Mesh& mesh, const Illumination& illumination,
 Picture trace_picture(const LitRoom& lit, const ReconstructionParams& reconstruction,
                       const renderer::View& view, const PictureParams& params);
 
-/// For each patch, the weight of its mean square in that of the picture. The weight is the fraction
-/// of pixels that show the patch, each times the squared influence factor after mirrors. Samples
-/// the centres of pixels. Throws as trace_picture() does.
+/// For each patch, the weight of its mean square radiosity in the mean square of the picture: the
+/// fraction of pixels that show the patch, each pixel multiplied by the squared influence factor
+/// after mirrors. Samples the centres of pixels. Throws as trace_picture() does.
 std::vector<Rgb> find_shares(const Mesh& mesh, const renderer::View& view,
                              const PictureParams& params);
 
@@ -50,9 +50,9 @@ std::vector<Rgb> find_shares(const Mesh& mesh, const renderer::View& view,
 std::vector<bool> find_emitters(const Mesh& mesh, const renderer::View& view,
                                 const PictureParams& params);
 
-/// Makes a picture by z-buffer, with one sample per pixel. Mirrors have the room's mean grey.
-/// Without mirrors and with parallelograms as patches, it equals trace_picture() except at the
-/// edges of faces. In other patches, (s, t) is linear in each of two triangles.
+/// Makes a picture by z-buffer, with one sample per pixel. Mirrors are shown in the mean grey of
+/// the room. Without mirrors and with parallelograms as patches, it equals trace_picture() except
+/// at the edges of faces. Other patches are cut into two triangles in which s and t are linear.
 Picture preview_picture(const Mesh& mesh, const Illumination& illumination,
                         const renderer::View& view, const PictureParams& params);
 

@@ -55,7 +55,7 @@ class Bicubic {
         slopes_(find_slopes(mesh, fans_, vertices)),
         limits_(find_limits(mesh, fans_, vertices)) {}
 
-  // Proceeds vertex by vertex, since each corner of a patch belongs to one vertex.
+  // Sets the values vertex by vertex, since each corner of a patch belongs to one vertex.
   std::vector<Rgb> make() {
     for (const Seam& seam : find_seams(mesh_, fans_.twins)) close(seam);
     std::vector<Rgb> values(16 * mesh_.patches.size());
@@ -69,7 +69,7 @@ class Bicubic {
   }
 
  private:
-  // The change along an edge at its beginning.
+  // The derivative along an edge at its beginning, times its length.
   Rgb find_change(std::uint32_t from, std::uint32_t to) const {
     const auto fixed = fixed_.find({from, to});
     if (fixed != fixed_.end()) return fixed->second;
@@ -81,7 +81,7 @@ class Bicubic {
                         vertices_[to] + -1.0 * vertices_[from], -1.0 * step(to, from));
   }
 
-  // Makes the edges along a seam parts of the longest edge's curve.
+  // Makes the illumination along all short edges of a seam follow the curve of the long edge.
   void close(const Seam& seam) {
     const Rgb ends[] = {vertices_[seam.from], vertices_[seam.to], find_change(seam.from, seam.to),
                         -1.0 * find_change(seam.to, seam.from)};

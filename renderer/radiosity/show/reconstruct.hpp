@@ -17,7 +17,7 @@ enum class Reconstruction : std::uint8_t {
 enum class Twist : std::uint8_t {
   zero,
   /// The slope along s + t, as in the thesis (below Eq 3.7). It is a first derivative instead of a
-  /// second, so surfaces are C1 only on even grids of one orientation.
+  /// second one, so surfaces are C1 only on even grids of one orientation.
   diagonal,
   estimated  ///< change of the slopes along s in direction t, and vice versa
 };
@@ -39,10 +39,10 @@ struct Illumination {
 };
 
 /// Interpolates `vertices`, one value for each vertex of the mesh. Bicubic surfaces are continuous
-/// where patches share vertices, or a crease has split these. If not limited (limit.hpp), they are
-/// linear in the values, and C1 across inner borders on grids of parallel lines. They reproduce
-/// linear functions: with estimated twists on any quads, with zero twists on parallelograms. Throws
-/// BadInput for a wrong number of values.
+/// where patches share vertices, and also where a crease has split shared vertices. If they are not
+/// limited (limit.hpp), they are linear in the values, and on grids of parallel lines C1 across the
+/// edges between patches. They reproduce linear functions: with estimated twists on any quads, with
+/// zero twists on parallelograms. Throws BadInput for a wrong number of values.
 Illumination reconstruct(const Mesh& mesh, std::span<const Rgb> vertices,
                          const ReconstructionParams& params);
 

@@ -23,8 +23,8 @@ class SeamFinder {
  public:
   SeamFinder(const Mesh& mesh, std::span<const std::uint32_t> twins)
       : mesh_(mesh), firsts_(find_firsts(twins)), beside_(mesh.vertices.size()) {
-    // Number of patches at each edge. Edges are between the first of twins, so that creases do not
-    // separate patches.
+    // Number of patches at each edge. Twins count as one vertex, so that creases do not separate
+    // patches.
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
     for (const Patch& patch : mesh.patches)
       for (std::size_t i = 0; i < 4; ++i)
@@ -45,8 +45,8 @@ class SeamFinder {
   }
 
  private:
-  // Sorts the seams such that each comes before those that end on it. A cycle begins with its
-  // longest seam.
+  // Sorts the seams such that each comes before those that end on it. If there is a cycle, sorts
+  // all by length, the longest first.
   std::vector<Seam> sort(std::vector<Seam> seams) const {
     std::ranges::stable_sort(seams, std::greater{}, [&](const Seam& seam) {
       return length(mesh_.vertices[seam.to].at - mesh_.vertices[seam.from].at);
@@ -86,7 +86,8 @@ class SeamFinder {
     return std::nullopt;
   }
 
-  // The position of a vertex on the way from another, as a fraction; none if it does not lie there.
+  // The position of a vertex on the way from another one, as a fraction; none if it is not on the
+  // way.
   std::optional<double> find_share(std::uint32_t from, const Vec& way, std::uint32_t vertex) const {
     constexpr double NEAR = 1e-7;  // tolerance relative to the length of the way
     const Vec to = mesh_.vertices[vertex].at - mesh_.vertices[from].at;
@@ -96,7 +97,7 @@ class SeamFinder {
 
   const Mesh& mesh_;
   std::vector<std::uint32_t> firsts_;
-  // for each vertex, the other ends of its borders
+  // for each vertex, the other ends of the border edges that begin there
   std::vector<std::vector<std::uint32_t>> beside_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> borders_;
 };

@@ -12,7 +12,7 @@ namespace radiosity {
 struct Seam {
   struct Stop {
     std::uint32_t vertex = 0;
-    double share = 0;  ///< position of the vertex on the way, 0 to 1
+    double share = 0;  ///< position of the vertex on the edge, 0 to 1
   };
   std::uint32_t from = 0, to = 0;
   std::vector<Stop> stops;  ///< vertices on the edge in order, without its ends

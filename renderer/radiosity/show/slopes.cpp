@@ -10,8 +10,8 @@ namespace radiosity {
 
 namespace {
 
-// The neighbours on the border through a vertex. Seen towards `after`, the patches are on the left.
-// None for an inner vertex, or if several borders meet.
+// The neighbours on the border through a vertex. In the direction to `after`, the patches are on
+// the left. None for an inner vertex, or if several borders meet.
 struct Border {
   std::uint32_t after = 0, before = 0;
 };
@@ -45,8 +45,8 @@ Wedge make_wedge(const Mesh& mesh, std::uint32_t patch, std::uint32_t vertex) {
   return wedge;
 }
 
-// Marks inner edges. Patches run counter-clockwise, so an inner edge is next in one patch and
-// previous in another.
+// Marks inner edges. Corners run counter-clockwise, so an inner edge is the next one in one patch
+// and the previous one in the other.
 void mark_inner(std::span<Wedge> wedges) {
   for (Wedge& a : wedges)
     for (Wedge& b : wedges)
@@ -66,7 +66,8 @@ double find_trust(double edge, double other) {
   return share * share;
 }
 
-// The weight of an edge. Its continuation is the longest edge within 45 degrees of straight on.
+// The weight of an edge. Its continuation is the longest of the edges that go straight on, within
+// 45 degrees.
 double trust_edge(const Mesh& mesh, const Vertex& v, std::span<const Wedge> wedges,
                   std::uint32_t neighbour) {
   const Vec edge = unfold(v, mesh.vertices[neighbour].at);
@@ -148,8 +149,9 @@ Fans make_fans(const Mesh& mesh) {
 
 namespace {
 
-// The mean of the planes of a vertex's patches. change(neighbour, inner) returns the change towards
-// a neighbour, along an inner edge or a border.
+// The mean of the planes of a vertex's patches. `change(neighbour, inner)` returns the change of
+// the quantity from the vertex to a neighbour; `inner` is false if the edge between them is a
+// border.
 template <class T, class Change>
 Slopes<T> eval_mean_plane(const Mesh& mesh, const Fans& fans, std::uint32_t vertex,
                           const Change& change) {
@@ -161,7 +163,7 @@ Slopes<T> eval_mean_plane(const Mesh& mesh, const Fans& fans, std::uint32_t vert
   return mean.get();
 }
 
-// Finds the slopes first inside, then on straight borders, then at corners.
+// Finds the slopes at inner vertices first, then on straight borders, then at corners.
 struct SlopeFinder {
   const Mesh& mesh;
   const Fans& fans;
@@ -175,8 +177,8 @@ struct SlopeFinder {
     return unfold(mesh.vertices[from], mesh.vertices[to].at);
   }
 
-  // Extrapolates the change at the beginning of an edge by the parabola through both ends that has
-  // the slope m at the far end: 2 (B_1 - B_0) - m. `back` is -m, the slope in the opposite
+  // Extrapolates the change at the beginning of an edge: 2 (B_1 - B_0) - m, by the parabola through
+  // both ends that has the slope m at the far end. `back` is -m, the slope in the opposite
   // direction.
   static Rgb bend(const Rgb& whole, const Rgb& back) { return 2.0 * whole + back; }
 
@@ -203,8 +205,8 @@ struct SlopeFinder {
     return std::nullopt;
   }
 
-  // The change along a border, computed from its own vertices only, so that it is the same on both
-  // sides of a crease.
+  // The change along a border, computed only from vertices on the border, so that it is the same on
+  // both sides of a crease.
   Rgb find_border_change(std::uint32_t vertex, std::uint32_t neighbour) const {
     if (const auto known = find_straight_change(vertex, neighbour)) return *known;
     const Rgb whole = difference(vertex, neighbour);
@@ -212,7 +214,8 @@ struct SlopeFinder {
     return back ? bend(whole, *back) : whole;
   }
 
-  // Replaces the slope along a straight border by that of the parabola through its three vertices.
+  // Replaces the slope along a straight border by that of the parabola through the vertex and its
+  // two neighbours.
   void follow_border(std::uint32_t vertex, const Border& border, Slopes<Rgb>& at) const {
     const Vec a = way(vertex, border.after), b = way(vertex, border.before);
     const double la = length(a), lb = length(b);
@@ -224,7 +227,8 @@ struct SlopeFinder {
     at = at + Slopes<Rgb>{whole.x * missing, whole.y * missing, whole.z * missing};
   }
 
-  // Replaces the slopes at a corner by those along its two borders, if their angle permits it.
+  // Replaces the slopes at a corner by the plane through its two borders, unless these are nearly
+  // parallel.
   void follow_borders(std::uint32_t vertex, const Border& border, Slopes<Rgb>& at) const {
     const Vec& normal = mesh.vertices[vertex].normal;
     const Vec a = way(vertex, border.after), b = way(vertex, border.before);

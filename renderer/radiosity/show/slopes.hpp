@@ -16,7 +16,7 @@ struct Wedge {
   std::uint32_t corner = 0;          ///< first corner of the patch at the vertex, 0..3
   std::uint32_t next = 0, prev = 0;  ///< vertices at the other ends of the corner's edges
   bool next_inner = false, prev_inner = false;
-  double trust = 1;  ///< weight of the corner's plane in slopes (see find_trust)
+  double trust = 1;  ///< weight of the corner's plane in a mean of planes (see find_trust)
 };
 
 enum class Place : std::uint8_t {
@@ -29,8 +29,8 @@ struct Fans {
   std::vector<Wedge> wedges;         ///< wedges sorted by vertex, then by patch
   std::vector<std::uint32_t> first;  ///< index of each vertex's first wedge; then wedges.size()
   std::vector<Place> places;         ///< kind of each vertex
-  /// For each vertex, the next of those split by creases from the same vertex, in a ring. A vertex
-  /// without twins refers to itself.
+  /// Twins are vertices that creases have split from the same vertex. They form a ring: each entry
+  /// is the vertex's next twin, or the vertex itself if it has none.
   std::vector<std::uint32_t> twins;
 
   std::span<const Wedge> at(std::size_t vertex) const {
@@ -52,11 +52,13 @@ void for_twins(std::span<const std::uint32_t> twins, std::uint32_t vertex, const
   } while (v != vertex);
 }
 
-/// The vector to a neighbour, rotated into the tangent plane of a vertex at its full length.
+/// The vector from a vertex to a neighbour, rotated into the tangent plane without a change of
+/// length.
 Vec unfold(const Vertex& vertex, const Vec& to);
 
 /// The change of a quantity per unit step along x, y and z. For an illumination B with the normal
-/// N_i (figure 3.4), on a surface with N_g, it is N_g - N_i, with N_i scaled to N_i . N_g = 1.
+/// N_i (figure 3.4), on a surface with the normal N_g, it is N_g - N_i, where N_i is scaled so that
+/// N_i . N_g = 1.
 template <class T>
 struct Slopes {
   T x{}, y{}, z{};
@@ -80,11 +82,11 @@ T along(const Slopes<T>& slopes, const Vec& d) {
 }
 
 /// The mean of the planes of a vertex's patches. Normals are scaled to N_i . N_g = 1 instead of
-/// unit length, which averages slopes. The mean does not depend on the unit of B, is linear in B,
-/// and is the same for each single colour. Weights are sin / (|next| |prev|) (N. Max, "Weights for
-/// Computing Vertex Normals from Facet Normals", JGT 4(2), 1999) times the planes' trust. On an
-/// even grid it is the arithmetic mean. On any grid of parallel lines it is exact up to quadratic
-/// functions, if neighbouring steps differ by a factor of at most 3.
+/// unit length, so that slopes are averaged. The mean does not depend on the unit of B, is linear
+/// in B, and is the same for each single colour. Weights are sin / (|next| |prev|) (N. Max,
+/// "Weights for Computing Vertex Normals from Facet Normals", JGT 4(2), 1999) times the planes'
+/// trust. On an even grid it is the arithmetic mean. On any grid of parallel lines it is exact up
+/// to quadratic functions, if neighbouring steps differ by a factor of at most 3.
 template <class T>
 struct MeanPlane {
   Slopes<T> sum;
@@ -108,19 +110,19 @@ struct MeanPlane {
 /// Finds the slopes of every vertex from the illumination of all vertices. On borders, it
 /// extrapolates with a parabola if the neighbour's slope is known (below Eq 3.7), and else uses the
 /// difference. Along a border the slope depends only on the border's vertices, so that creases
-/// leave no gaps. Exceptions are borders with more than one patch inside that turn by 8 to 30, or
-/// by more than 150 degrees.
+/// leave no gaps. Exceptions are vertices with several patches at which the border turns by 8 to 30
+/// degrees or by more than 150 degrees.
 std::vector<Slopes<Rgb>> find_slopes(const Mesh& mesh, const Fans& fans,
                                      std::span<const Rgb> vertices);
 
-/// Changes of the slopes around a vertex. They are the mean of the planes through its slopes and
-/// its neighbours', computed like slopes from illuminations. Slopes of neighbours are rotated with
-/// their normals.
+/// Changes of the slopes around a vertex. They are computed from the slopes at the vertex and its
+/// neighbours as slopes are from illuminations. A neighbour's slopes are first rotated like its
+/// normal to the vertex's normal.
 Slopes<Slopes<Rgb>> find_bend(const Mesh& mesh, const Fans& fans,
                               std::span<const Slopes<Rgb>> slopes, std::uint32_t vertex);
 
-/// The mixed derivative at a corner of a patch along its edges to `next` and `prev`, for a step of
-/// both. In a quad whose opposite sides have different directions, it includes a contribution of
+/// The mixed derivative at a corner of a patch along its edges to `next` and `prev`, times both
+/// edges. In a quad whose opposite sides have different directions, it includes a contribution of
 /// the tangent plane, so that linear functions are preserved.
 Rgb find_twist(const Mesh& mesh, const Wedge& wedge, const Slopes<Rgb>& slopes,
                const Slopes<Slopes<Rgb>>& bend);
