@@ -22,12 +22,13 @@ struct TracedSample {
   std::uint32_t object = NO_OBJECT;
 };
 
-/// Objects at the four corners of a pixel (see make_probe()). (A straight border across a pixel has
-/// corners on both sides.)
+/// Objects at the four corners of a pixel (see make_probe()). (If a straight border of an object
+/// crosses a pixel, there are corners on both sides.)
 using Corners = std::array<std::uint32_t, 4>;
 
-/// Number of samples for which the error `Sampling::adaptive` is allowed. After n times as many,
-/// sqrt(n) times this error is allowed, so that every ray reduces the image's error equally.
+/// Number of samples after which the error `Sampling::adaptive` is allowed. After n times as many
+/// samples, sqrt(n) times this error is allowed, so that every ray reduces the image's error
+/// equally.
 inline constexpr int ADAPTIVE_SAMPLES = 64;
 
 /// For each group, the number of samples that the pixel had when the group finished; 0: not
@@ -38,9 +39,9 @@ using Kept = std::array<int, GROUPS>;
 /// affect its number of samples, so that their mean is unbiased. `samples` are those of the pixel
 /// so far, in whole rounds in the order of their passes.
 ///
-/// After the first round, an object's border among samples or corners requires more samples. After
-/// any round, so does a standard error of the mean colour above the limit of `sampling.adaptive`.
-/// Components are clamped to 0..1 as on a screen.
+/// After the first round, more samples are needed if samples or corners show different objects.
+/// After any round, they are needed if the standard error of the mean colour exceeds the limit of
+/// `sampling.adaptive`. Components are clamped to 0..1 as on a screen.
 Kept find_kept(const Sampling& sampling, std::span<const TracedSample> samples,
                const Corners& corners);
 /// Number of samples that a pixel should have: its current number if all groups have finished, else
@@ -57,20 +58,20 @@ struct OpenPixel {
   OpenPixel() = default;
   explicit OpenPixel(const Sampling& sampling) : wanted(first_round(sampling)) {}
   /// Adds the hit and the contribution of a ray of one of the samples. The primary ray of a sample
-  /// comes first, and samples begin in order.
+  /// must come first, and samples must begin in order.
   void add(const Ray& ray, const std::optional<Hit>& hit, const Rgb& contribution);
 };
 
 /// The displayed colour of a pixel after `samples` samples have begun: their mean. (With a fixed
-/// number of samples, contributions are weighted, which is corrected until all samples are
-/// complete.)
+/// number N of samples, contributions have the weight 1 / N; the result is scaled up while fewer
+/// samples have begun.)
 Rgb eval_shown(const Sampling& sampling, const Samples::Sums& sums, int samples);
-/// The colour of a pixel with finished groups: the mean of the groups' means, each without samples
-/// after the group finished.
+/// The colour of a pixel whose groups have finished: the mean of the groups' means. Samples that a
+/// group got after it had finished do not count.
 Samples::Sums eval_estimate(const Sampling& sampling, std::span<const TracedSample> samples,
                             const Corners& corners);
-/// The value of the pixel in render(): `sums` over all samples, or with adaptive sampling `samples`
-/// times eval_estimate().
+/// The value of the pixel in render(). `sums` is the sum over all samples, or with adaptive
+/// sampling, `samples` times eval_estimate().
 Samples::Sums eval_final(const Sampling& sampling, const Samples::Sums& sums, int samples);
 /// The sums with this mean: the inverse of eval_mean().
 Samples::Sums repeat(const Samples::Sums& mean, int samples);

@@ -9,7 +9,7 @@ namespace {
 struct Nearest {
   std::uint32_t object = NO_OBJECT;
   Place place;
-  bool is_close = false;  // to an edge, see Probe
+  bool is_close = false;  // true if the hit is close to an edge (see Probe)
 };
 
 // State and counts of a traversal.
@@ -120,7 +120,7 @@ void walk_boxes(Walk& walk, const Listener& listener) {
   const Face out_y = inverse.y < 0 ? &Bounds::lo : &Bounds::hi;
   const Face out_z = inverse.z < 0 ? &Bounds::lo : &Bounds::hi;
   double begin = 0;
-  asm("" : "+m"(begin));  // hidden from GCC, which would branch for the first maximum of a constant
+  asm("" : "+m"(begin));  // hides the 0 from GCC, which would compute the first maximum by a branch
   std::uint32_t tested = 0;
   for (std::uint32_t i = 0; i < count;) {
     const Box& box = boxes[i];
@@ -166,8 +166,8 @@ Vec pull_from_edges(const Scene& scene, Place place, const Vec& point, double tr
   });
 }
 
-// Makes the hit on the nearest object, for a feeler without point and normal. Inlined, because a
-// call with the walk as argument would keep its counts in memory.
+// Makes the hit on the nearest object. For a feeler, omits point and normal. Inlined, because a
+// call with `walk` as argument would keep its counts in memory.
 template <bool MOVES>
 [[gnu::always_inline]] inline void fill_hit(const Walk& walk, Hit& hit) {
   const Scene& scene = walk.scene;
@@ -187,8 +187,8 @@ template <bool MOVES>
   if (place.kind() == Kind::patch) {
     const Vec smooth =
         eval_smooth_normal(scene.patches[place.index()], scene.corners, scene.normals, still);
-    // At a silhouette, the interpolated normal may face away from the ray although the plane's does
-    // not. It is turned until it just faces the ray.
+    // At a silhouette, the interpolated normal may face away from the ray although the plane's
+    // normal does not. It is then turned until it just faces the ray.
     const double along = dot(smooth, ray.direction);
     if (along * dot(geometric, ray.direction) > 0)
       hit.normal = smooth;

@@ -18,7 +18,7 @@ inline constexpr std::uint32_t NO_OBJECT = std::numeric_limits<std::uint32_t>::m
 struct Ray {
   Vec origin;
   Vec direction;  ///< direction of unit length
-  Rgb influence;  ///< share of this ray's intensity in its sample: f of Eq 4.15, fS of Eq 4.17
+  Rgb influence;  ///< factor of this ray's intensity in its sample: f of Eq 4.15, fS of Eq 4.17
   /// Distance at and beyond which hits are ignored. For a feeler, the distance to its light.
   double reach = std::numeric_limits<double>::infinity();
   std::uint32_t sample = 0;        ///< pixel, as y * width + x
@@ -28,9 +28,9 @@ struct Ray {
   std::uint16_t light = 0;  ///< index of the feeler's light
   RayKind kind = RayKind::primary;
   bool through = false;  ///< true if this ray or an ancestor was transmitted
-  /// true if its cell shows more detail than neighbours (see farm::CellOrder)
+  /// true if the ray's cell shows more detail than its neighbours (see farm::CellOrder)
   bool is_urgent = false;
-  std::uint8_t order = 0;  ///< the user's order that admitted this ray or an ancestor; 0: none
+  std::uint8_t order = 0;  ///< number of the user's order that admitted this ray; 0: none
   std::uint16_t pass = 0;  ///< index of the ray's sample in the pixel, from 0
   /// position in the shading tree of the sample, which seeds its random numbers
   std::uint32_t path = 1;
@@ -63,8 +63,8 @@ enum class Traversal : std::uint8_t {
 
 /// Callback for the parts of a scene that a search reads, for scenes that are only partly in
 /// memory. It is called before each test, and returns when the part may be read. `done` has the
-/// counts of the kernel before the test. The nearest object so far is a copy, so its normal is not
-/// read again.
+/// counts of the kernel before the test. The search keeps a copy of the nearest object so far, and
+/// does not read it again for the normal.
 struct Access {
   virtual ~Access() = default;
   /// `index` refers to Hierarchy::boxes, and never to a leaf.
@@ -74,10 +74,10 @@ struct Access {
 
 /// Finds the nearest hit closer than the ray's reach. If distances are equal, the object with the
 /// lowest number counts. A shadow feeler under Traversal::nearest returns any blocking hit. The ray
-/// must have a unit direction, and start in the scene's bounds or at its view point (for the sake
-/// of rounding, see finish()). Hits at the ray's start are ignored: those on object `ray.from`, and
-/// those within eval_epsilon() (see primitives.hpp). Adds to `work`. Calls `access`, unless
-/// null, for each read, without effect on hit and work. Thread-safe.
+/// must have a unit direction, and start in the scene's bounds or at its view point. (Otherwise
+/// rounding could make it miss boxes, see finish().) Hits at the ray's start are ignored: those on
+/// object `ray.from`, and those within eval_epsilon() (see primitives.hpp). Adds to `work`. Calls
+/// `access`, unless null, for each read, without effect on hit and work. Thread-safe.
 std::optional<Hit> intersect(const Scene& scene, const Ray& ray, Traversal traversal, Work& work,
                              Access* access = nullptr);
 

@@ -21,8 +21,8 @@ enum class SamplePosition : std::uint8_t {
   lattice  ///< width x height samples span the view from edge to edge
 };
 
-/// The transmitted ray on total internal reflection in clear glass. (In rough glass it is always
-/// mirrored.)
+/// Direction of the transmitted ray on total internal reflection in clear glass. (In rough glass it
+/// is always mirrored.)
 enum class TotalReflection : std::uint8_t {
   mirrored,  ///< goes into the mirror direction, so that no light is lost
   lost       ///< is omitted, as by T. Whitted (1980): the surface only reflects its ks
@@ -30,8 +30,8 @@ enum class TotalReflection : std::uint8_t {
 
 /// Limits of a shading tree.
 struct Limits {
-  /// Levels, 1..1000; the primary ray is on level 1. Limits reflected and transmitted rays. Every
-  /// intersection has feelers.
+  /// Number of levels, 1..1000; the primary ray is on level 1. Limits reflected and transmitted
+  /// rays, but not feelers.
   int depth = 15;
   double min_influence = 0.0;  ///< least influence factor of reflected and transmitted rays, 0..1
 };

@@ -47,7 +47,7 @@ class PixelTracer {
   TracedSample start(int column, int row) {
     return tracer_.trace(area_.x + column, area_.y + row, 0);
   }
-  /// Traces the other samples, and returns the result of all.
+  /// Traces all samples except `first`, and returns the result of all.
   TracedPixel finish(int column, int row, const TracedSample& first);
   /// Traces all samples.
   TracedPixel trace(int column, int row) { return finish(column, row, start(column, row)); }

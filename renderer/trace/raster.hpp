@@ -13,8 +13,8 @@ struct Raster {
 };
 
 inline Raster make_raster(const View& view, const Params& p) {
-  // Number of steps across the view: one per pixel, or for a lattice, those between samples from
-  // edge to edge.
+  // Number of steps across the view: one per pixel. A lattice has samples at both edges, and thus
+  // one step less.
   const bool lattice = p.sample == SamplePosition::lattice;
   const double columns = lattice ? p.width - 1 : p.width, rows = lattice ? p.height - 1 : p.height;
   const double shift = p.sample == SamplePosition::center ? 0.5 : 0;

@@ -33,8 +33,8 @@ std::uint32_t reverse(std::uint32_t x) {
   return x << 16 | x >> 16;
 }
 
-// Scrambles by flipping each bit at random, depending only on the bits above it (A. Owen, 1995).
-// Points in a common half, quarter ... of the line stay together.
+// Flips each bit at random, depending only on the bits above it (A. Owen, 1995). Points in a common
+// half, quarter ... of the line stay together.
 std::uint32_t scramble(std::uint32_t x, std::uint32_t seed) {
   x = reverse(x) + seed;
   for (const std::uint32_t factor : {0x6c50b47cu, 0xb82f1e52u, 0xc7afe638u, 0x8d22f6e6u})
@@ -42,8 +42,9 @@ std::uint32_t scramble(std::uint32_t x, std::uint32_t seed) {
   return reverse(x);
 }
 
-// The index of an adaptive pixel's sample in its group's sequence. In the pixel, the index follows
-// the pass. In other dimensions, both are paired at random in each round.
+// The index of an adaptive pixel's sample in its group's sequence. In Dimension::pixel, indices
+// have the order of the samples. In other dimensions, each round pairs samples and indices at
+// random.
 int find_index(const Sampling& s, const SampleKey& key, Dimension dimension, std::uint64_t stream) {
   const int place = key.pass / GROUPS;
   if (dimension == Dimension::pixel) return place;

@@ -1,7 +1,8 @@
 #pragma once
 // Stratified sampling of a pixel (R. Cook, T. Porter and L. Carpenter, 1984). The pixel, the lens,
 // the time, and every light and surface that spreads rays are divided into as many regions as there
-// are samples. A sample has a random point in one region of each, paired at random.
+// are samples. Each sample takes a random point in one region of each of these; regions are paired
+// at random.
 //
 // Random numbers depend only on the seed, the pixel, the sample, the dimension, and the ray's path
 // in its shading tree. Samples may therefore be taken in any order, on any processor.
@@ -25,7 +26,7 @@ struct SampleKey {
   std::uint32_t path = 1;
 };
 
-/// Samples that are stratified together, over as many regions.
+/// Samples that are stratified together: `count` samples in as many regions.
 struct Round {
   int first = 0, count = 1;
 };
@@ -34,8 +35,8 @@ inline constexpr int FIRST_ROUND = 16;
 inline bool is_adaptive(const Sampling& s) {
   return s.adaptive > 0 && s.pixel_samples > FIRST_ROUND;
 }
-/// The round of a sample. All samples of a pixel are one round. With adaptive sampling, rounds end
-/// at 16, 32, 64 ... samples, the last one at `pixel_samples`.
+/// The round of a sample. Without adaptive sampling, all samples of a pixel are one round. With it,
+/// rounds end at 16, 32, 64 ... samples, the last one at `pixel_samples`.
 Round round_of(const Sampling& sampling, int pass);
 /// Number of samples after a pixel's first round.
 inline int first_round(const Sampling& sampling) { return round_of(sampling, 0).count; }
@@ -59,7 +60,8 @@ WholePoint eval_pixel_sequence(int pass);
 
 /// The point of a sample in the unit square. Each of `count` regions of equal area, in nearly equal
 /// rows, holds one sample. With adaptive sampling, each group has its own scrambled
-/// eval_sequence(), which keeps samples in their rectangles of the sequence together.
+/// eval_sequence(). Samples that share a rectangle of the sequence still share one after
+/// scrambling.
 SquarePoint sample_square(const Sampling& sampling, const SampleKey& key, Dimension dimension);
 /// The point of a sample on a line, 0..1.
 double sample_line(const Sampling& sampling, const SampleKey& key, Dimension dimension);

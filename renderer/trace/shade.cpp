@@ -25,7 +25,8 @@ Vec find_on_sphere(const Light& light, const SquarePoint& at, const Vec& from) {
   const double rise = most / (1 + std::sqrt(1 - most));
   const auto [u, v] = map_to_disc(at);
   const double share = std::min(1.0, u * u + v * v), cosine = 1 - rise * share;
-  // sine / radius on the disc, without cancellation: sine^2 = (1 - cosine) (1 + cosine).
+  // The sine, divided by the radius on the disc. sine^2 = (1 - cosine) (1 + cosine) avoids
+  // cancellation.
   const double scale = std::sqrt(rise * (1 + cosine));
   const Vec axis = normalize(to_middle);
   const Across across = make_across(axis);
@@ -55,8 +56,8 @@ Ray make_child(const Ray& ray, const Hit& hit, RayKind kind) {
 
 SampleKey key_of(const Ray& ray, std::uint32_t path) { return {ray.sample, ray.pass, path}; }
 
-// The sample's point on a light, as seen from `from`. (The path of a feeler combines that of its
-// ray with its light.)
+// The sample's point on a light, as seen from `from`. (Its random numbers depend on the ray's path
+// combined with the number of the light.)
 Vec find_light(const Light& light, const Sampling& sampling, const Ray& ray, std::size_t number,
                const Vec& from) {
   if (light.shape == LightShape::point) return light.at;
@@ -76,9 +77,9 @@ Vec spread(const Vec& axis, double radius, const Vec& normal, const SquarePoint&
   return side * dot(axis, normal) < 0 ? way - 2 * side * normal : way;
 }
 
-// Width that a texture is filtered over: one pixel, or half a pixel if it has several samples,
-// since 2 x 2 of them cover it. It must not depend on their number, which adaptive sampling does
-// not know in advance.
+// Width over which a texture is filtered: one pixel, or half a pixel if a pixel has several
+// samples, as if it had 2 x 2. The width must not depend on the number of samples, which adaptive
+// sampling does not know in advance.
 double eval_pixel_width(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit) {
   const double share = params.sampling.pixel_samples > 1 ? 0.5 : 1;
   return share * make_raster(scene.view, params).step * (ray.travelled + hit.distance);
@@ -221,7 +222,7 @@ Ray make_lens_ray(const View& view, const Params& p, int x, int y, int pass) {
   ray.pass = static_cast<std::uint16_t>(pass);
   const double radius = p.sampling.lens * view.lens.aperture / 2;
   if (radius > 0) {
-    // Rays of the same image point meet in the plane in focus.
+    // All rays through the same point of the image meet in the plane in focus.
     const auto [u, v] = map_to_disc(sample_square(p.sampling, key, Dimension::lens));
     const Vec in_focus = ray.origin + view.lens.focus * ray.direction;
     ray.origin += radius * (u * view.right + v * view.above);

@@ -18,8 +18,9 @@ struct PlanePoint {
 PlanePoint make_plane_point(const View& view, const Params& params, int x, int y);
 
 /// Makes the ray of sample `pass` of pixel (x, y). A single sample of a pixel lies at
-/// `params.sample`. Several samples are spread over a pixel that has this position as its upper
-/// left corner or middle. Ray origins are spread over the lens, and times over the shutter's time.
+/// `params.sample`. Several samples are spread over a square of one pixel's size, whose middle or
+/// upper left corner is this position. Ray origins are spread over the lens, and times over the
+/// shutter's time.
 Ray make_primary(const View& view, const Params& params, int x, int y, int pass = 0);
 /// Makes the ray through the upper left corner of pixel (x, y), from the middle of the lens, at
 /// half the shutter's time. Its hit helps to find borders of objects. `x` may be the image's width

@@ -9,7 +9,7 @@ namespace renderer {
 
 namespace {
 
-// Work counts, summed over masks.
+// Sums of masks, from which count() gets the counts of work.
 struct Counts {
   Mask boxes{}, tests{}, edges{};
 };
@@ -84,7 +84,7 @@ bool is_met_closely(const Scene& scene, const Polygon& p, const ShadowRays& rays
   return hit;
 }
 
-// Slab test of a box. Each lane enters by the plane that its direction meets first.
+// Slab test of a box. Each lane enters the box by the plane that its direction meets first.
 struct Slabs {
   explicit Slabs(const ShadowRays& rays) : rays(rays) {
     const Vecs& d = rays.direction;

@@ -14,7 +14,7 @@ struct ShadowRays {
   Lanes reach;
   Mask from;     ///< object at each ray's origin, as Ray::from
   Mask cast;     ///< -1: the lane has a feeler; 0: it has none
-  Mask blocked;  ///< result of find_blocked(): -1 or 0
+  Mask blocked;  ///< result of find_blocked(): -1 if blocked, else 0
 };
 
 /// Sets `blocked` to -1 if intersect() under Traversal::nearest would find a hit, else to 0, also
