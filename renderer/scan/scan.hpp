@@ -43,8 +43,8 @@ class Scanner {
     for (int y = first; y < end; ++y) scan_line(y, put);
   }
 
-  /// Calls put(x, y, nearness, values) along the line from `a` to `b`, once for each column or row,
-  /// whichever are more. The part behind the eye is clipped.
+  /// Calls put(x, y, nearness, values) along the line from `a` to `b`, once for each column that it
+  /// crosses, or for each row if these are more. The part behind the eye is clipped.
   template <class Put>
   void draw_line(const Corner& a, const Corner& b, const Put& put) {
     project({a, b}, 1e-9 * std::max(max_abs(a.at), max_abs(b.at)));
@@ -101,9 +101,9 @@ class Scanner {
     spots_.push_back(spot);
   }
 
-  // The near plane for clipping: half the least depth at which a sample can meet the polygon's
-  // plane. It clips nothing visible, and avoids harmful rounding close to the eye. 0 if the plane
-  // is seen edge-on.
+  // The depth of the near plane for clipping: half the least depth at which a sample can meet the
+  // polygon's plane. It clips nothing visible, and avoids harmful rounding close to the eye. 0 if
+  // the polygon's plane is seen edge-on.
   double find_near(const std::vector<Corner>& corners) const {
     Vec normal, middle;
     for (const Corner& c : corners) middle += (1.0 / static_cast<double>(corners.size())) * c.at;
@@ -119,8 +119,8 @@ class Scanner {
     return most > 0 ? 0.5 * std::abs(dot(normal, middle)) / most : 0;
   }
 
-  // Fills spots_ with the corners at least `near` ahead, and with the intersections with the near
-  // plane.
+  // Fills `spots_` with the corners that are at least `near` ahead, and with the intersections of
+  // edges with the near plane.
   void project(const std::vector<Corner>& corners, double near) {
     spots_.clear();
     if (!(near > 0)) return;
