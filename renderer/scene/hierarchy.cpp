@@ -65,8 +65,8 @@ struct Way {
   double inherited;
 };
 
-// Computes the cost of `object` as another child of `way.node`, and in a pair with each leaf below
-// it. Appends the paths to search next to `ways`.
+// Computes the cost of `object` as another child of `way.node`, and in a pair with each leaf that
+// is a child of this node. Appends to `ways` the paths to search next.
 void weigh(const Tree& tree, const Bounds& object, const Way& way, Choice& best,
            std::vector<Way>& ways) {
   const Node& n = tree.nodes[way.node];
@@ -89,11 +89,11 @@ void weigh(const Tree& tree, const Bounds& object, const Way& way, Choice& best,
 }
 
 // Finds the node that `object` should join: an inner node as another child, or a leaf to form a
-// pair. The cost of a node is its area times its number of children. A choice also pays for the
-// growth of all nodes above. The search descends to the child that grows least. It ends at a leaf,
-// or when no node below can be better, since every place costs at least the object's own area. If
-// several children grow equally, because they contain the object, it tries all and takes the least
-// cost. (Goldsmith and Salmon take the child with the nearest centre, or any.)
+// pair. The cost of a node is its area times its number of children. The cost of a choice includes
+// the growth of all nodes above. The search descends to the child that grows least. It ends at a
+// leaf, or when no node below can be better, since every place costs at least the object's own
+// area. If several children grow equally, because they contain the object, it tries all and takes
+// the least cost. (Goldsmith and Salmon take the child with the nearest centre, or any.)
 std::uint32_t find_place(Tree& tree, const Bounds& object) {
   Choice best{tree.root};
   if (tree.nodes[tree.root].item != NONE) return best.node;
@@ -144,7 +144,7 @@ std::uint32_t add_halves(Tree& tree, std::span<const Bounds> objects,
   return inner;
 }
 
-// Adds the objects from `first` on by median splits, without searching the best place of each.
+// Adds the objects from `first` on by median splits, without a search for the best place of each.
 void add_rest(Tree& tree, std::span<const Bounds> objects, std::size_t first) {
   std::vector<std::uint32_t> items(objects.size() - first);
   std::iota(items.begin(), items.end(), static_cast<std::uint32_t>(first));
@@ -156,7 +156,7 @@ void add_rest(Tree& tree, std::span<const Bounds> objects, std::size_t first) {
   tree.root = both;
 }
 
-// The bounds of all boxes for these bounds of the objects.
+// The bounds of all boxes, from the bounds of the objects in them.
 std::vector<Bounds> eval_bounds(const std::vector<Box>& boxes, std::span<const Bounds> objects) {
   std::vector<Bounds> all(boxes.size());
   for (std::size_t i = boxes.size(); i-- > 0;) {
@@ -185,7 +185,8 @@ void set_motion(Hierarchy& hierarchy, std::span<const Bounds> at_open,
   }
 }
 
-// Expected cost of a ray, as in find_place(), averaged over three times.
+// Expected cost of a ray, as in find_place(), summed over three times: shutter open, halfway and
+// closed.
 double eval_cost(const Hierarchy& hierarchy) {
   const auto& boxes = hierarchy.boxes;
   double cost = 0;
@@ -216,7 +217,7 @@ Hierarchy make_hierarchy(std::span<const Bounds> objects) {
   // Stores boxes depth first. The skip of a box is set after its content has been stored.
   struct Step {
     std::uint32_t index;
-    bool ends_box;  // true if the index is that of a box to complete, not of a node
+    bool ends_box;  // true: completes the box `index`; false: stores the node `index`
   };
   Hierarchy flat;
   flat.boxes.reserve(tree.nodes.size());
@@ -239,8 +240,8 @@ Hierarchy make_hierarchy(std::span<const Bounds> objects) {
   return flat;
 }
 
-// Builds at three times and compares, since insertion is greedy and the best time cannot be
-// predicted.
+// Builds a hierarchy for each of three times and keeps the best, since insertion is greedy and the
+// best time cannot be predicted.
 Hierarchy make_hierarchy(std::span<const Bounds> at_open, std::span<const Bounds> at_close) {
   Hierarchy best;
   double least = Bounds::INF;

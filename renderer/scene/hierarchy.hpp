@@ -20,8 +20,8 @@ struct alignas(64) Box {
   std::uint32_t item = INNER;  ///< object of a leaf; INNER for a box of boxes
 };
 
-/// Boxes depth first, children in the order of insertion, so that traversal needs no stack. After a
-/// hit the following box is next, and after a miss the one at `skip`.
+/// Boxes depth first, children in the order of insertion, so that traversal needs no stack. If a
+/// ray hits a box, the next one in the list is tested, and after a miss the one at `skip`.
 struct Hierarchy {
   std::vector<Box> boxes;
   /// Displacement of each box's corners while the shutter is open; empty: no motion. Corners move

@@ -103,8 +103,8 @@ void add_strip(Ground& ground, std::uint32_t front, std::uint32_t back, std::uin
 }
 
 // Makes `n` triangles. A strip has a triangle for each segment of its two rows, and all rows get
-// the same number of segments. For the remaining triangles, rows get an extra segment, which makes
-// two triangles in an inner row and one in the last row.
+// the same number of segments. Each two of the remaining triangles come from an extra segment of an
+// inner row, and a last one from an extra segment of the last row.
 Ground make_ground(int n) {
   const int strips = static_cast<int>(std::sqrt(0.8 * n)), segments = n / (2 * strips);
   const int wanting = n % (2 * strips);
@@ -121,7 +121,7 @@ Ground make_ground(int n) {
 }
 
 // Shuffles the triangles. In row order, the boxes of the hierarchy would be as long as rows, and
-// tests would double.
+// the number of tests would double.
 void shuffle(std::vector<Corners>& triangles) {
   for (std::size_t i = triangles.size(); i > 1; --i)
     std::swap(triangles[i - 1], triangles[base::random_at(ORDER, i) % i]);

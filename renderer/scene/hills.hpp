@@ -10,7 +10,7 @@ inline constexpr int MAX_HILLS = 1'000'000;
 /// Makes "hills:N" with exactly `n` triangles: a lake between hills in front of snowy mountains,
 /// and two lights. z is up. Every `n` shows the same fractal ground, finer with more triangles. The
 /// mesh has no cracks. Triangles grow with distance from the view point, so that they appear
-/// similar in size. Water is flat and mirrors; on land, normals are interpolated except on a few
+/// similar in size. Water is flat and reflects; on land, normals are interpolated except on a few
 /// splinters. Coordinates are sums, products and roots of seeded random numbers, so that all hosts
 /// get the same bits. Throws BadInput unless 2 <= n <= MAX_HILLS.
 Scene make_hills(int n);

@@ -1,6 +1,6 @@
 #pragma once
 // SIMD arithmetic on four numbers, points or colours. Each lane gets the same bits as a scalar
-// computation. It is faster on processors with wide registers.
+// computation would. SIMD is faster on processors with wide registers.
 
 #include <algorithm>
 #include <cmath>
@@ -75,10 +75,10 @@ struct Rgbs {
   return Lanes{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
 }
 [[gnu::always_inline]] inline Lanes abs(const Lanes& a) { return a < 0.0 ? -a : a; }
-/// std::min() and std::max() of each lane.
+/// std::min() and std::max() in each lane.
 [[gnu::always_inline]] inline Lanes min(const Lanes& a, const Lanes& b) { return b < a ? b : a; }
 [[gnu::always_inline]] inline Lanes max(const Lanes& a, const Lanes& b) { return a < b ? b : a; }
-/// std::clamp() of each lane.
+/// std::clamp() in each lane.
 [[gnu::always_inline]] inline Lanes clamp(const Lanes& a, double lo, double hi) {
   const Lanes least = a < lo ? lo - Lanes{} : a;
   return hi < least ? hi - Lanes{} : least;

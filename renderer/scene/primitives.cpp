@@ -9,11 +9,13 @@ namespace {
 // tolerances relative to a polygon's size, and to its square
 constexpr double MAX_BEND = 0.05, FLAT = 1e-6, MIN_AREA = 1e-12;
 
-// Relative to the largest coordinate: a generous bound of the rounding of a ray's test.
+// Generous bound on the rounding error of a ray's test, relative to the largest coordinate.
 constexpr double ROUNDING = 64 * std::numeric_limits<double>::epsilon();
-// Covers EDGE_MARGIN times the epsilon of rays that start on the polygon.
+// Polygon::slack relative to the largest coordinate. It is more than EDGE_MARGIN times the epsilon
+// of rays that start on the polygon.
 constexpr double CLOSE = 32e-10;
-// Relative to a polygon's longest edge.
+// Largest distance by which pull_inside() moves a point off an edge, relative to a polygon's
+// longest edge.
 constexpr double MAX_PULL = 1e-3;
 
 // Newell's method, which is correct for any simple polygon, also concave or only nearly flat ones.
@@ -199,7 +201,8 @@ Vec eval_normal(const Cone& c, const Vec& point) {
 
 namespace {
 
-// interpolate() for corners at `spoke(i)` from the point, with values `value(i)`.
+// interpolate() with the vector `spoke(i)` from the point to corner i, and the value `value(i)` of
+// the corner.
 template <class Spoke, class Value>
 Blend blend(std::size_t count, const Spoke& spoke, const Value& value) {
   const auto size = [](const Corner& c) { return std::sqrt(c.u * c.u + c.v * c.v); };
@@ -220,8 +223,9 @@ Blend blend(std::size_t count, const Spoke& spoke, const Value& value) {
   return {sum};
 }
 
-// Coordinates with a ray as third axis: (u, v) across it, 0 on it, and the distance w along it.
-// Each corner is transformed by itself, so that faces with a common corner agree on its place.
+// Coordinates with a ray as third axis: (u, v) across it, 0 on it, and the distance w along it. The
+// transformation of a corner depends on nothing else, so that all faces with this corner agree on
+// its place.
 struct RayAxes {
   RayAxes(const Vec& origin, const Vec& direction) {
     if (std::abs(direction.y) > std::abs(direction.x)) w = 1;
@@ -243,7 +247,8 @@ struct RayAxes {
   double shear_u, shear_v, inverse;
 };
 
-// True if the edge crosses the half-line v = 0, u > 0; the same for both directions of the edge.
+// True if the edge crosses the half-line v = 0, u > 0. The result is the same for both directions
+// of the edge.
 bool crosses(const Corner& p, const Corner& q) {
   if ((p.v > 0) == (q.v > 0)) return false;
   const Corner &a = p.v > 0 ? q : p, &b = p.v > 0 ? p : q;
@@ -280,7 +285,8 @@ double intersect_closely(const Polygon& polygon, const PolygonCorner* pool, cons
   if (!(most > epsilon)) return NO_HIT;
 
   // The even-odd rule finds one of the faces at a shared edge, as exactly one of them has an odd
-  // number of crossings. On an edge, within rounding, the ray meets all faces.
+  // number of crossings. If the ray meets the edge itself, within rounding, it meets all of its
+  // faces.
   const double tolerance = ROUNDING * largest;
   bool inside = false;
   double on_edge = NO_HIT;

@@ -21,8 +21,8 @@ struct Sphere {
   Tag tag;
 };
 
-/// A pair of coordinates. In a polygon's plane they belong to the coordinate plane onto which the
-/// polygon is projected with the least distortion.
+/// A pair of coordinates. For a point of a polygon, they are those of its projection onto the
+/// coordinate plane with the least distortion.
 struct Corner {
   double u = 0, v = 0;
 };
@@ -103,8 +103,8 @@ Vec eval_normal(const Cone& c, const Vec& point);
 
 /// Interpolation at a point between values at a polygon's corners, by mean value coordinates (M.
 /// Floater, 2003). These are defined for any polygon, and barycentric in a triangle. `sum` is the
-/// interpolated value times a factor: 1 at a corner, > 0 on an edge. Elsewhere its sign depends on
-/// the side of projection.
+/// interpolated value times a factor. The factor is 1 at a corner and > 0 on an edge. Elsewhere its
+/// sign depends on the side from which the polygon is projected.
 struct Blend {
   Vec sum;
   enum class On : std::uint8_t { inside, edge, corner } on = On::inside;
@@ -122,7 +122,7 @@ Vec eval_smooth_normal(const Patch& patch, std::span<const PolygonCorner> pool,
 //
 // Self-intersection: a ray may start on the tested primitive itself. The root at the origin is then
 // known and omitted, regardless of rounding. A flat primitive has no other root, a quadric has one.
-// The epsilon applies to other primitives through the origin.
+// The epsilon is for other primitives that contain the origin.
 //
 // All tests, except for intersect_closely(), are inlined into every traversal, since calls would
 // slow a rendering by a tenth.
@@ -149,7 +149,8 @@ struct Probe {
   const Vec to_centre = s.centre - origin;
   const double along = dot(to_centre, direction);
   if (ray.starts_on(s.tag)) return 2 * along > epsilon ? 2 * along : NO_HIT;
-  // Uses the foot of the perpendicular to avoid cancellation, however far away the origin is.
+  // Uses the foot of the perpendicular from the centre to the ray, which avoids cancellation even
+  // if the origin is far away.
   const Vec across = to_centre - along * direction;
   const double square = s.radius * s.radius - dot(across, across);
   if (!(square >= 0)) return NO_HIT;
@@ -160,9 +161,9 @@ struct Probe {
 }
 
 // Watertight meshes (S. Woop, C. Benthin and I. Wald, 2013). Rounding moves the point at which a
-// ray meets a polygon's plane. Two faces that share an edge could thus both miss a ray through it.
-// The test in the plane therefore decides only where the point is farther from all edges than
-// rounding can move it. intersect_closely() decides the rest.
+// ray meets a polygon's plane. A ray through the common edge of two faces could thus miss both. The
+// test in the plane therefore decides only if the point is farther from all edges than rounding can
+// move it. Otherwise intersect_closely() decides.
 
 /// How far a point is inside a convex polygon: its least distance from the lines of the edges.
 /// Outside, the result is negative.
@@ -177,8 +178,8 @@ struct Probe {
   return least;
 }
 
-/// The same for any polygon, by the even-odd rule. The result may be nearer to 0 than the distance
-/// of the nearest edge, but it has the right sign.
+/// Like find_depth_in_convex(), but for any polygon, by the even-odd rule. The result may be nearer
+/// to 0 than the distance of the nearest edge, but it has the right sign.
 [[gnu::always_inline]] inline double find_depth(std::span<const PolygonCorner> corners, double u,
                                                 double v) {
   bool inside = false;
@@ -198,10 +199,11 @@ struct Probe {
   return inside ? nearest : -nearest;
 }
 
-/// Least distance of a hit point from an edge, relative to the epsilon of rays that start there.
+/// Least distance of a hit point from an edge, relative to the epsilon of rays that start at the
+/// hit point.
 inline constexpr double EDGE_MARGIN = 16;
 
-/// Largest cosine to the normal of a ray that sees the polygon edge-on.
+/// Largest cosine between a polygon's normal and a ray that counts as meeting the polygon edge-on.
 inline constexpr double EDGE_ON = 1e-6;
 
 /// Distance from an edge, in scene units, below which intersect_closely() decides on a
@@ -210,26 +212,27 @@ inline constexpr double EDGE_ON = 1e-6;
   return p.slack + EDGE_MARGIN * epsilon;
 }
 
-/// Distance at which a ray meets a polygon, edges included, or infinity. Polygons with a common
-/// edge compute the same side of it to the last bit. No ray therefore passes between them, whatever
-/// their shapes and the order of their corners.
+/// Distance at which a ray meets a polygon, edges included, or infinity. For two polygons with a
+/// common edge, it is decided in the same way, to the last bit, on which side of the edge a ray
+/// passes. No ray therefore passes between them, whatever their shapes and the order of their
+/// corners.
 [[gnu::noinline, gnu::cold]] double intersect_closely(const Polygon& polygon,
                                                       const PolygonCorner* pool, const Vec& origin,
                                                       const Vec& direction, double epsilon);
 
-/// Moves a point of a polygon inside if it is close to an edge. Rays from there then meet the
-/// neighbours at more than `epsilon`, unless the faces enclose less than some 4 degrees. At a
-/// corner of less than 20 degrees, the point may stay closer to the edges.
+/// Moves a point of a polygon inside if it is close to an edge. Rays from the new point meet
+/// neighbouring faces at more than `epsilon`, unless the angle between the faces is less than some
+/// 4 degrees. At a corner of less than 20 degrees, the point may stay closer to the edges.
 Vec pull_inside(const Polygon& polygon, const PolygonCorner* pool, const Vec& point,
                 double epsilon);
 
-// Half of the feelers go towards a wall of the room, but nearly all end before it: such polygons
-// are rejected by predictable branches.
+// Half of the feelers in a room go towards a given wall, but nearly all end before it. Predictable
+// branches reject such polygons.
 [[gnu::always_inline]] inline double intersect(const Polygon& p, Probe& ray) {
   if (ray.starts_on(p.tag)) return NO_HIT;
   const Vec &origin = ray.origin, &direction = ray.direction;
   const double along = dot(p.normal, direction);
-  const double distance = (p.offset - dot(p.normal, origin)) / along;  // the distance may be NaN
+  const double distance = (p.offset - dot(p.normal, origin)) / along;  // may be NaN
   const bool ahead = (distance > ray.epsilon) & (distance < NO_HIT);
   ray.edges += ahead;
   const double cosine = std::abs(along);

@@ -17,7 +17,7 @@ void require(bool holds, std::string_view field, const Found& found, std::string
   base::require(holds, field, "found {}, expected {}", found, expected);
 }
 
-/// Throws, with the field's name, if the declaration of a field forbids its value.
+/// Throws if the declaration of a field forbids its value. The message has the field's name.
 template <class P>
 void require_allowed(const base::Fields<P>& fields, const P& params) {
   for (const auto& field : fields) {
@@ -26,7 +26,7 @@ void require_allowed(const base::Fields<P>& fields, const P& params) {
   }
 }
 
-/// Runs `action`. A BadInput that it throws gets the prefix `place`.
+/// Runs `action`. If it throws BadInput, puts `place` before the message.
 template <class Action>
 void at_place(std::string_view place, const Action& action) {
   try {

@@ -48,8 +48,8 @@ void add_coordinates(Scene& scene, std::span<const Corner> coordinates) {
   for (const auto& [u, v] : coordinates) scene.coordinates.push_back({u, v, 1});
 }
 
-// Sets the gradients of a polygon's texture coordinates, by a least-squares plane, which is exact
-// in a triangle.
+// Sets the gradients of a polygon's texture coordinates by fitting a plane with least squares,
+// which is exact for a triangle.
 void set_gradients(TexturePoint& found, const Polygon& polygon,
                    std::span<const PolygonCorner> corners, std::span<const Vec> coordinates) {
   const double share = 1.0 / static_cast<double>(corners.size());
@@ -116,8 +116,8 @@ double eval_least_length(const Vec& open, const Vec& move) {
   return length(open + time * move);
 }
 
-// Throws unless the view stays valid until the shutter closes. It must be valid when the shutter
-// opens.
+// Throws unless the view stays valid until the shutter closes. Callers check that it is valid when
+// the shutter opens.
 void check_motion(const View& view) {
   const Vec open = view.at - view.from, move = view.at_move - view.from_move;
   const double longest = std::max(length(open), length(open + move));

@@ -98,7 +98,7 @@ struct Scene {
   std::vector<Texture> textures;
   std::vector<Pyramid> pyramids;  ///< pictures of the textures
   /// Texture coordinates (u, v, 1) of corners, by their index in `corners`, for polygons and
-  /// patches whose texture needs them. Entries of others are undefined or missing.
+  /// patches whose texture needs them. The entries of other corners are undefined or missing.
   std::vector<Vec> coordinates;
   /// Displacement of each object while the shutter is open; empty: no motion. Primitives are stored
   /// as they are when it opens.
@@ -110,7 +110,8 @@ struct Scene {
   double least_epsilon = 0;  ///< 1e-10 of the size of the smallest object
 };
 
-/// Generous bound of the rounding of a ray's origin, relative to the coordinates it depends on.
+/// Generous bound on the rounding error of a ray's origin, relative to the coordinates that it
+/// depends on.
 inline constexpr double SELF_RELATIVE = 1e-10;
 
 /// Least distance of a hit for a ray that starts at `origin`, after a path of length `travelled`

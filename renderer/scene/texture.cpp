@@ -15,8 +15,9 @@ std::size_t area_of(int width, int height) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
 
-// Calls add() for the texels below one texel of the next level, along one side, with their overlap
-// in units of a texel times `next`. (If the side is odd, three texels overlap it, two in part.)
+// Calls `add(texel, overlap)` for each texel that texel `index` of the next level covers along one
+// side. `next` is the overlap of a whole texel. (If `length` is odd, three texels are covered, two
+// of them in part.)
 template <class Add>
 void for_each_covered(int index, int length, int next, const Add& add) {
   const std::int64_t from = std::int64_t{index} * length, to = from + length;
@@ -50,7 +51,7 @@ Level make_next(const Level& level) {
   return next;
 }
 
-// Two neighbours among `length` texels that repeat, and the weight of the second.
+// Two neighbours in a row of `length` texels that repeats, and the weight of the second.
 struct Neighbours {
   int first = 0, second = 0;
   double share = 0;
@@ -139,7 +140,7 @@ Filtered eval_filtered(const Pyramid& pyramid, double u, double v, double size, 
   const std::size_t last = pyramid.levels.size() - 1;
   const auto level = static_cast<std::size_t>(std::ilogb(std::min(0x1p30, size)));
   if (level >= last) return {get(last), READ};
-  // The weight grows linearly from 2^level to 2^(level + 1).
+  // The weight of the next level grows linearly from 0 at size 2^level to 1 at size 2^(level + 1).
   const double share = std::ldexp(size, -static_cast<int>(level)) - 1;
   return {(1 - share) * get(level) + share * get(level + 1), 2 * READ};
 }
@@ -179,7 +180,7 @@ double eval_turn(double y, double x) {
   const double wide = std::abs(x), high = std::abs(y);
   if (wide == 0 && high == 0) return 0;
   constexpr double TURN = 2 * std::numbers::pi;
-  // Computes the angle in the first quarter, then reflects it.
+  // Computes the angle in the first quadrant, then reflects it.
   double turn = high <= wide ? eval_arc_tangent(high / wide) / TURN
                              : 0.25 - eval_arc_tangent(wide / high) / TURN;
   if (x < 0) turn = 0.5 - turn;

@@ -39,14 +39,14 @@ Pyramid make_pyramid(int width, int height, std::span<const std::uint8_t> rgb8);
 /// Number of texels of all levels together.
 std::uint64_t texel_count(const Pyramid& pyramid);
 
-/// Values above and below the picture: those of the repeated picture, or of its edge.
+/// Values above and below the picture: those of a repetition of the picture, or of its edge.
 enum class Beyond : std::uint8_t { repeats, stays };
 
 /// The colour of one level by bilinear interpolation between the middles of texels.
 Rgb eval_bilinear(const Level& level, double u, double v, Beyond beyond = Beyond::repeats);
 
-/// The colour of an area `size` texels of the first level wide. Up to size 1 it comes from the
-/// first level, else from the two levels with the nearest texel sizes.
+/// The colour of an area whose width is `size` texels of the first level. If `size` is at most 1,
+/// it comes from the first level, else from the two levels whose texels are nearest in size.
 struct Filtered {
   Rgb colour;
   int texels = 0;  ///< number of texels read

@@ -6,7 +6,7 @@ namespace renderer {
 
 namespace {
 
-constexpr double OFF_PLANE = 1e-6, NO_AREA = 1e-12;  // relative to the size and its square
+constexpr double OFF_PLANE = 1e-6, NO_AREA = 1e-12;  // relative to size, and to its square
 constexpr const char* CROSSED = "a polygon with crossing edges";
 constexpr std::size_t MOST_CORNERS = 1000;
 
@@ -116,7 +116,7 @@ class EarClipper {
 }  // namespace
 
 Vec eval_area_normal(std::span<const Vec> corners) {
-  // Sums relative to the first corner, since products of large coordinates would cancel.
+  // Sums over corners relative to the first one, since products of large coordinates would cancel.
   Vec sum;
   for (std::size_t i = 2; i < corners.size(); ++i)
     sum += cross(corners[i - 1] - corners[0], corners[i] - corners[0]);
