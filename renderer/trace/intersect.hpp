@@ -30,7 +30,8 @@ struct Ray {
   bool through = false;  ///< true if this ray or an ancestor was transmitted
   /// true if the ray's cell shows more detail than its neighbours (see farm::CellOrder)
   bool is_urgent = false;
-  std::uint8_t order = 0;  ///< number of the user's order that admitted this ray; 0: none
+  /// number of the user's order that admitted this ray or an ancestor; 0: none
+  std::uint8_t order = 0;
   std::uint16_t pass = 0;  ///< index of the ray's sample in the pixel, from 0
   /// position in the shading tree of the sample, which seeds its random numbers
   std::uint32_t path = 1;
