@@ -22,7 +22,7 @@ struct MtlMaterial {
   std::string name{};
   Rgb diffuse{}, specular{}, emission{};  ///< Kd, Ks, Ke
   double shine = 0;                       ///< Ns, Phong exponent
-  double transparency = 0;                ///< 1 - d; or Tr, if d is absent or agrees with it
+  double transparency = 0;                ///< Tr if d is absent or agrees with it, else 1 - d
   double ior = 1;                         ///< Ni, index of refraction
   int illum = 2;                          ///< illumination model; 3 and above have reflected rays
   std::string picture{};                  ///< map_Kd, path of an existing PNG file; may be empty

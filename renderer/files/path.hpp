@@ -25,8 +25,8 @@ Path load_path(const std::string& path, bool has_target);
 /// Parses a path from a text in the format of load_path().
 Path parse_path(std::string text, const std::string& name, bool has_target);
 
-/// Evaluates the path at a time. Rows are interpolated linearly; the first and the last row hold
-/// outside the range.
+/// Evaluates the path at a time. Interpolates linearly between rows. Before the first row and after
+/// the last, the path is constant.
 PathRow eval_path(const Path& path, double time);
 
 }  // namespace renderer
