@@ -33,7 +33,8 @@ struct Samples {
 
   bool operator==(const Samples&) const = default;
   void add(std::uint32_t sample, const Rgb& contribution);
-  /// Adds the sums of a rectangle inside the image, whose upper left pixel is (x, y).
+  /// Adds the sums of a rectangle, which lies inside the image and has its upper left pixel at (x,
+  /// y).
   void add(int x, int y, const Samples& rectangle);
   /// Adds the sums of another image of the same size.
   Samples& operator+=(const Samples& other);
