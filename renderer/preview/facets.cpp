@@ -16,8 +16,8 @@ struct Turn {
 
 Turn make_turn(double angle) { return {round_sine(std::cos(angle)), round_sine(std::sin(angle))}; }
 
-// Upper bound on the pixels covered by a length `size` on a surface at least `distance` from the
-// eye.
+// Upper bound on the number of pixels that a length `size` covers, on a surface at least `distance`
+// from the eye.
 double eval_pixels(const View& view, const Params& params, double size, double distance) {
   const Raster raster = make_raster(view, params);
   // A corner of the image is the worst case. At a given distance from the eye, the depth is least

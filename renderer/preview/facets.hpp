@@ -18,7 +18,7 @@ struct Facets {
 
 /// Fineness of the tessellation of spheres and cones. Polygons and patches are one facet.
 enum class Fineness : std::uint8_t {
-  outline,    ///< edges about ten pixels apart, 4 to 24 around
+  outline,    ///< edges about ten pixels apart, 4 to 24 of them around the object
   silhouette  ///< inscribed facets; outlines in the image are at most half a pixel off the object's
 };
 
