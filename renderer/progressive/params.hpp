@@ -19,7 +19,7 @@ struct Step {
 
 /// The quantity that grows from step to step.
 enum class StepKind : std::uint8_t {
-  cells,  ///< cells are halved in each step, with deep trees from the start (4.6)
+  cells,  ///< cells are halved in each step, with deep trees from the start (figure 4.6)
   depth   ///< trees grow by one level in each step, with small cells from the start (figure 4.5)
 };
 

@@ -25,7 +25,7 @@ struct StepCounts {
 /// Share of repeated rays in %, 100 N_A / N_T (Eq 4.1 to 4.6); 0 for a step without new rays.
 double get_repeated_percent(const TreeRays& rays);
 
-/// Callback that stops a step by returning true. Any thread calls it before every sample.
+/// Callback that stops a step by returning true. Every thread calls it before each of its samples.
 using Stop = std::function<bool()>;
 
 class Progressive {

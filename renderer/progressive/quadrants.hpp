@@ -26,8 +26,8 @@ inline Pixel own_pixel(const Area& quadrant) {
 /// Queue of quadrants, which begins with the whole area. Each quadrant that leaves the queue is
 /// divided into its upper left, lower right, upper right and lower left parts on the screen, as far
 /// as they exist. If a side is odd, the right and upper parts are the larger ones. Parts of more
-/// than one pixel are queued in this order. The lower left part shares the pixel of the whole
-/// quadrant. next() therefore returns the three other parts only, and each pixel once.
+/// than one pixel are queued in this order. The lower left part has the same computed pixel as the
+/// whole quadrant. next() therefore returns only the three other parts, and each pixel once.
 ///
 /// The queue holds at most max(1, N / 2) quadrants for an area of N pixels. The maximum is N / 3
 /// for a square, and N / 4 if its side is also a power of two.
@@ -54,8 +54,8 @@ class QuadrantQueue {
 };
 
 /// The complete order: quadrants by rank, and the rank of each pixel of the area, row by row from
-/// the top. A quadrant covers only pixels of lower ranks. If results arrive out of order, a pixel
-/// takes its colour from the quadrant of highest rank that covers it.
+/// the top. A quadrant covers its own pixel and pixels of later ranks. If results arrive out of
+/// order, a pixel takes its colour from the quadrant with the latest rank that covers it.
 struct QuadrantOrder {
   std::vector<Area> quadrants;
   std::vector<std::uint32_t> ranks;

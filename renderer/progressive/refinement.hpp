@@ -36,7 +36,7 @@ class Walk {
 };
 
 /// Progress and results of a rendering. Vectors have one entry for each pixel of the area, row by
-/// row; unknown entries are 0.
+/// row; entries that are not known yet are 0.
 struct RefinementState {
   std::uint64_t done = 0;  ///< number of samples taken (see Refinement::done())
   std::vector<Samples::Sums> sums;
