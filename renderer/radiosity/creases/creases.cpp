@@ -153,8 +153,8 @@ std::vector<Crease> find_creases(const Room& room) {
         merge({crease, {false, rank}}, SAME * size, merged);
       for (const Crease& crease : found.within) merge({crease, {true, rank}}, SAME * size, merged);
     }
-    // Both sides of a two-sided face are cut by the creases of both, which are therefore collected
-    // first.
+    // The creases of both sides of a two-sided face cut both sides. First collects those of the
+    // second side.
     if (r + 1 < receivers.size() && receivers[r + 1].face == receiver.face) continue;
     std::ranges::stable_sort(merged, {}, &Ranked::rank);
     for (const auto& [crease, rank] : merged)

@@ -76,8 +76,8 @@ struct DeltaSide {
 
 /// Correction for the extent of a delta area. Its form factor is that of a point with its area,
 /// times 1 + eval_extent(), except for terms of the fourth power of side over distance. It combines
-/// the kernel's second derivatives along the sides, over 24, and the shift of area towards the end
-/// of a growing side.
+/// the kernel's second derivatives along the sides, divided by 24, and the shift of area towards
+/// the end where the other side is longer.
 template <class Number, class Share>
 [[gnu::always_inline]] inline Number eval_extent(const DeltaSide<Number, Share>& a,
                                                  const DeltaSide<Number, Share>& b) {
@@ -237,7 +237,7 @@ template <class Source>
 using SumOf = decltype(1.0 * std::declval<Source>().eval(0, 0));
 
 /// The term of a visible delta area, times `source.eval(s, t)`. It follows Eq 3.8 if the area is
-/// wide, and is else exact to second order in side over distance. (Eq 3.8 is derived for a disc
+/// wide. Otherwise it is exact to second order in side over distance. (Eq 3.8 is derived for a disc
 /// that faces the viewpoint, and alone would lose 0.3 % of the light of a room.)
 template <class Source>
 SumOf<Source> eval_seen(const Quad& quad, const Delta& delta, const Vec& normal, const Look& look,

@@ -71,7 +71,7 @@ struct Glow {
   static constexpr bool IS_EVEN = false;
   Glow() = default;
   explicit Glow(const Rgb& even) : at(even) {}
-  /// Makes it from the radiosities of the corners, in their order.
+  /// Makes it from the radiosities of the patch's corners, in their order.
   explicit Glow(const std::array<Rgb, 4>& corners);
   template <class Number>
   [[gnu::always_inline]] auto eval(const Number& s, const Number& t) const {

@@ -45,8 +45,8 @@ State make_state(const Mesh& mesh, Sends sends);
 std::optional<Shot> find_shot(const Mesh& mesh, const State& state,
                               std::span<const std::uint32_t> patches, renderer::Work& work);
 
-/// Adds the reflected share of a sent radiosity to the given vertices (Eq 3.9 and 3.17). The patch
-/// may belong to another mesh of the same room.
+/// Adds the light of the sender that the given vertices reflect to their radiosity (Eq 3.9 and
+/// 3.17). The sender may belong to another mesh of the same room.
 void receive(const Eye& eye, const Sender& sender, std::span<const std::uint32_t> vertices,
              State& state, renderer::Work& work);
 
@@ -80,7 +80,7 @@ double eval_share(const Unshot& unshot);
 /// Cohen's ambient term: the light from the unsent power if it spreads evenly over the room and is
 /// reflected repeatedly, with the room's mean reflectance.
 Rgb eval_ambient(const Mesh& mesh, const Unshot& unshot);
-/// Adds to each vertex the ambient light times its reflectance.
+/// Adds to each vertex the ambient light times the vertex's reflectance.
 void add_ambient(const Mesh& mesh, const Rgb& ambient, std::vector<Rgb>& vertices);
 
 struct SolveParams {

@@ -16,9 +16,10 @@ void check(const Room& room);
 /// mirror.
 void check_material(const Material& material);
 
-/// Requires at least three finite corners, in a plane within 1e-6 of the face's size, strictly
-/// convex and with an area. The face must have one normal for each corner on the front's side, or
-/// none; 1 to MAX_DIVISIONS patches each way; and one of `materials` materials.
+/// Requires three or more finite corners of a strictly convex polygon with an area. They must lie
+/// in a plane, within 1e-6 of the face's size. Also requires one normal for each corner, on the
+/// side of the front, or no normals; 1 to MAX_DIVISIONS patches each way; and a material below
+/// `materials`.
 void check_face(const Face& face, std::size_t materials);
 
 /// Requires finite, distinct ends.

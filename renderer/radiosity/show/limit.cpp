@@ -14,8 +14,8 @@ constexpr double Rgb::*COLOURS[] = {&Rgb::r, &Rgb::g, &Rgb::b};
 constexpr double OVERSHOOT = 0.25;
 // Largest ratio of an edge's bends at its two ends.
 constexpr double MOST_BEND = 2;
-// Change at an end that is always allowed, as a fraction of the darker end. It makes the edge bulge
-// by 4/27 of that change, 2 % of the illumination.
+// Change along an edge at one end that is always allowed, as a fraction of the illumination at the
+// darker end. It makes the edge bulge by 4/27 of that change, 2 % of the illumination.
 constexpr double FREE = 0.15;
 
 }  // namespace
