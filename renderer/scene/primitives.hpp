@@ -206,8 +206,9 @@ inline constexpr double EDGE_MARGIN = 16;
 /// Largest cosine between a polygon's normal and a ray that counts as meeting the polygon edge-on.
 inline constexpr double EDGE_ON = 1e-6;
 
-/// Distance from an edge, in scene units, below which intersect_closely() decides on a
-/// perpendicular ray. It is well above the rounding error of the ray's point in the plane.
+/// Distance from an edge, in scene units, below which intersect_closely() decides whether a
+/// perpendicular ray meets the polygon. It is well above the rounding error of the point at which
+/// the ray meets the plane.
 [[gnu::always_inline]] inline double eval_closeness(const Polygon& p, double epsilon) {
   return p.slack + EDGE_MARGIN * epsilon;
 }

@@ -64,8 +64,8 @@ struct View {
   // Derived by make_image_plane():
   Vec right{}, above{}, ahead{};  ///< unit axes of the image plane
   double half_height = 0;         ///< half height of the image plane at distance 1
-  bool has_motion =
-      false;  ///< derived by finish(): the view or an object moves while the shutter is open
+  /// derived by finish(): true if the view or an object moves while the shutter is open
+  bool has_motion = false;
 };
 
 enum class Kind : std::uint8_t { sphere, polygon, patch, cone };
