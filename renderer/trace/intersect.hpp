@@ -33,10 +33,10 @@ struct Ray {
   /// number of the user's order that admitted this ray or an ancestor; 0: none
   std::uint8_t order = 0;
   std::uint16_t pass = 0;  ///< index of the ray's sample in the pixel, from 0
-  /// position in the shading tree of the sample, which seeds its random numbers
+  /// position in the shading tree of the sample, from which the ray's random numbers follow
   std::uint32_t path = 1;
   float time = 0;       ///< fraction of the shutter's time, 0..1
-  float travelled = 0;  ///< distance from the eye to its origin, along its ancestors, scene units
+  float travelled = 0;  ///< length of the path from the eye to the ray's origin, scene units
 };
 
 /// The influence factor that is compared with limits: the largest component.

@@ -39,9 +39,9 @@ struct Limits {
 /// Number of samples in a pixel, and their distribution (R. Cook et al., 1984).
 struct Sampling {
   int pixel_samples = 1;  ///< 1..MAX_PIXEL_SAMPLES; with `adaptive`, the maximum
-  /// Allowed standard error of a pixel's colour, 0..1, after 64 samples; times sqrt(n / 64) after n
-  /// samples. More samples are taken where the error is larger, and at the borders of objects. 0:
-  /// all pixels get `pixel_samples`.
+  /// Allowed standard error of a pixel's colour after 64 samples, 0..1. After n samples, sqrt(n /
+  /// 64) times this error is allowed. More samples are taken where the error is larger, and at the
+  /// borders of objects. 0: all pixels get `pixel_samples`.
   double adaptive = 0;
   double lens = 1;         ///< factor on the scene's aperture, 0..MAX_LENS; 0: a pinhole
   double shutter = 1;      ///< fraction of the scene's shutter time that is used, 0..1

@@ -24,7 +24,8 @@ PlanePoint make_plane_point(const View& view, const Params& params, int x, int y
 Ray make_primary(const View& view, const Params& params, int x, int y, int pass = 0);
 /// Makes the ray through the upper left corner of pixel (x, y), from the middle of the lens, at
 /// half the shutter's time. Its hit helps to find borders of objects. `x` may be the image's width
-/// and `y` its height. The path is y * (width + 1) + x; the sample is a pixel with this corner.
+/// and `y` its height. Ray::path is y * (width + 1) + x, and Ray::sample is a pixel with this
+/// corner.
 Ray make_probe(const View& view, const Params& params, int x, int y);
 
 using Children = std::vector<Ray>;
