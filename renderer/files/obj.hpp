@@ -15,8 +15,8 @@
 //   # l X Y Z [R G B]
 //   # light rect ...                # light sphere ...
 //
-// This is a reader of our own because tinyobjloader 2.0.0 reads "nan" as 0. It also skips unknown
-// statements without a message or a line number.
+// This is a reader of our own because tinyobjloader 2.0.0 reads "nan" as 0. That library also skips
+// unknown statements without a message or a line number.
 
 #include "renderer/files/mtl.hpp"
 #include "renderer/files/text/left_out.hpp"

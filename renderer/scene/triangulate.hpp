@@ -22,8 +22,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 /// Cuts a polygon into triangles with the same winding, by ear clipping (G. Meisters, 1975) in the
 /// projection along its area normal. The first cut of a convex quadrilateral goes from its first
-/// corner to its third. Triangles can have no area. Throws BadInput if the polygon has no area, if
-/// edges cross in the projection, or if it has more than 1000 corners and is not convex.
+/// corner to its third. Some triangles may have area 0. Throws BadInput if the polygon has no area,
+/// if edges cross in the projection, or if it has more than 1000 corners and is not convex.
 std::vector<Triangle> triangulate(std::span<const Vec> corners);
 
 }  // namespace renderer

@@ -4,9 +4,9 @@
 //
 // It would be biased to stop when a pixel's own samples agree: too dark if few samples find a
 // bright object, too bright if few find a dark one. Therefore samples form GROUPS, and the number
-// of samples in each group depends only on the others (compare D. Kirk and J. Arvo, "Unbiased
-// Sampling Techniques for Image Synthesis", 1991). The colour of the pixel is the mean of the
-// groups' means.
+// of samples in each group depends only on samples of the other groups (compare D. Kirk and J.
+// Arvo, "Unbiased Sampling Techniques for Image Synthesis", 1991). The colour of the pixel is the
+// mean of the groups' means.
 
 #include <span>
 

@@ -8,8 +8,8 @@
 //   mirror NAME reflect R G B
 //   quad MATERIAL  x y z  x y z  x y z  x y z  [divide N M] [two-sided]
 //   polygon MATERIAL  x y z ... [divide N] [two-sided]
-//   box MATERIAL  x y z  x y z  [divide N] [inside]      six quads, least corner first; their
-//                                                        fronts outside, or inside
+//   box MATERIAL  x y z  x y z  [divide N] [inside]      six quads, fronts outwards or inwards;
+//                                                        least and largest coordinates
 //   crease x y z  x y z
 //   view from x y z at x y z up x y z angle DEGREES size W H      required, once
 //

@@ -263,9 +263,9 @@ void find_open_edges(const Pair& pair, std::span<const Flat> flats,
   }
 }
 
-// The segment below an edge, moved inwards by a multiple of the edge's height, or outwards if
-// negative. A segment that is moved outwards is also extended by the same length at both ends, so
-// that neighbouring segments meet.
+// The segment below an edge, moved inwards by `heights` times the edge's height, or outwards if
+// `heights` is negative. A segment that is moved outwards is also extended by the same length at
+// both ends, so that neighbouring segments meet.
 Crease shift(const OpenEdge& edge, double heights) {
   const Vec along = normalize(edge.below.b - edge.below.a);
   const double longer = std::max(0.0, -heights);

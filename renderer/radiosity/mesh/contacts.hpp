@@ -58,10 +58,10 @@ inline constexpr std::size_t MOST_STRIPS = 96;
 /// `most_strips` strips on each side. If there are no strips, an edge up to half a patch's width
 /// high counts as touching.
 ///
-/// A ledge is the part of a face that remains in front of a one-sided face. The latter stands on
-/// the former about upright, at its border. The width of a patch follows from Face::along and
-/// Face::across, times `refine`. Throws BadInput if more than 1,000,000 + 100 n pairs of the n
-/// faces touch or nearly touch.
+/// A ledge is the part of a face in front of a one-sided face that stands upright on it, or nearly
+/// so, along its border. The width of a patch follows from Face::along and Face::across, times
+/// `refine`. Throws BadInput if more than 1,000,000 + 100 n pairs of the n faces touch or nearly
+/// touch.
 std::vector<Contacts> find_contacts(const Room& room, int refine,
                                     std::size_t most_strips = MOST_STRIPS);
 

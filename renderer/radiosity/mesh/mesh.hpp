@@ -72,10 +72,10 @@ struct MeshParams {
   int crease_growth = 4;
   /// Distance from the border at which the light of a border vertex is computed, 0 to 0.5, as a
   /// share of the way to the mean centre of its patches. If this centre lies outside of them, it is
-  /// replaced by the largest patch's centre. The distance grows up to half the way if a crease too
-  /// near to be kept lies before it. Behind a gap along the border, such as under a hanging face or
-  /// over a narrow ledge, the distance is chosen so that the mean over the patch is right. With 0,
-  /// light is computed at the border itself.
+  /// replaced by the largest patch's centre. The distance is larger, up to half the way, if the way
+  /// crosses a crease that is too near to be kept. Behind a gap along the border, such as under a
+  /// hanging face or over a narrow ledge, the distance is chosen so that the mean over the patch is
+  /// right. With 0, light is computed at the border itself.
   double inset = 0.01;
 };
 

@@ -18,8 +18,8 @@ void check_material(const Material& material);
 
 /// Requires three or more finite corners of a strictly convex polygon with an area. They must lie
 /// in a plane, within 1e-6 of the face's size. Also requires one normal for each corner, on the
-/// side of the front, or no normals; 1 to MAX_DIVISIONS patches each way; and a material below
-/// `materials`.
+/// side of the front, or no normals; 1 to MAX_DIVISIONS patches each way; and a material index
+/// below `materials`.
 void check_face(const Face& face, std::size_t materials);
 
 /// Requires finite, distinct ends.

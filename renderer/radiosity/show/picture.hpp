@@ -27,11 +27,11 @@ void check(const PictureParams& params);
 /// Replaces width and height by those of the view if they are 0. Throws as check() does.
 PictureParams fit(PictureParams params, const renderer::View& view);
 
-/// Makes a picture by simplified ray tracing. Mirrors reflect a ray until it meets a diffuse patch.
-/// It gets the illumination there, without feelers and shading. It is black if it hits nothing, a
-/// back, or a mirror after `depth` others. Throws as check() and renderer::make_image_plane() do.
-/// Adds to `work` one Op::sample_updated for each ray from the eye, and one Op::ray_reflected for
-/// each mirror.
+/// Makes a picture by simplified ray tracing. A ray is reflected by mirrors until it meets a
+/// diffuse patch, and has the illumination there, without feelers and shading. A ray is black if it
+/// meets nothing, a back, or a mirror after `depth` others. Throws as check() and
+/// renderer::make_image_plane() do. Adds to `work` one Op::sample_updated for each ray from the
+/// eye, and one Op::ray_reflected for each mirror.
 Picture trace_picture(const Mesh& mesh, const Illumination& illumination,
                       const renderer::View& view, const PictureParams& params,
                       renderer::Work& work);

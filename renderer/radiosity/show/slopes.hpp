@@ -82,8 +82,8 @@ T along(const Slopes<T>& slopes, const Vec& d) {
 }
 
 /// The mean of the planes of a vertex's patches. Normals are scaled to N_i . N_g = 1 instead of
-/// unit length, so that slopes are averaged. The mean does not depend on the unit of B, is linear
-/// in B, and is the same for each single colour. Weights are sin / (|next| |prev|) (N. Max,
+/// unit length, so that slopes are averaged. The mean does not depend on the unit of B and is
+/// linear in B, so colours can be treated one by one. Weights are sin / (|next| |prev|) (N. Max,
 /// "Weights for Computing Vertex Normals from Facet Normals", JGT 4(2), 1999) times the planes'
 /// trust. On an even grid it is the arithmetic mean. On any grid of parallel lines it is exact up
 /// to quadratic functions, if neighbouring steps differ by a factor of at most 3.
