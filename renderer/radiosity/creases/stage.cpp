@@ -50,8 +50,8 @@ void add_hidden(std::span<const Vec> face, const Vec& apex, const Vec& a, const 
   }
 }
 
-// The parts of the segment that no face hides from any pencil, where the face `except` does not
-// count. The segments of all pencils nearly coincide. `behind` is as for add_hidden().
+// The parts of the segment that no face except number `except` hides from the apex of any pencil.
+// The segments of all pencils nearly coincide. `behind` is as for add_hidden().
 std::vector<Interval> find_seen(std::span<const std::vector<Vec>> faces, std::size_t except,
                                 std::span<const Pencil> pencils, bool behind) {
   std::vector<Interval> hidden, seen;
