@@ -65,8 +65,8 @@ struct Way {
   double inherited;
 };
 
-// Computes the cost of `object` as another child of `way.node`, and in a pair with each leaf that
-// is a child of this node. Appends to `ways` the paths to search next.
+// Computes the cost of adding `object` as a further child of `way.node`, and the cost of pairing
+// it with each leaf among the node's children. Appends to `ways` the paths to search next.
 void weigh(const Tree& tree, const Bounds& object, const Way& way, Choice& best,
            std::vector<Way>& ways) {
   const Node& n = tree.nodes[way.node];

@@ -89,8 +89,8 @@ void Display::obey(const Message& message) {
       },
       [&](const Finish&) {
         is_finishing_ = true;
-        // Without polling, all pictures are shown by now: workers report finished pixels only
-        // afterwards.
+        // Without polling, all pictures are already shown: a worker sends its pixels before it
+        // reports them as finished.
         if (!is_polled) finish();
       },
       [&](const Stop&) { is_stopped_ = true; },

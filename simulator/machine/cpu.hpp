@@ -42,8 +42,8 @@ struct CpuUse {
   Seconds stolen_idle{};
   std::uint64_t preemptions = 0, dispatches = 0;
   Seconds busy() const { return busy_high + busy_low; }
-  /// Time that an additional process of lowest priority could not have used. Does not include
-  /// switches that such a process would cause.
+  /// Time not available to one more process of lowest priority, if there were one. The switches
+  /// that such a process would cause are not counted.
   Seconds taken() const { return busy() + stolen_idle; }
 };
 

@@ -176,8 +176,8 @@ void check_columns(const CheckPlan& plan, const Table& table, const std::vector<
   }
 }
 
-// Adds a note about a name such as topology_is_mesh if no row has this text in the column, or if
-// several different texts of the column match the name.
+// A name such as topology_is_mesh compares the column `topology` with the text "mesh". Adds a note
+// if no row of the column has this text, or if several different texts of the column match.
 void note_comparison(const std::string& name, const std::string& place, const Table& table,
                      std::vector<std::string>& notes) {
   if (table.find(name)) return;

@@ -47,8 +47,9 @@ struct Fit {
 /// Points with values that are not finite and positive are ignored.
 std::optional<Fit> fit_amdahl(const std::vector<double>& n, const std::vector<double>& speedup);
 
-/// Fits Gustafson's serial fraction to efficiencies S/n: 1 - S/n = s (1 - 1/n). Errors of S grow
-/// with the machine, those of efficiencies do not. None for fewer than two points with n > 1.
+/// Fits Gustafson's serial fraction to efficiencies S/n: 1 - S/n = s (1 - 1/n). Efficiencies are
+/// fitted because their errors, unlike those of S, do not grow with n. Returns nullopt for fewer
+/// than two points with n > 1.
 std::optional<Fit> fit_gustafson(const std::vector<double>& n, const std::vector<double>& speedup);
 
 /// Fits Sun and Ni's serial fraction to efficiencies, with a growth G for each point. Iterates,

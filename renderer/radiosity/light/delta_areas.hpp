@@ -1,7 +1,7 @@
 #pragma once
 // Subdivision of a patch into delta areas as seen from a point: the sum of Eq 3.8.
 //
-// Formulas are templates. Their numbers are single ones, or several in SIMD lanes
+// The formulas are templates over the type of a number: a double, or several in SIMD lanes
 // (renderer/scene/lanes.hpp).
 
 #include <algorithm>
@@ -46,8 +46,8 @@ struct Viewpoint {
   Vec at, normal;
 };
 
-/// A term of Eq 3.8; `area` is A_2/N there. `square` is the squared distance; `here` and `there`
-/// are the cosines at viewpoint and delta area, times the distance.
+/// A term of Eq 3.8. `area` is A_2/N of the equation, `square` the squared distance. `here` and
+/// `there` are the cosines at the viewpoint and at the delta area, each times the distance.
 inline double eval_delta(double area, double square, double here, double there) {
   return here * there / square * area / (std::numbers::pi * square + area);
 }

@@ -179,8 +179,8 @@ std::set<std::uint32_t> find_feet(const Mesh& mesh, const Edges& contacts) {
   return feet;
 }
 
-// Gives each group of patches around these vertices its own copy of the vertex. Creases separate
-// groups.
+// At each of these vertices, creases separate the surrounding patches into groups. Gives each
+// group its own copy of the vertex.
 void split_at(Mesh& mesh, const std::set<std::uint32_t>& vertices, const Edges& creases) {
   const auto surroundings = find_surroundings(mesh);
   for (const auto vertex : vertices) {

@@ -15,7 +15,8 @@ using std::log;
 using std::sqrt;
 inline constexpr double PI = std::numbers::pi;
 
-/// B-4: a x b, parallel, at a distance c, with one corner on the point's normal.
+/// B-4: form factor from a point to a parallel rectangle with sides a and b at distance c. One
+/// corner of the rectangle is on the point's normal.
 inline double parallel_rectangle(double a, double b, double c) {
   const double x = a / c, y = b / c, u = sqrt(1 + x * x), v = sqrt(1 + y * y);
   return (x / u * atan(y / u) + y / v * atan(x / v)) / (2 * PI);

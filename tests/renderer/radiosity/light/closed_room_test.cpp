@@ -41,8 +41,8 @@ TEST(ClosedRoom, FactorsOfAVertexSumToOne) {
   }
 }
 
-// A delta area is either visible or not. So behind obstacles, some delta areas count too much and
-// some too little.
+// A delta area counts as visible or hidden as a whole. So one that an obstacle partly hides counts
+// too much or too little.
 TEST(ClosedRoom, FactorsSumToOneWithThingsInside) {
   Range all, all_fine;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
