@@ -8,6 +8,7 @@ import pandas
 from support import tlab_command
 
 import tlab
+from tlab import _native as native
 
 # Programs whose defaults run quickly and need no file.
 QUICK = ["message", "soft", "both_ways", "unicast", "pipeline", "sources", "broadcast", "request", "alternative",
@@ -33,6 +34,13 @@ class FunctionsTest(unittest.TestCase):
         names = tlab_command("list", "programs", "--names").stdout.split()
         self.assertGreater(len(names), 25)
         self.assertEqual([f"{n}_" if keyword.iskeyword(n) else n for n in names], tlab.programs.__all__)
+
+    def test_parameters_have_known_kinds(self):
+        kinds = {p["key"]: p["kind"] for program in native.programs() for p in program["parameters"]}
+        for key, kind in {"scene.source": "source", "program.reference": "file", "image.width": "whole",
+                          "image.lens": "number", "image.feelers": "choice", "image.area": "list",
+                          "farm.task": "text", "iirra.borders": "flag"}.items():
+            self.assertEqual(kind, kinds[key], key)
 
     def test_signatures_are_what_help_says(self):
         for name in tlab.programs.__all__:

@@ -2,6 +2,8 @@
 
 #include <pybind11/stl.h>
 
+#include <stdexcept>
+
 #include "base/errors.hpp"
 
 namespace py = pybind11;
@@ -24,6 +26,37 @@ struct ToPython {
 }  // namespace
 
 py::object to_python(const base::Scalar& value) { return std::visit(ToPython{}, value); }
+
+const char* name_of(base::Domain::Kind kind) {
+  using enum base::Domain::Kind;
+  switch (kind) {
+    case flag:
+      return "flag";
+    case whole:
+      return "whole";
+    case number:
+      return "number";
+    case choice:
+      return "choice";
+    case text:
+      return "text";
+    case list:
+      return "list";
+    case texts:
+      return "texts";
+    case expression:
+      return "expression";
+    case expressions:
+      return "expressions";
+    case any:
+      return "any";
+    case file:
+      return "file";
+    case source:
+      return "source";
+  }
+  throw std::logic_error("unknown kind of values");
+}
 
 base::Scalar from_python(const std::string& name, const py::handle& value) {
   try {

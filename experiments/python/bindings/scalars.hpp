@@ -13,17 +13,18 @@ pybind11::object to_python(const base::Scalar& value);
 /// for other values.
 base::Scalar from_python(const std::string& name, const pybind11::handle& value);
 
+/// The name that a kind of values has in Python.
+const char* name_of(base::Domain::Kind kind);
+
 /// Lists a field's name, unit, help, kind ("whole", "choice", ...), range, choices and default.
 template <class P>
 pybind11::dict describe(const base::Field<P>& field, const P& defaults) {
-  static constexpr const char* KINDS[] = {"flag", "whole", "number", "choice",
-                                          "text", "list",  "file",   "source"};
   const auto& domain = field.domain;
   pybind11::dict about;
   about["name"] = field.name;
   about["unit"] = field.unit;
   about["help"] = field.help;
-  about["kind"] = KINDS[static_cast<int>(domain.kind)];
+  about["kind"] = name_of(domain.kind);
   about["low"] = domain.low;
   about["high"] = domain.high;
   about["choices"] = pybind11::tuple(pybind11::cast(domain.choices));
