@@ -3,73 +3,27 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <ranges>
 
 #include "base/errors.hpp"
-#include "renderer/radiosity/mesh/divide.hpp"
+#include "renderer/radiosity/mesh/lift.hpp"
 
 namespace radiosity {
 
 namespace {
 
-constexpr double OFF_PLANE = 1e-6;  // tolerance relative to the size of the face
-// Patches are graded beside hanging edges with heights from LEAST_GAP to GAP, relative to the width
+// Patches are graded beside hanging edges with heights from LEAST_GAP to 1, relative to the width
 // of a patch. Lower edges count as touching. Without strips, edges up to TOUCHING_GAP do, too.
-constexpr double LEAST_GAP = 0.01, GAP = 1, TOUCHING_GAP = 0.5;
+constexpr double LEAST_GAP = 0.01, TOUCHING_GAP = 0.5;
 // Graded strips end at FIRST_STRIP, GROWTH * FIRST_STRIP, ... times the height of the edge, up to
 // WIDEST_STRIP of a patch's width. At GROWTH times FIRST_STRIP, the illumination is still 15 %
 // below its full value.
 constexpr double FIRST_STRIP = 0.5, GROWTH = 2, WIDEST_STRIP = 0.6;
 // A face narrower than a patch can hang over another up to this height, relative to its own width.
 constexpr double NARROW_GAP = 0.06;
-// How far a face that covers others is lifted, relative to the larger face's size and to its
-// largest coordinate. The lift is less than OFF_PLANE and more than a ray's epsilon.
-constexpr double LIFT = 1e-7, LIFT_OF_PLACE = 1e-9;
 // Least cosine of the angle between the normals of a face and of another that hangs over it.
 constexpr double PARALLEL = 0.8;
 // Limit on the number of pairs of faces that touch: a constant, plus a number for each face.
 constexpr std::size_t MOST_PAIRS = 1'000'000, MOST_PAIRS_PER_FACE = 100;
-
-struct Flat {
-  const Face* face;
-  Plane plane;
-  std::vector<Plane> edges;  // planes through the edges; the inside is above
-  renderer::Bounds bounds;
-  double size;
-  double width;        // least width of the face
-  double patch_width;  // width of a patch in an even division
-
-  double gap() const { return GAP * patch_width; }
-  double reach() const { return std::max(OFF_PLANE * size, gap()); }
-};
-
-Flat make_flat(const Face& face, int refine) {
-  const auto& corners = face.corners;
-  const Vec normal = normalize(eval_area_normal(corners));
-  const auto bounds = renderer::make_bounds(corners);
-  const std::vector<Plane> edges = make_edge_planes(corners, normal);
-  double width = INFINITY;
-  for (const Plane& edge : edges) {
-    const auto height = [&](const Vec& corner) { return eval_height(edge, corner); };
-    width = std::min(width, std::ranges::max(corners | std::views::transform(height)));
-  }
-  Face even = face;
-  even.grid = {};
-  return {
-      &face, make_plane(normal, eval_mean(corners)), edges, bounds, length(bounds.hi - bounds.lo),
-      width, find_patch_width(even, refine)};
-}
-
-// Two faces that may touch. Functions describe `other` relative to `on`, the first.
-struct Pair {
-  const Flat& on;
-  const Flat& other;
-  double tolerance;
-};
-
-Pair make_pair(const Flat& on, const Flat& other) {
-  return {on, other, OFF_PLANE * std::max(on.size, other.size)};
-}
 
 // The axis along which the bounds of the faces overlap least, for sweep and prune.
 int choose_axis(std::span<const Flat> flats) {
@@ -131,32 +85,6 @@ std::vector<std::vector<std::uint32_t>> find_neighbours(std::span<const Flat> fl
     }
   for (auto& some : neighbours) std::ranges::sort(some);
   return neighbours;
-}
-
-// The part of a segment that is at least `margin` inside the edges of a face; none if it has no
-// length.
-std::optional<Crease> clip_to(const Flat& flat, const Crease& segment, double margin,
-                              double tolerance) {
-  const auto part = clip_segment(segment.a, segment.b, flat.edges, margin);
-  if (!part || !((part->to - part->from) * length(segment.b - segment.a) > 2 * tolerance))
-    return std::nullopt;
-  return Crease{lerp(segment.a, segment.b, part->from), lerp(segment.a, segment.b, part->to)};
-}
-
-bool are_coplanar(const Pair& pair) {
-  return std::ranges::all_of(pair.other.face->corners, [&](const Vec& corner) {
-    return std::abs(eval_height(pair.on.plane, corner)) <= pair.tolerance;
-  });
-}
-
-// True if two faces in the same plane have an area in common.
-bool overlap(const Pair& pair) {
-  std::vector<Vec> part = pair.on.face->corners;
-  for (const Plane& edge : pair.other.edges) {
-    part = clip(part, edge, pair.tolerance);
-    if (part.empty()) return false;
-  }
-  return length(eval_area_normal(part)) > 4 * pair.tolerance * pair.on.size;
 }
 
 // The segment where the other face meets the plane of the first, in front of it.
@@ -339,52 +267,6 @@ bool stands_on(const Pair& pair, const Crease& border) {
          clip_to(pair.other, border, pair.tolerance, pair.tolerance);
 }
 
-// True if the other face covers the first one, both in one plane.
-bool covers(const Room& room, const Pair& pair) {
-  const Face &on = *pair.on.face, &other = *pair.other.face;
-  const bool same_side =
-      on.two_sided || other.two_sided || dot(pair.on.plane.normal, pair.other.plane.normal) > 0;
-  if (!same_side || !are_coplanar(pair) || !overlap(pair)) return false;
-  const auto emits = [&](const Face& face) {
-    return max_component(room.materials[face.material].emission) > 0;
-  };
-  const auto area = [](const Face& face) { return length(eval_area_normal(face.corners)); };
-  if (emits(on) != emits(other)) return emits(other);
-  if (area(on) != area(other)) return area(on) > area(other);
-  return &other > &on;
-}
-
-// Sets Contacts::lift, so that each face lies above the highest of the faces that it covers.
-void lift_covering(const Room& room, std::span<const Flat> flats,
-                   std::span<const std::vector<std::uint32_t>> neighbours,
-                   std::vector<Contacts>& contacts) {
-  std::vector<std::vector<std::uint32_t>> covered(flats.size());
-  std::vector<std::size_t> waiting(flats.size());
-  for (std::uint32_t f = 0; f < flats.size(); ++f)
-    for (const auto i : neighbours[f])
-      if (covers(room, make_pair(flats[f], flats[i]))) {
-        covered[f].push_back(i);
-        ++waiting[i];
-      }
-  std::vector<std::uint32_t> ready;
-  for (std::uint32_t f = 0; f < flats.size(); ++f)
-    if (waiting[f] == 0) ready.push_back(f);
-  std::vector<double> height(flats.size());
-  for (std::size_t next = 0; next < ready.size(); ++next) {
-    const std::uint32_t f = ready[next];
-    for (const auto i : covered[f]) {
-      const auto& [on, other, tolerance] = make_pair(flats[f], flats[i]);
-      const double step =
-          LIFT / OFF_PLANE * tolerance +
-          LIFT_OF_PLACE * std::max(max_abs(other.bounds.lo), max_abs(other.bounds.hi));
-      height[i] = std::max(height[i], height[f] + step);
-      const bool turns = other.face->two_sided && dot(on.plane.normal, other.plane.normal) < 0;
-      contacts[i].lift = (turns ? -height[i] : height[i]) * other.plane.normal;
-      if (--waiting[i] == 0) ready.push_back(i);
-    }
-  }
-}
-
 // Makes the ledge in front of the first face, which stands on the other. `neighbours` are those of
 // the other face.
 Ledge make_ledge(const Pair& pair, const Crease& foot, std::span<const Flat> flats,
@@ -428,7 +310,9 @@ std::vector<Contacts> find_contacts(const Room& room, int refine, std::size_t mo
       if (hangs_over(pair)) {
         find_open_edges(pair, flats, neighbours[i], open);
       } else if (are_coplanar(pair)) {
-        if (!overlap(pair)) continue;
+        // The edges of faces behind a face have no effect on its front.
+        const bool is_behind = !on.face->two_sided && covers(room, {flats[i], on, tolerance});
+        if (!overlap(pair) || is_behind) continue;
         const auto& corners = flats[i].face->corners;
         for (std::size_t k = 0; k < corners.size(); ++k) {
           const Crease edge{corners[k], corners[(k + 1) % corners.size()]};
@@ -445,7 +329,8 @@ std::vector<Contacts> find_contacts(const Room& room, int refine, std::size_t mo
     }
     add_hanging(open, most_strips, contacts[f]);
   }
-  lift_covering(room, flats, neighbours, contacts);
+  const std::vector<Vec> lifts = find_lifts(room, flats, neighbours);
+  for (std::size_t f = 0; f < flats.size(); ++f) contacts[f].lift = lifts[f];
   return contacts;
 }
 

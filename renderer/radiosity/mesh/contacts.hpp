@@ -35,19 +35,15 @@ struct Contacts {
   std::vector<Crease> strips;  ///< lines beside folds, where light fades smoothly
   std::vector<HangingEdge> hanging;
   std::vector<Ledge> ledges;  ///< ledges on the surfaces below the face
-  Vec lift;                   ///< moves the face in front of the faces in its plane that it covers
+  Vec lift;                   ///< displacement of the face, see find_lifts()
 };
 
 inline constexpr std::size_t MOST_STRIPS = 96;
 
 /// Finds, for each face, the segments where other faces touch it in front, within 1e-6 of the
-/// larger face's size, or overlap it in its plane. Two-sided faces can be touched on both sides.
-/// Two faces whose borders touch, like walls, have no contact there, unless a third face continues
-/// the surface of one of them.
-///
-/// If two faces overlap in a plane and show the same side, one of them covers the other: the one
-/// that emits; if both or none emit, the smaller one; if they are equally large, the one listed
-/// later. The covering face is lifted by at least 1e-7 of the size of the larger face.
+/// larger face's size, or overlap it in its plane, unless it covers them. Two-sided faces can be
+/// touched on both sides. Two faces whose borders touch, like walls, have no contact there, unless
+/// a third face continues the surface of one of them.
 ///
 /// A face hangs over another if it is at most a patch's width above it, about parallel to it, and
 /// at least as wide as a patch or as 17 times its height. An edge of it is open if no face descends
