@@ -28,12 +28,13 @@ struct FileNames : NffTarget {
 }  // namespace
 
 bool is_scene_file(std::string_view source) {
-  return source.ends_with(".nff") || source.ends_with(".obj");
+  const std::string name = base::to_lower(source);
+  return name.ends_with(".nff") || name.ends_with(".obj");
 }
 
 void read_scene(std::string_view text, const std::string& name, NffTarget& target,
                 LeftOut* left_out) {
-  if (!name.ends_with(".obj")) return read_nff(text, name, target);
+  if (!base::to_lower(name).ends_with(".obj")) return read_nff(text, name, target);
   LeftOut uncounted;
   LeftOut& losses = left_out ? *left_out : uncounted;
   ObjAsNff obj(target, losses);

@@ -88,7 +88,7 @@ class RoomReader {
     m.name = tokens_.take_word("a name");
     take_name("reflect");
     m.reflectance = tokens_.take_rgb("a reflectance");
-    if (!mirror && tokens_.take_if("emit")) m.emission = tokens_.take_rgb("an emission");
+    if (tokens_.take_if("emit")) m.emission = tokens_.take_rgb("an emission");
     tokens_.end_line();
     add_material(tokens_, tokens_.line(), m, room_.materials);
   }
@@ -324,12 +324,13 @@ Room read_nff_room(std::string_view text, const std::string& name, LeftOut& left
 using Read = Room (*)(std::string_view text, const std::string& name, LeftOut& left_out);
 
 Read find_reader(const std::string& name) {
-  if (name.ends_with(".room"))
+  const std::string lower = base::to_lower(name);
+  if (lower.ends_with(".room"))
     return [](std::string_view text, const std::string& n, LeftOut&) {
       return RoomReader(text, n).read();
     };
-  if (name.ends_with(".obj")) return &read_obj_room;
-  if (name.ends_with(".nff")) return &read_nff_room;
+  if (lower.ends_with(".obj")) return &read_obj_room;
+  if (lower.ends_with(".nff")) return &read_nff_room;
   throw BadInput(fmt::format(
       "{}: found another ending in the name of a room, expected .room, .nff or .obj", name));
 }

@@ -105,7 +105,7 @@ void check_material(const Material& material) {
         "0 to 1");
     check_colour(
         "a mirror's emission", material.emission, [](double x) { return x == 0; },
-        "none, because a mirror only reflects");
+        "none, because a mirror only reflects: a face that emits needs a diffuse material");
   } else {
     check_colour(
         "a diffuse reflectance", material.reflectance, [](double x) { return x >= 0 && x < 1; },

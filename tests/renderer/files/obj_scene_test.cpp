@@ -149,6 +149,13 @@ TEST_F(ObjScene, WithoutViewLightAndMaterialItIsSeenFromOutside) {
   EXPECT_EQ(scene.surfaces[0].colour, (Rgb{0.8, 0.8, 0.8}));
 }
 
+TEST_F(ObjScene, EndingsMayBeCapitals) {
+  save("M.MTL", "newmtl red\nKd 1 0 0\n");
+  const auto scene =
+      load_scene(save("A.OBJ", "mtllib M.MTL\n" + TRIANGLE + "usemtl red\nf 1 2 3\n"));
+  EXPECT_EQ(scene.surfaces.at(0).colour, (Rgb{1, 0, 0}));
+}
+
 TEST_F(ObjScene, MaterialsAreSurfaces) {
   save("m.mtl",
        "newmtl dull\nKd 0.5 0.25 0\nKs 0.9 0.9 0.9\nNs 20\nillum 2\n"

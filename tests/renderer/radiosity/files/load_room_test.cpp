@@ -134,7 +134,8 @@ INSTANTIATE_TEST_SUITE_P(
         WrongText{"material wall reflect 0 0 0",
                   "4: found a second material 'wall', expected another name"},
         WrongText{"mirror m reflect 1 1 1 emit 1 1 1",
-                  "4: found 'emit', expected the end of the line"},
+                  "4: found a mirror's emission 1 1 1, expected none, because a mirror only "
+                  "reflects: a face that emits needs a diffuse material"},
         WrongText{"mirror m reflect 1 1 2",
                   "4: found a mirror's reflectance 1 1 2, expected 0 to 1"},
         WrongText{"crease 0 0 0 0 0 0", "4: found both ends of a crease at (0, 0, 0)"},

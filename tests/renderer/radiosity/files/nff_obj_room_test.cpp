@@ -120,6 +120,8 @@ TEST_F(ObjRoom, EmissionMirrorsAndNormals) {
   EXPECT_EQ(room.view.at, (Vec{0.5, 0.5, 0}));
   EXPECT_GT(room.view.from.x, 1) << "from outside";
   EXPECT_NEAR(length(room.view.right), 1, 1e-12);
+  const Room shouted = load_room(save("B.OBJ", POINTS + "usemtl lamp\nf 1 2 3\n"));
+  EXPECT_EQ(shouted.materials.at(shouted.faces.at(0).material).emission, (Rgb{1, 2, 3}));
 }
 
 TEST_F(ObjRoom, WhatIsWrongIsRejectedWithItsLine) {
