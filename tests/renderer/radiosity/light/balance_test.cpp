@@ -103,27 +103,72 @@ Room make_lamp_room(std::uint64_t seed, double below, int patches) {
   return room;
 }
 
-// Rays to corners and edges of the faces, from inside.
+// Casts rays from inside to corners and edges of the first six faces.
+void expect_closed(const Room& room, const renderer::Scene& blockers,
+                   renderer::test::Random& random) {
+  Vec middle;
+  for (std::size_t f = 0; f < 6; ++f) middle += (1 / 6.0) * eval_centre(room.faces[f].corners);
+  for (std::size_t f = 0; f < 6; ++f)
+    for (std::size_t i = 0; i < 4; ++i)
+      for (const double share : {0.0, 0.5, random.unit()}) {
+        const auto& corners = room.faces[f].corners;
+        const Vec target = corners[i] + share * (corners[(i + 1) % 4] - corners[i]);
+        const Vec origin = middle + random.point(1), way = target - origin;
+        const renderer::Ray ray{.origin = origin, .direction = normalize(way), .influence = {}};
+        renderer::Work work;
+        const auto hit = intersect(blockers, ray, renderer::Traversal::nearest, work);
+        ASSERT_TRUE(hit && hit->distance <= length(way) * (1 + 1e-5));
+      }
+}
+
 TEST(Balance, NoRayLeavesAClosedRoomBetweenItsFaces) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const Room room = make_lamp_room(seed, 0.1, 3);
-    const renderer::Scene blockers = make_mesh(room, {}).blockers;
     renderer::test::Random random{seed};
-    Vec middle;
-    for (std::size_t f = 0; f < 6; ++f) middle += (1 / 6.0) * eval_centre(room.faces[f].corners);
-    for (std::size_t f = 0; f < 6; ++f)
-      for (std::size_t i = 0; i < 4; ++i)
-        for (const double share : {0.0, 0.5, random.unit()}) {
-          const auto& corners = room.faces[f].corners;
-          const Vec target = corners[i] + share * (corners[(i + 1) % 4] - corners[i]);
-          const Vec origin = middle + random.point(1), way = target - origin;
-          const renderer::Ray ray{.origin = origin, .direction = normalize(way), .influence = {}};
-          renderer::Work work;
-          const auto hit = intersect(blockers, ray, renderer::Traversal::nearest, work);
-          ASSERT_TRUE(hit && hit->distance <= length(way) * (1 + 1e-6));
-        }
+    expect_closed(room, make_mesh(room, {}).blockers, random);
   }
+}
+
+// The largest distance of corners from the plane of their face, relative to the face's size.
+double find_bend(const Room& room) {
+  double bend = 0;
+  for (const Face& face : room.faces) {
+    const auto bounds = renderer::make_bounds(face.corners);
+    const Vec normal = normalize(eval_area_normal(face.corners));
+    const Vec middle = eval_centre(face.corners);
+    for (const Vec& p : face.corners)
+      bend = std::max(bend, std::abs(dot(normal, p - middle)) / length(bounds.hi - bounds.lo));
+  }
+  return bend;
+}
+
+// A box with corners that are moved at random, so that its faces are bent by 1e-6 of their size.
+Room make_bent_room(std::uint64_t seed) {
+  const auto make = [&](double by) {
+    Room room = make_lamp_room(seed, 0.1, 3);
+    room.faces.pop_back();
+    const auto swing = [](double x) { return std::sin(1000 * x); };
+    for (Face& face : room.faces)
+      for (Vec& p : face.corners)
+        p += by * Vec{swing(p.y + 2 * p.z), swing(p.z - p.x), swing(p.x + 3 * p.y)};
+    return room;
+  };
+  constexpr double SMALL = 1e-6, MOST = 0.95e-6;
+  return make(SMALL * MOST / find_bend(make(SMALL)));
+}
+
+TEST(Balance, NoRayLeavesARoomOfBentFaces) {
+  std::ptrdiff_t bent = 0;
+  for (std::uint64_t seed = 1; seed <= 100; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const Room room = make_bent_room(seed);
+    const renderer::Scene blockers = make_mesh(room, {}).blockers;
+    bent += std::ranges::count(blockers.polygons, renderer::Shape::bent, &renderer::Polygon::shape);
+    renderer::test::Random random{seed};
+    expect_closed(room, blockers, random);
+  }
+  EXPECT_GT(bent, 10);
 }
 
 // The ceiling behind the lamp neither receives light nor sends any.
