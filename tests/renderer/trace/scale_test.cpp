@@ -8,17 +8,36 @@
 namespace renderer::test {
 namespace {
 
+// Axes of the scenes: the ground is the plane y = 0 of a frame.
+struct Frame {
+  Vec x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, origin;
+
+  std::string operator()(const Vec& p) const {
+    const Vec at = origin + p.x * x + p.y * y + p.z * z;
+    return fmt::format(" {} {} {}", at.x, at.y, at.z);
+  }
+};
+
+Frame make_frame(std::uint64_t seed, double distance) {
+  Random random{seed};
+  const Vec n = random.direction();
+  const auto [u, v] = make_plane(n);
+  return {u, n, v, distance * random.direction()};
+}
+
 // Objects of some `size` on a ground, seen from above: a ball, a mirror box, glass.
-std::string describe_objects(double size) {
-  std::string text = fmt::format(
-      "v from 0 {0} {1} at 0 {2} 0 up 0 1 0 angle 45\nb 0.5 0.7 1\nl {3} {4} {5}\n"
-      "f 1 0 0 0.8 0.2 20 0 1\ns 0 {2} 0 {2}\nf 1 1 1 0.1 0.1 5 0.8 1.5\ns {6} {2} 0 {2}\n"
-      "f 0 1 0 0.5 0.5 9 0 1\n",
-      9 * size, 3 * size, size, 50 * size, 100 * size, 30 * size, 2.2 * size);
+std::string describe_objects(double size, const Frame& frame = {}) {
+  const auto at = [&](double x, double y, double z) { return frame(size * Vec{x, y, z}); };
+  std::string text =
+      fmt::format("v from{} at{} up {} {} {} angle 45\nb 0.5 0.7 1\nl{}\n", at(0, 9, 3),
+                  at(0, 1, 0), frame.y.x, frame.y.y, frame.y.z, at(50, 100, 30));
+  text += fmt::format(
+      "f 1 0 0 0.8 0.2 20 0 1\ns{} {}\nf 1 1 1 0.1 0.1 5 0.8 1.5\ns{} {}\nf 0 1 0 0.5 0.5 9 0 1\n",
+      at(0, 1, 0), size, at(2.2, 1, 0), size);
   const Vec lo{-3.5 * size, 0, -size}, hi{-1.5 * size, 1.5 * size, size};
   const auto face = [&](const Vec& a, const Vec& b, const Vec& c, const Vec& d) {
     text += "p 4";
-    for (const Vec& p : {a, b, c, d}) text += fmt::format(" {} {} {}", p.x, p.y, p.z);
+    for (const Vec& p : {a, b, c, d}) text += frame(p);
     text += "\n";
   };
   face({lo.x, hi.y, lo.z}, {lo.x, hi.y, hi.z}, {hi.x, hi.y, hi.z}, {hi.x, hi.y, lo.z});
@@ -27,20 +46,27 @@ std::string describe_objects(double size) {
   return text;
 }
 
-std::string describe_square(double extent) {
-  return fmt::format("f 0.8 0.8 0.8 1 0 0 0 1\np 4 {0} 0 {0} {0} 0 {1} {1} 0 {1} {1} 0 {0}\n",
-                     -extent, extent);
+std::string describe_faces(const Frame& frame, std::initializer_list<std::vector<Vec>> faces) {
+  std::string text = "f 0.8 0.8 0.8 1 0 0 0 1\n";
+  for (const auto& corners : faces) {
+    text += fmt::format("p {}", corners.size());
+    for (const Vec& p : corners) text += frame(p);
+    text += "\n";
+  }
+  return text;
 }
 
-std::string describe_triangles(double extent) {
-  return fmt::format(
-      "f 0.8 0.8 0.8 1 0 0 0 1\np 3 {0} 0 {0} {0} 0 {1} {1} 0 {1}\np 3 {0} 0 {0} {1} 0 {1} {1} 0 "
-      "{0}\n",
-      -extent, extent);
+std::string describe_square(double e, const Frame& frame = {}) {
+  return describe_faces(frame, {{{-e, 0, -e}, {-e, 0, e}, {e, 0, e}, {e, 0, -e}}});
 }
 
-std::string describe_ball(double extent) {
-  return fmt::format("f 0.8 0.8 0.8 1 0 0 0 1\ns 0 {0} 0 {1}\n", -extent, extent);
+std::string describe_triangles(double e, const Frame& frame = {}) {
+  return describe_faces(
+      frame, {{{-e, 0, -e}, {-e, 0, e}, {e, 0, e}}, {{-e, 0, -e}, {e, 0, e}, {e, 0, -e}}});
+}
+
+std::string describe_ball(double extent, const Frame& frame = {}) {
+  return fmt::format("f 0.8 0.8 0.8 1 0 0 0 1\ns{} {}\n", frame({0, -extent, 0}), extent);
 }
 
 Samples render_with(const std::string& objects, const std::string& ground) {
@@ -60,15 +86,33 @@ TEST(Scale, AHugeGroundHidesNothing) {
   for (const double size : {1e-3, 1.0, 1e3}) {
     const std::string objects = describe_objects(size);
     for (const auto describe : {&describe_square, &describe_triangles, &describe_ball}) {
-      const Samples expected = render_with(objects, describe(1e5 * size));
+      const Samples expected = render_with(objects, describe(1e5 * size, {}));
       for (const double extent : {1e7, 1e9, 1e10, 1e12}) {
         // A ball's surface is rounded to 1e-16 of its radius. The plane y = 0 is exact.
         if (describe == &describe_ball && extent > 1e10) continue;
         SCOPED_TRACE(fmt::format("size {}, ground {} times", size, extent));
-        EXPECT_LT(compare(render_with(objects, describe(extent * size)), expected), 0.01);
+        EXPECT_LT(compare(render_with(objects, describe(extent * size, {})), expected), 0.01);
       }
     }
   }
+}
+
+// Tilted grounds, also far from the origin. The corners are rounded to 1e-16 of their coordinates,
+// which moves the ground by that much.
+TEST(Scale, ATiltedHugeGroundHidesNothing) {
+  for (std::uint64_t seed = 1; seed <= 6; ++seed)
+    for (const double distance : {0.0, 1e3, 1e6}) {
+      const Frame frame = make_frame(seed, distance);
+      const std::string objects = describe_objects(1, frame);
+      for (const auto describe : {&describe_square, &describe_triangles}) {
+        const Samples expected = render_with(objects, describe(1e5, frame));
+        for (const double extent : {1e7, 1e9, 1e10, 1e11, 1e12}) {
+          SCOPED_TRACE(fmt::format("seed {}, at {}, ground {}, {}", seed, distance, extent,
+                                   describe == &describe_square));
+          EXPECT_LT(compare(render_with(objects, describe(extent, frame)), expected), 0.01);
+        }
+      }
+    }
 }
 
 TEST(Scale, ADistantObjectHidesNothing) {
