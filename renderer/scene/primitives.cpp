@@ -11,12 +11,11 @@ constexpr double MAX_BEND = 0.05, FLAT = 1e-6, MIN_AREA = 1e-12;
 
 // Generous bound on the rounding error of a ray's test, relative to the largest coordinate.
 constexpr double ROUNDING = 64 * std::numeric_limits<double>::epsilon();
-// Polygon::slack relative to the largest coordinate. It is more than EDGE_MARGIN times the epsilon
-// of rays that start on the polygon.
-constexpr double CLOSE = 32e-10;
-// Largest distance by which pull_inside() moves a point off an edge, relative to a polygon's
-// longest edge.
-constexpr double MAX_PULL = 1e-3;
+// Largest distance from an edge to which pull_inside() moves a point, and largest length of its
+// way, relative to a polygon's longest edge.
+constexpr double MAX_PULL = 1e-3, MAX_WAY = 1e-2;
+// Edges with a smaller sine of the angle between them count as parallel.
+constexpr double SHARPEST = 1e-3;
 
 // Newell's method, which is correct for any simple polygon, also concave or only nearly flat ones.
 Vec eval_newell_normal(std::span<const Vec> corners, const Vec& centre) {
@@ -270,7 +269,7 @@ double intersect_closely(const Polygon& polygon, const PolygonCorner* pool, cons
   const double height = polygon.offset - dot(polygon.normal, origin);
   double distance = height / along;
   const bool is_ahead = distance > epsilon && distance < NO_HIT;
-  if (!is_ahead && !(std::abs(height) <= eval_closeness(polygon, epsilon))) return NO_HIT;
+  if (!is_ahead && !(std::abs(height) <= polygon.slack + eval_closeness(epsilon))) return NO_HIT;
   const RayAxes axes(origin, direction);
   const auto at = [&](std::size_t i) {
     return axes(eval_corner(polygon, pool[polygon.first + i]));
@@ -308,31 +307,66 @@ double intersect_closely(const Polygon& polygon, const PolygonCorner* pool, cons
   return distance > epsilon ? distance : NO_HIT;
 }
 
+namespace {
+
+// One or two edges that are close to a point: their corners, and their inward unit normals in the
+// plane (u, v).
+struct CloseEdges {
+  std::size_t corner[2];
+  Corner normal[2];
+  int count = 0;
+};
+
+// Adds an edge that is nearer to a point than a margin. Returns false if there is no other one.
+bool add_close_edge(std::span<const PolygonCorner> corners, const Corner& at, double margin,
+                    CloseEdges& edges) {
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const PolygonCorner &a = corners[i], &b = corners[(i + 1) % corners.size()];
+    const Corner3 nearest = find_nearest({{a.u - at.u, a.v - at.v}}, {{b.u - at.u, b.v - at.v}});
+    const bool has_length = a.edge.normal_u != 0 || a.edge.normal_v != 0;
+    if (!has_length || !(nearest.u * nearest.u + nearest.v * nearest.v < margin * margin)) continue;
+    if (edges.count == 1 && edges.corner[0] == i) continue;
+    edges.corner[edges.count] = i;
+    edges.normal[edges.count++] = {a.edge.normal_u, a.edge.normal_v};
+    return true;
+  }
+  return false;
+}
+
+// The way by which the distance from the edges grows by a margin; at a corner, along its bisector.
+// It is 0 between two parallel edges.
+Corner find_way_inside(const CloseEdges& edges, double margin) {
+  const auto& [a, b] = edges.normal;
+  if (edges.count == 1) return {margin * a.u, margin * a.v};
+  const double sine = a.u * b.v - a.v * b.u;
+  if (std::abs(sine) >= SHARPEST) return {margin * (b.v - a.v) / sine, margin * (a.u - b.u) / sine};
+  return a.u * b.u + a.v * b.v > 0 ? Corner{margin * a.u, margin * a.v} : Corner{};
+}
+
+}  // namespace
+
 Vec pull_inside(const Polygon& polygon, const PolygonCorner* pool, const Vec& point,
                 double epsilon) {
   const std::span corners(pool + polygon.first, polygon.count);
-  Corner3 at{{point[polygon.u], point[polygon.v]}, point[polygon.w]};
-  double area = 0, span = 0;
+  const Corner3 at{{point[polygon.u], point[polygon.v]}, point[polygon.w]};
+  double span = 0;
   const Corner* last = &corners.back();
   for (const Corner& c : corners) {
-    area += (last->u - at.u) * (c.v - at.v) - (last->v - at.v) * (c.u - at.u);
     span = std::max(span, std::abs(last->u - c.u) + std::abs(last->v - c.v));
     last = &c;
   }
   const double margin = std::min(EDGE_MARGIN * epsilon, MAX_PULL * span);
-  for (const Corner& c : corners) {
-    const Corner nearest =
-        find_nearest({{last->u - at.u, last->v - at.v}}, {{c.u - at.u, c.v - at.v}});
-    const double u = last->v - c.v, v = c.u - last->u, size = std::sqrt(u * u + v * v);
-    if (size > 0 && nearest.u * nearest.u + nearest.v * nearest.v < margin * margin) {
-      const double by = std::copysign(margin / size, area);
-      at.w -= by * (polygon.normal[polygon.u] * u + polygon.normal[polygon.v] * v) /
-              polygon.normal[polygon.w];
-      at = {{at.u + by * u, at.v + by * v}, at.w};
-    }
-    last = &c;
+  CloseEdges edges;
+  Corner way;
+  // At a sharp corner, the way from one edge leads close to another one.
+  while (edges.count < 2 && add_close_edge(corners, {at.u + way.u, at.v + way.v}, margin, edges)) {
+    way = find_way_inside(edges, margin);
+    const double size = std::sqrt(way.u * way.u + way.v * way.v);
+    if (size > MAX_WAY * span) way = {MAX_WAY * span / size * way.u, MAX_WAY * span / size * way.v};
   }
-  return eval_corner(polygon, at);
+  const double slope = (polygon.normal[polygon.u] * way.u + polygon.normal[polygon.v] * way.v) /
+                       polygon.normal[polygon.w];
+  return eval_corner(polygon, {{at.u + way.u, at.v + way.v}, at.w - slope});
 }
 
 Blend interpolate(const Polygon& polygon, std::span<const PolygonCorner> pool,

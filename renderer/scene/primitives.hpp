@@ -55,7 +55,7 @@ struct Polygon {
   std::uint8_t u = 0, v = 1, w = 2;    ///< kept axes u and v, and projection axis w
   Shape shape = Shape::concave;
   Tag tag;
-  double slack = 0;  ///< part of eval_closeness(), scene units; infinite if the shape is bent
+  double slack = 0;  ///< see eval_closeness(), scene units; infinite if the shape is bent
 };
 
 /// A polygon with normals interpolated between its corners. They point to its front.
@@ -136,6 +136,7 @@ struct Probe {
   double epsilon;                ///< see eval_epsilon()
   double reach;                  ///< distance beyond which hits do not matter
   const PolygonCorner* corners;  ///< corner pool of the scene
+  double closeness;              ///< see eval_closeness()
   /// number of sphere tests with a root, and of polygon tests with the plane ahead
   std::uint32_t roots = 0, edges = 0;
   bool is_close = false;  ///< intersect_closely() has hit the polygon
@@ -206,11 +207,16 @@ inline constexpr double EDGE_MARGIN = 16;
 /// Largest cosine between a polygon's normal and a ray that counts as meeting the polygon edge-on.
 inline constexpr double EDGE_ON = 1e-6;
 
-/// Distance from an edge, in scene units, below which intersect_closely() decides whether a
-/// perpendicular ray meets the polygon. It is well above the rounding error of the point at which
-/// the ray meets the plane.
-[[gnu::always_inline]] inline double eval_closeness(const Polygon& p, double epsilon) {
-  return p.slack + EDGE_MARGIN * epsilon;
+/// Part of Polygon::slack, relative to the largest coordinate. It is more than EDGE_MARGIN times
+/// the epsilon of rays that start on the polygon.
+inline constexpr double CLOSE = 32e-10;
+
+/// The ray's part of the distance from an edge, in scene units, below which intersect_closely()
+/// decides whether a perpendicular ray meets the polygon. The other part is Polygon::slack. The sum
+/// is well above the rounding error of the point at which the ray meets the plane. `shift` is the
+/// displacement of the polygon by its motion.
+[[gnu::always_inline]] inline double eval_closeness(double epsilon, const Vec& shift = {}) {
+  return EDGE_MARGIN * epsilon + CLOSE * max_abs(shift);
 }
 
 /// Distance at which a ray meets a polygon, edges included, or infinity. For two polygons with a
@@ -223,7 +229,7 @@ inline constexpr double EDGE_ON = 1e-6;
 
 /// Moves a point of a polygon inside if it is close to an edge. Rays from the new point meet
 /// neighbouring faces at more than `epsilon`, unless the angle between the faces is less than some
-/// 4 degrees. At a corner of less than 20 degrees, the point may stay closer to the edges.
+/// 4 degrees.
 Vec pull_inside(const Polygon& polygon, const PolygonCorner* pool, const Vec& point,
                 double epsilon);
 
@@ -246,7 +252,7 @@ Vec pull_inside(const Polygon& polygon, const PolygonCorner* pool, const Vec& po
     const std::span corners(ray.corners + p.first, p.count);
     const double depth = cosine * (p.shape == Shape::convex ? find_depth_in_convex(corners, u, v)
                                                             : find_depth(corners, u, v));
-    const double limit = eval_closeness(p, ray.epsilon);
+    const double limit = p.slack + ray.closeness;
     if (depth > limit) return distance;
     if (depth < -limit) return NO_HIT;
   }

@@ -19,7 +19,10 @@ struct Walk {
   Walk(const Scene& scene, const Ray& ray)
       : scene(scene), ray(ray), probe{ray.origin, ray.direction,
                                       ray.from,   eval_epsilon(scene, ray.origin, ray.travelled),
-                                      ray.reach,  scene.corners.data()} {}
+                                      ray.reach,  scene.corners.data(),
+                                      0} {
+    probe.closeness = eval_closeness(probe.epsilon);
+  }
 
   const Scene& scene;
   const Ray& ray;
@@ -61,9 +64,15 @@ struct AccessListener {
 // Tests a primitive at the time of the ray, by moving the ray instead of the primitive.
 template <class Primitive>
 [[gnu::always_inline]] inline double intersect_moved(const Primitive& primitive, Walk& walk) {
-  const Vec origin = walk.ray.origin - eval_shift(walk.scene, primitive.tag.object, walk.ray.time);
-  Probe probe{origin,           walk.ray.direction, walk.probe.from, walk.probe.epsilon,
-              walk.probe.reach, walk.probe.corners};
+  const Vec shift = eval_shift(walk.scene, primitive.tag.object, walk.ray.time);
+  const Vec origin = walk.ray.origin - shift;
+  Probe probe{origin,
+              walk.ray.direction,
+              walk.probe.from,
+              walk.probe.epsilon,
+              walk.probe.reach,
+              walk.probe.corners,
+              eval_closeness(walk.probe.epsilon, shift)};
   const double distance = intersect(primitive, probe);
   walk.probe.roots += probe.roots;
   walk.probe.edges += probe.edges;
@@ -156,8 +165,7 @@ void walk_boxes(Walk& walk, const Listener& listener) {
 }
 
 // Calls pull_inside() for polygons. Other primitives have no edges.
-Vec pull_from_edges(const Scene& scene, Place place, const Vec& point, double travelled) {
-  const double epsilon = eval_epsilon(scene, point, travelled);
+Vec pull_from_edges(const Scene& scene, Place place, const Vec& point, double epsilon) {
   return visit(scene, place, [&](const auto& primitive) {
     if constexpr (requires { primitive.count; })
       return pull_inside(primitive, scene.corners.data(), point, epsilon);
@@ -198,7 +206,9 @@ template <bool MOVES>
   hit.inside = dot(geometric, ray.direction) > 0;
   if (hit.inside) hit.normal = -hit.normal;
   if (walk.best.is_close) [[unlikely]]
-    hit.point += pull_from_edges(scene, place, still, ray.travelled + hit.distance) - still;
+    hit.point += pull_from_edges(scene, place, still,
+                                 eval_epsilon(scene, hit.point, ray.travelled + hit.distance)) -
+                 still;
 }
 
 // The result of the traversal.
