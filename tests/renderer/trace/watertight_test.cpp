@@ -414,6 +414,28 @@ TEST(Watertight, NoRayLeavesAMovingRoomOfMirrors) {
   }
 }
 
+// A corner reflector of two faces that moves far from the eye: rays near its edge are reflected
+// twice.
+TEST(Watertight, ARayIsReflectedTwiceAtAnEdgeThatMovedFar) {
+  constexpr double FAR = 1e4;
+  Scene scene;
+  scene.surfaces.emplace_back();
+  for (const double side : {-1.0, 1.0})
+    add_polygon(scene, std::vector<Vec>{{1, 0, -1}, {1, 0, 1}, {0, side, 1}, {0, side, -1}});
+  scene.moves.assign(2, {FAR, 0, 0});
+  finish(scene);
+  Random random{1};
+  for (int i = 0; i < 1000; ++i) {
+    SCOPED_TRACE(testing::Message() << "ray " << i);
+    const double beside = std::copysign(std::pow(10, random.range(-12, -4)), random.range(-1, 1));
+    const Vec origin = 0.1 * random.point(1);
+    const Vec target{FAR + 1 - std::abs(beside), beside, random.range(-0.9, 0.9)};
+    Ray ray{.origin = origin, .direction = normalize(target - origin), .influence = {}};
+    ray.time = 1;
+    EXPECT_EQ(count_bounces(scene, ray, 8), 2);
+  }
+}
+
 // Rays from outside run in the plane of a cube's side, some along its borders. Sides that a ray
 // meets edge-on must not hide the side behind them.
 TEST(Watertight, RaysInThePlanesOfFaces) {
