@@ -33,8 +33,7 @@ class TraceRecorder : public machine::Observer {
 
   void ran(const Processor& on, std::uint32_t id, Doing doing, Seconds from, Seconds to) override {
     if (to.value <= trace_.begin_s) return;
-    trace_.spans.push_back({from.value, to.value, number(on), processes_[number(on)][id],
-                            static_cast<Trace::Doing>(doing)});
+    trace_.spans.push_back({from.value, to.value, number(on), processes_[number(on)][id], doing});
   }
 
   void moved(const LinkDirection& link, const std::string& channel, std::uint64_t bytes,

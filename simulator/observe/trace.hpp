@@ -6,13 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "simulator/machine/cpu.hpp"
+
 namespace observe {
 
 /// Times are simulated seconds, at least 0 and within the window. Processors, processes, links and
 /// channels are numbered by their indices in these vectors.
 struct Trace {
   /// Activity of a processor during a span. Between spans it is idle.
-  enum class Doing : std::uint8_t { high, low, switching };
+  using Doing = machine::Observer::Doing;
   struct Process {
     std::string name;
     std::uint32_t processor;
