@@ -375,13 +375,16 @@ Processor& add_processor(Machine& machine, const std::string& name, std::uint64_
   return processor;
 }
 
+std::string worker_name(const topologies::Topology& workers, int id) {
+  return name_of(workers, id, fmt::format("worker{}", id + 1));
+}
+
 Processor& add_worker(Machine& machine, const topologies::Topology& workers, int id,
                       const Params& params) {
   ray_tracing::check_label(workers, id);
-  const auto name = name_of(workers, id, fmt::format("worker{}", id + 1));
   const auto& model = programs::model_of(params.others, id, machine.model());
-  return add_processor(machine, name, worker_memory(model, params), Role::worker,
-                       programs::find_model(params.others, id));
+  return add_processor(machine, worker_name(workers, id), worker_memory(model, params),
+                       Role::worker, programs::find_model(params.others, id));
 }
 
 std::vector<std::string> note_given_up(const topologies::Topology& asked,
@@ -390,8 +393,7 @@ std::vector<std::string> note_given_up(const topologies::Topology& asked,
   for (const auto& [a, b] : asked.links) {
     if (std::ranges::find(wired.links, topologies::Link{a, b}) != wired.links.end()) continue;
     const auto end = [&](const topologies::End& of) {
-      return fmt::format("port {} of {}", of.port,
-                         name_of(asked, of.processor, fmt::format("worker{}", of.processor + 1)));
+      return fmt::format("port {} of {}", of.port, worker_name(asked, of.processor));
     };
     notes.push_back(fmt::format(
         "the link from {} to {} is omitted: the coordinator's link uses its port",

@@ -82,7 +82,9 @@ std::uint64_t database_memory(const machine::Model& model, const Params& params)
 machine::Processor& add_processor(machine::Machine& machine, const std::string& name,
                                   std::uint64_t memory, const char* role,
                                   std::shared_ptr<const machine::Model> model = {});
-/// Adds a worker's processor, named by its label, or "workerN" with N from 1 if it has none.
+/// Name of a worker's processor: its label, or "workerN" with N from 1 if it has none.
+std::string worker_name(const topologies::Topology& workers, int id);
+/// Adds a worker's processor.
 machine::Processor& add_worker(machine::Machine& machine, const topologies::Topology& workers,
                                int id, const Params& params);
 /// Allocates memory for the image on the display.

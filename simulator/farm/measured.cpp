@@ -98,4 +98,22 @@ Columns<Measured> make_columns() {
        base::lift_columns<Measured>(ray_tracing::data_columns(), &Measured::data)});
 }
 
+programs::Shows make_shows() {
+  return {.leading = {"topology", "workers", "objects"},
+          .summary = {"rays", "time_s", "time_per_ray_ms", "speedup", "efficiency",
+                      "cpu_busy_worker_mean", "cpu_busy_coordinator", "cpu_busy_database",
+                      "link_busy_max", "bottleneck"},
+          .loads = {"time_s", "mean_distance", "mean_depth", "messages_sent", "bytes_sent",
+                    "cpu_busiest", "cpu_busy_max", "link_busiest", "link_busy_max", "bottleneck",
+                    "busiest", "busiest_busy", "next_busiest", "next_busy"},
+          .plots = {{"time_s", "Time"},
+                    {"time_per_ray_ms", "Time per ray"},
+                    {"speedup", "Speed-up"},
+                    {"efficiency", "Efficiency"}},
+          .network = {{.name = &worker_name,
+                       .outsiders = {{Role::coordinator},
+                                     {Role::database, Role::coordinator},
+                                     {Role::display, Role::coordinator}}}}};
+}
+
 }  // namespace farm

@@ -29,5 +29,6 @@ struct Measured {
 };
 
 base::Columns<Measured> make_columns();
+programs::Shows make_shows();
 
 }  // namespace farm

@@ -219,7 +219,7 @@ programs::Program make_farm() {
        .lists = make_lists()});
   program.processors = "workers";
   program.shows_parameters = false;
-  program.leading = {"topology", "workers", "objects"};
+  program.shows = make_shows();
   program.shows_picture = true;
   program.picture_key = [](const std::any& any) {
     const auto& params = std::any_cast<const ProgramParams&>(any);

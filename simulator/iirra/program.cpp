@@ -201,7 +201,7 @@ programs::Program make_iirra() {
   program.processors = "workers";
   program.services = SERVICES;
   program.shows_parameters = false;
-  program.leading = {"topology", "workers", "objects"};
+  program.shows.leading = {"topology", "workers", "objects"};
   program.shows_picture = true;
   program.picture_key = [](const std::any& any) {
     const auto& params = std::any_cast<const P&>(any);

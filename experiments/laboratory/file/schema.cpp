@@ -56,7 +56,9 @@ base::Field<Experiment> program_field() {
           "one of the programs below; as an axis of [sweep]: program",
           names,
           [](Experiment&, const base::Scalar&) { return true; },
-          [](const Experiment& e) -> base::Scalar { return e.program ? e.program->name : "farm"; }};
+          [](const Experiment& e) -> base::Scalar {
+            return (e.program ? *e.program : programs::all_programs().front()).name;
+          }};
 }
 
 // The keys that do not depend on the program.
@@ -274,7 +276,7 @@ Programs programs_in_play(const toml::table& file, const std::vector<Coupled>& s
   if (const auto name = file["program"]["name"])
     add(*name.node());
   else
-    found.push_back(programs::find_program("farm"));
+    found.push_back(&programs::all_programs().front());
   return found;
 }
 

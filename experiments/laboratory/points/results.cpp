@@ -122,9 +122,10 @@ void add_speedups(Table& table, const Results& results, const std::string& proce
 
 }  // namespace
 
-bool is_farm(const ExperimentFile& file) {
+const programs::Shows& shows_of(const ExperimentFile& file) {
+  static const programs::Shows DEFAULTS;
   const auto all = programs_of(file);
-  return all.size() == 1 && all[0]->name == "farm";
+  return all.size() == 1 ? all[0]->shows : DEFAULTS;
 }
 
 Value to_value(const Coordinate& at) {
@@ -146,9 +147,7 @@ std::vector<std::string> find_coupled(const ExperimentFile& file, const std::str
 }
 
 std::vector<std::string> axis_columns(const ExperimentFile& file) {
-  const auto all = programs_of(file);
-  std::vector<std::string> columns;
-  if (all.size() == 1) columns = all[0]->leading;
+  auto columns = shows_of(file).leading;
   for (const auto& axis : file.axes()) {
     const auto column = column_of(file, axis.name);
     if (std::ranges::find(columns, column) == columns.end()) columns.push_back(column);

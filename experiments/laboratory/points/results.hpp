@@ -46,8 +46,8 @@ std::set<std::string> input_names(const ExperimentFile& file, const Table& table
 /// The first column of a results table that is a result and not an input; none if all are inputs.
 std::vector<std::string> first_result(const ExperimentFile& file, const Table& table);
 
-/// True if all points run the farm.
-bool is_farm(const ExperimentFile& file);
+/// What the program of all points shows of its results; the defaults if there are several programs.
+const programs::Shows& shows_of(const ExperimentFile& file);
 Value to_value(const Coordinate& at);
 
 }  // namespace laboratory

@@ -81,17 +81,8 @@ TableView choose_named(const ExperimentFile& file, const Table& table) {
 
 TableView choose_view(const ExperimentFile& file, const Table& table) {
   if (!file.report.columns.empty()) return choose_named(file, table);
-  static const Texts OF_THE_FARM = {"rays",
-                                    "time_s",
-                                    "time_per_ray_ms",
-                                    "speedup",
-                                    "efficiency",
-                                    "cpu_busy_worker_mean",
-                                    "cpu_busy_coordinator",
-                                    "cpu_busy_database",
-                                    "link_busy_max",
-                                    "bottleneck"};
   TableView view;
+  const auto& summary = shows_of(file).summary;
   const auto inputs = input_names(file, table);
   const auto asked = find_asked(file);
   Texts first, others;
@@ -111,7 +102,7 @@ TableView choose_view(const ExperimentFile& file, const Table& table) {
       first.push_back(name);
     } else if (name == ENDED) {
       if (constant != "done") first.push_back(name);
-    } else if (!is_farm(file) || contains(OF_THE_FARM, name)) {
+    } else if (summary.empty() || contains(summary, name)) {
       others.push_back(name);
     }
   }

@@ -62,11 +62,6 @@ std::optional<std::array<double, 2>> take_both_ways(LinkBusy& links, const std::
   return both;
 }
 
-// The name of a processor's worker in records.
-std::string worker(const topologies::Topology& topology, int id) {
-  return name_of(topology, id, fmt::format("worker{}", id + 1));
-}
-
 // Names a point by its network and its axes: "topology = ring:3, workers = 3, objects = 9".
 std::string make_caption(const Simulation& s, std::size_t point) {
   const auto& row = s.table.rows[s.table.row_of(point)];
@@ -76,32 +71,27 @@ std::string make_caption(const Simulation& s, std::size_t point) {
   return join_texts(parts, ", ");
 }
 
-std::string draw(topologies::Topology topology, const std::string& caption,
-                 const ordered_json& use) {
+std::string draw(topologies::Topology topology, const programs::NetworkDrawing& drawing,
+                 const std::string& caption, const ordered_json& use) {
   const auto cpus = read_cpus(use);
   auto links = read_links(use);
   topologies::Loads loads;
   loads.title = caption;
   for (int id = 0; id < topology.processors; ++id) {
-    loads.processors.push_back(cpus.at(worker(topology, id)));
+    loads.processors.push_back(cpus.at(drawing.name(topology, id)));
     loads.labels.push_back(name_of(topology, id, std::to_string(id + 1)));
   }
-  // Drops the link that is missing in the record, because the farm disconnects it to free a port of
-  // the root.
+  // Drops links that the program does not use and therefore does not record.
   std::erase_if(topology.links, [&](const topologies::Link& link) {
-    const auto both = take_both_ways(links, worker(topology, link.a.processor),
-                                     worker(topology, link.b.processor));
+    const auto both = take_both_ways(links, drawing.name(topology, link.a.processor),
+                                     drawing.name(topology, link.b.processor));
     if (both) loads.links.push_back(*both);
     return !both;
   });
-  const auto root = worker(topology, topology.root);
-  loads.extras = {{"coordinator", cpus.at("coordinator"), "", {}},
-                  {"database", cpus.at("database"), "coordinator", {}},
-                  {"display", cpus.at("display"), "coordinator", {}}};
-  for (std::size_t i = 0; i < loads.extras.size(); ++i) {
-    auto& extra = loads.extras[i];
-    extra.link = take_both_ways(links, extra.name, i == 0 ? root : "coordinator").value();
-  }
+  const auto root = drawing.name(topology, topology.root);
+  for (const auto& [name, to] : drawing.outsiders)
+    loads.extras.push_back(
+        {name, cpus.at(name), to, take_both_ways(links, name, to.empty() ? root : to).value()});
   return to_load_svg(topology, loads);
 }
 
@@ -119,7 +109,7 @@ std::string file_name(const Point& point) {
 // For each point, true if it has the most workers among the points that differ only in workers.
 std::vector<bool> find_largest(const Simulation& s) {
   std::map<std::string, std::size_t> largest;
-  const std::size_t column = *s.table.find("workers");
+  const std::size_t column = *s.table.find(s.file.points[0].experiment.program->processors);
   const auto workers = [&](std::size_t i) {
     return as_number(s.table.rows[s.table.row_of(i)][column]).value_or(0);
   };
@@ -158,7 +148,7 @@ void draw_point(const fs::path& folder, const Simulation& s, Drawn& drawn) try {
   const auto& topology = drawn.network->topology;
   if (!drawn.failure.empty() || topology.processors > topologies::MAX_DRAWN) return;
   const auto use = load_record(folder / s.records[drawn.point]).use;
-  drawn.svg = draw(topology, make_caption(s, drawn.point), use);
+  drawn.svg = draw(topology, *shows_of(s.file).network, make_caption(s, drawn.point), use);
   base::save_whole(folder / drawing_of(s.file.points[drawn.point]), drawn.svg);
 } catch (const std::exception& error) {
   drawn.failure = error.what();
@@ -176,7 +166,7 @@ void share(const RunOptions& options, std::vector<Thing>& things, const F& f) {
 NetworkDrawings draw_networks(const fs::path& folder, const RunOptions& options,
                               const Simulation& s) {
   NetworkDrawings networks;
-  if (s.file.report.networks == "none" || !is_farm(s.file)) return networks;
+  if (s.file.report.networks == "none" || !shows_of(s.file).network) return networks;
   const auto is_largest = find_largest(s);
   make_folders(folder / "networks");
   std::map<std::string, std::size_t> known;  // index of each network in `made`, by network_key

@@ -125,17 +125,14 @@ bool wants_log_x(const std::string& column, const std::vector<double>& values) {
   return column != "workers" || std::ranges::max(values) >= 32 * std::ranges::min(values);
 }
 
-std::vector<Plot> make_plots(const Table& table) {
+std::vector<Plot> make_plots(const Table& table, const std::vector<programs::UsualPlot>& usual) {
   const auto x = choose_x(table);
   if (!x) return {};
   const bool over_workers = table.columns[*x] == "workers";
   const bool log_x = wants_log_x(table.columns[*x], numbers_of(table, all_rows(table), *x));
   const auto where = name_constants(table);
   std::vector<Plot> plots;
-  for (const auto& [column, title] : {std::pair{"time_s", "Time"},
-                                      {"time_per_ray_ms", "Time per ray"},
-                                      {"speedup", "Speed-up"},
-                                      {"efficiency", "Efficiency"}}) {
+  for (const auto& [column, title] : usual) {
     const auto y = table.find(column);
     if (!y || *y < table.axes) continue;
     Plot plot = make_plot(table, *x, *y);

@@ -8,6 +8,7 @@
 #include "experiments/laboratory/table/axis_values.hpp"
 #include "experiments/laboratory/table/table.hpp"
 #include "experiments/laboratory/uncertain/confidence.hpp"
+#include "simulator/programs/declare/program.hpp"
 
 namespace laboratory {
 
@@ -50,12 +51,12 @@ struct Plot {
   std::optional<double> y_min, y_max;  ///< range of the y axis; absent: chosen from the points
 };
 
-/// Makes the default plots of a sweep from the columns that have values: time_s, time_per_ray_ms,
-/// speedup (with the ideal line) and efficiency (0 to 1.05). The x axis is "workers" if that
+/// Makes the default plots of a program's sweep from the columns that have values. speedup has the
+/// ideal line, and efficiency at least the range 0 to 1.05. The x axis is "workers" if that
 /// varies, else the first numeric axis that varies. Without one there are no plots. Each
 /// combination of the other axes that vary independently of x is a series ("tree, 200 objects").
 /// The title names the constant axes. Points are sorted by x.
-std::vector<Plot> make_plots(const Table& table);
+std::vector<Plot> make_plots(const Table& table, const std::vector<programs::UsualPlot>& usual);
 
 /// Makes a plot of each given column. Both scales are logarithmic if the values on both axes span
 /// more than a decade.

@@ -154,26 +154,21 @@ std::string make_settings(const ExperimentFile& file) {
                        : fmt::format("{}\n\n# By default:\n{}", text, join_texts(lines, "\n"));
 }
 
-// Chooses the axes, and those of the given names that are columns.
-Texts choose_columns(const Table& table, std::initializer_list<const char*> names) {
-  Texts chosen = axis_names(table);
-  for (const char* name : names)
-    if (table.find(name)) chosen.push_back(name);
-  return chosen;
-}
-
-// Chooses the columns of a second table with the loads, for the farm only.
+// Chooses the columns of a second table with the loads: the axes, and those that the program
+// declares. None if it declares none.
 Texts load_columns(const ExperimentFile& file, const Table& table) {
-  if (!is_farm(file)) return {};
-  return choose_columns(
-      table, {"time_s", "mean_distance", "mean_depth", "messages_sent", "bytes_sent", "cpu_busiest",
-              "cpu_busy_max", "link_busiest", "link_busy_max", "bottleneck", "busiest",
-              "busiest_busy", "next_busiest", "next_busy"});
+  const auto& names = shows_of(file).loads;
+  if (names.empty()) return {};
+  Texts chosen = axis_names(table);
+  std::ranges::copy_if(names, std::back_inserter(chosen),
+                       [&](const std::string& name) { return table.find(name).has_value(); });
+  return chosen;
 }
 
 // Makes the default plots of an experiment that declares none.
 std::vector<Plot> usual_plots(const ExperimentFile& file, const Table& table) {
-  return is_farm(file) ? make_plots(table) : make_plots(table, first_result(file, table));
+  const auto& plots = shows_of(file).plots;
+  return plots.empty() ? make_plots(table, first_result(file, table)) : make_plots(table, plots);
 }
 
 // ---- Sections of the page ----

@@ -110,6 +110,33 @@ struct Uses {
   bool threads = false;  ///< supports --threads: processors share only constant data on the host
 };
 
+/// A plot that reports show by default: a result over the axes of the sweep.
+struct UsualPlot {
+  std::string column, title;
+};
+
+/// A drawing of the network with the loads of processors and links.
+struct NetworkDrawing {
+  /// A processor outside the topology.
+  struct Outsider {
+    std::string name;
+    std::string to = {};  ///< the processor that it is linked to: an earlier outsider; "": the root
+  };
+  /// Name of a processor of the topology in Use.
+  std::string (*name)(const topologies::Topology& topology, int id);
+  std::vector<Outsider> outsiders = {};
+};
+
+/// What tables and reports show of a program's results. Each default applies also to experiments
+/// with several programs.
+struct Shows {
+  std::vector<std::string> leading = {};  ///< columns that come first, even if they are not axes
+  std::vector<std::string> summary = {};  ///< results in short tables; default: all
+  std::vector<std::string> loads = {};    ///< columns of a second table; default: no such table
+  std::vector<UsualPlot> plots = {};      ///< default: a plot of the first result
+  std::optional<NetworkDrawing> network = {};  ///< default: no drawing
+};
+
 /// A program whose parameters are stored in a std::any.
 struct Program {
   std::string name, help;
@@ -135,8 +162,7 @@ struct Program {
   std::string processors = "processors";
   int services = 0;              ///< number of service processors, not counted in this column
   bool shows_parameters = true;  ///< true: each parameter is a column of the results
-  /// Columns that always come first, even if they are not axes of the sweep.
-  std::vector<std::string> leading = {};
+  Shows shows = {};
 
   const Parameter* find(std::string_view name) const;
 };

@@ -6,6 +6,7 @@
 
 #include "experiments/laboratory/report/gnuplot.hpp"
 #include "experiments/laboratory/report/plot_script.hpp"
+#include "simulator/programs/programs.hpp"
 #include "tests/laboratory/support/support.hpp"
 
 namespace laboratory {
@@ -42,8 +43,13 @@ Names series_names(const Plot& plot) {
   return names;
 }
 
+// The default plots of the farm.
+std::vector<Plot> make_usual_plots(const Table& table) {
+  return make_plots(table, programs::find_program("farm")->shows.plots);
+}
+
 TEST(ExperimentsPlots, OnePlotPerColumnOverWorkers) {
-  const auto plots = make_plots(make_sweep({"tree"}, {200, 3200}, {4, 1, 2}));
+  const auto plots = make_usual_plots(make_sweep({"tree"}, {200, 3200}, {4, 1, 2}));
   ASSERT_EQ(plot_names(plots), (Names{"time_s", "speedup", "efficiency"}));
   EXPECT_EQ(plots[0].title, "Time: tree");
   EXPECT_EQ(plots[0].x_label, "workers");
@@ -58,22 +64,22 @@ TEST(ExperimentsPlots, OnePlotPerColumnOverWorkers) {
 }
 
 TEST(ExperimentsPlots, SeriesAreNamedByEveryAxisThatVaries) {
-  const auto plots = make_plots(make_sweep({"tree", "mesh"}, {1, 200}, {1, 2}));
+  const auto plots = make_usual_plots(make_sweep({"tree", "mesh"}, {1, 200}, {1, 2}));
   EXPECT_EQ(series_names(plots[0]),
             (Names{"tree, 1 object", "tree, 200 objects", "mesh, 1 object", "mesh, 200 objects"}));
   EXPECT_EQ(plots[0].title, "Time");
 }
 
 TEST(ExperimentsPlots, WithoutWorkersTheFirstNumericAxisThatVaries) {
-  const auto plots = make_plots(make_sweep({"tree", "mesh"}, {200, 800, 3200}, {7}));
+  const auto plots = make_usual_plots(make_sweep({"tree", "mesh"}, {200, 800, 3200}, {7}));
   ASSERT_EQ(plots.size(), 3u);
   EXPECT_EQ(plots[1].x_label, "objects");
   EXPECT_EQ(plots[1].title, "Speed-up: 7 workers");
   EXPECT_FALSE(plots[1].ideal_line) << "y = x means nothing over objects";
   EXPECT_TRUE(plots[1].log_x);
   EXPECT_EQ(series_names(plots[1]), (Names{"tree", "mesh"}));
-  EXPECT_TRUE(make_plots(make_sweep({"tree", "mesh"}, {200}, {7})).empty());
-  EXPECT_TRUE(make_plots(Table{}).empty());
+  EXPECT_TRUE(make_usual_plots(make_sweep({"tree", "mesh"}, {200}, {7})).empty());
+  EXPECT_TRUE(make_usual_plots(Table{}).empty());
 }
 
 TEST(ExperimentsPlots, EmptyCellsAreNoPoints) {
@@ -81,11 +87,11 @@ TEST(ExperimentsPlots, EmptyCellsAreNoPoints) {
   table.rows[1][4] = {};
   table.rows[2][4] = NAN;
   for (auto& row : table.rows) row[5] = {};
-  const auto plots = make_plots(table);
+  const auto plots = make_usual_plots(table);
   ASSERT_EQ(plot_names(plots), (Names{"time_s", "efficiency"}));
   EXPECT_EQ(plots[0].series[0].x, (std::vector<double>{1}));
   table.rows[0][6] = 1.5;
-  EXPECT_DOUBLE_EQ(*make_plots(table)[1].y_max, 1.05 * 1.5);
+  EXPECT_DOUBLE_EQ(*make_usual_plots(table)[1].y_max, 1.05 * 1.5);
 }
 
 TEST(ExperimentsPlots, OtherAxesAreNamedReadably) {
@@ -96,7 +102,7 @@ TEST(ExperimentsPlots, OtherAxesAreNamedReadably) {
     for (const bool fast : {false, true})
       table.rows.push_back(
           {integer(w), fast ? 20.0 : 5.0, integer(fast ? 15 : 3), fast ? "true" : "false", 1.0});
-  EXPECT_EQ(series_names(make_plots(table).at(0)),
+  EXPECT_EQ(series_names(make_usual_plots(table).at(0)),
             (Names{"link rate 5 Mbit/s, depth 3, order false",
                    "link rate 20 Mbit/s, depth 15, order true"}));
 }

@@ -225,6 +225,17 @@ TEST(Programs, ARouterThatIsLateForAMomentIsNotSaturated) {
   EXPECT_EQ(found, "125 0 0");  // the rate of one message in 2 ms from 4 processors, 1/s
 }
 
+TEST(Programs, ShowOnlyColumnsThatTheyHave) {
+  for (const Program& program : all_programs()) {
+    SCOPED_TRACE(program.name);
+    auto shown = base::join(program.shows.summary, {program.shows.loads});
+    for (const auto& plot : program.shows.plots) shown.push_back(plot.column);
+    for (const auto& name : shown)
+      EXPECT_NE(std::ranges::find(program.columns, name, &ColumnHelp::name), program.columns.end())
+          << name;
+  }
+}
+
 TEST(Programs, ParametersKnowWhatTheyAllow) {
   const auto& program = get_program("global");
   std::any params = program.defaults;
