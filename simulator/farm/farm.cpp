@@ -22,9 +22,11 @@ struct CentralProcessors {
 CentralProcessors add_central_processors(machine::Machine& machine, const Params& params) {
   const auto small = worker_memory(machine.model(), params);
   const auto large = database_memory(machine.model(), params);
-  CentralProcessors on{add_processor(machine, Role::coordinator, small, Role::coordinator),
-                       add_processor(machine, Role::database, large, Role::database),
-                       add_processor(machine, Role::display, large, Role::display)};
+  const auto add = [&](Role role, std::uint64_t memory) -> Processor& {
+    return add_processor(machine, to_string(role), memory, role);
+  };
+  CentralProcessors on{add(Role::coordinator, small), add(Role::database, large),
+                       add(Role::display, large)};
   machine.connect(on.coordinator, on.database);
   machine.connect(on.coordinator, on.display);
   return on;
@@ -118,13 +120,14 @@ class Centre {
     const std::size_t n = workers.processors.size();
     kernels::start(on_.coordinator, "interaction", Priority::low,
                    [this] { interaction(orders_, progress_, from_interaction_); });
-    kernels::start(on_.coordinator, "coordination", Priority::low, [this, channels, n] {
+    const auto coordinate = [this, channels, n] {
       if (params_.block)
         block_coordination(make_blocks(params_.image, *params_.block), scene_messages(n), channels,
                            progress_);
       else
         coordination(make_ray_setup(n), channels, progress_);
-    });
+    };
+    coordination_ = kernels::start(on_.coordinator, "coordination", Priority::low, coordinate).id();
     // Each process has a processor of its own, so priority is irrelevant.
     kernels::start(on_.database, "ray.database", Priority::high,
                    [this] { rays_.run(into_database_, from_database_); });
@@ -159,6 +162,7 @@ class Centre {
         result.order_to_pixel_s =
             std::max(result.order_to_pixel_s.value_or(0), (*shown - at).value);
     result.key_images = std::move(visualisation_.key_images);
+    result.coordination = coordination_;
     result.interactive_s = progress_.interactive_s;
     result.peaks = rays_.stores.peaks();
     return result;
@@ -205,6 +209,7 @@ class Centre {
   ray_tracing::Orders<Limits> orders_;
   Progress progress_;
   Visualisation visualisation_;
+  machine::ProcessId coordination_ = 0;
 
   Channel<Command> from_interaction_;
   Channel<DatabaseRequest> into_database_;
@@ -256,8 +261,8 @@ observe::ControlPanel Centre::make_view() {
     return ray_tracing::render_sequentially(scene_, params_.image, goes_on);
   };
   const auto& stores = rays_.stores;
-  view.gauges = {{"rays", "rays that the picture shows",
-                  [this] { return static_cast<double>(visualisation_.rays); }},
+  view.count_rays = [this] { return static_cast<double>(visualisation_.rays); };
+  view.gauges = {{"rays", "rays that the picture shows", view.count_rays},
                  {"rays in the database", "rays waiting in all stores of the ray database",
                   [&stores] { return static_cast<double>(stores.size()); }},
                  {"tasks", "tasks handed out to the workers",
@@ -368,9 +373,9 @@ std::uint64_t database_memory(const machine::Model& model, const Params& params)
   return params.database_memory.value_or(get_bytes(model, "database_memory"));
 }
 
-Processor& add_processor(Machine& machine, const std::string& name, std::uint64_t memory,
-                         const char* role, std::shared_ptr<const machine::Model> model) {
-  Processor& processor = machine.add_processor(name, memory, role, std::move(model));
+Processor& add_processor(Machine& machine, const std::string& name, std::uint64_t memory, Role role,
+                         std::shared_ptr<const machine::Model> model) {
+  Processor& processor = machine.add_processor(name, memory, to_string(role), std::move(model));
   kernels::load_program(processor);
   return processor;
 }

@@ -80,7 +80,7 @@ std::uint64_t worker_memory(const machine::Model& model, const Params& params); 
 std::uint64_t database_memory(const machine::Model& model, const Params& params);  ///< in bytes
 /// Adds a processor and allocates memory for its program.
 machine::Processor& add_processor(machine::Machine& machine, const std::string& name,
-                                  std::uint64_t memory, const char* role,
+                                  std::uint64_t memory, Role role,
                                   std::shared_ptr<const machine::Model> model = {});
 /// Name of a worker's processor: its label, or "workerN" with N from 1 if it has none.
 std::string worker_name(const topologies::Topology& workers, int id);

@@ -9,9 +9,10 @@ using base::Columns;
 
 namespace {
 
-Load load_of_coordination(const observe::Use& use) {
+Load load_of_coordination(const Result& result) {
+  const auto& use = result.use;
   const auto& cpu = *find_role(use, Role::coordinator);
-  const auto& process = find_process(use, cpu.name + ".coordination");
+  const auto& process = find_process(use, result.coordination);
   return {"coordination", 1 - process.alternative_s / use.time_s,
           fmt::format("its CPU {}, waiting to send {}, for replies {}",
                       ray_tracing::percent(cpu.busy_s / use.time_s),
@@ -60,8 +61,8 @@ std::vector<Load> find_loads(const Result& result) {
   const auto& use = result.use;
   if (use.time_s <= 0) return {};
   auto loads = ray_tracing::find_loads(use);
-  loads.push_back(load_of_coordination(use));
-  for (const char* role : {Role::database, Role::display})
+  loads.push_back(load_of_coordination(result));
+  for (const Role role : {Role::database, Role::display})
     if (const auto* cpu = find_role(use, role))
       loads.push_back({cpu->name, cpu->busy_s / use.time_s, "its CPU"});
   loads.push_back(
@@ -99,6 +100,7 @@ Columns<Measured> make_columns() {
 }
 
 programs::Shows make_shows() {
+  const auto coordinator = to_string(Role::coordinator);
   return {.leading = {"topology", "workers", "objects"},
           .summary = {"rays", "time_s", "time_per_ray_ms", "speedup", "efficiency",
                       "cpu_busy_worker_mean", "cpu_busy_coordinator", "cpu_busy_database",
@@ -111,9 +113,9 @@ programs::Shows make_shows() {
                     {"speedup", "Speed-up"},
                     {"efficiency", "Efficiency"}},
           .network = {{.name = &worker_name,
-                       .outsiders = {{Role::coordinator},
-                                     {Role::database, Role::coordinator},
-                                     {Role::display, Role::coordinator}}}}};
+                       .outsiders = {{coordinator},
+                                     {to_string(Role::database), coordinator},
+                                     {to_string(Role::display), coordinator}}}}};
 }
 
 }  // namespace farm

@@ -17,24 +17,16 @@ namespace {
 
 // Number of the farm's processes in addresses, and the contents of their messages.
 constexpr int FARM_PROCESS = shared_memory::FIRST_FREE_PROCESS;
-struct FarmMessage : network::Contents {
-  explicit FarmMessage(std::variant<Stop, renderer::Area, renderer::Block> content)
-      : content(std::move(content)) {}
-  std::variant<Stop, renderer::Area, renderer::Block> content;
-};
+using FarmMessage = std::variant<Stop, renderer::Area, renderer::Block>;
 
 // Number of blocks assigned to a worker at a time: one to render and one in advance.
 constexpr int BLOCKS_OF_WORKER = 2;
 
-void send(DataManager& manager, Address to, FarmMessage contents, std::uint64_t bytes) {
+void send(DataManager& manager, Address to, FarmMessage content, std::uint64_t bytes) {
   manager.client().send({.to = to,
                          .from = {.process = FARM_PROCESS},
                          .length = bytes,
-                         .contents = std::make_shared<const FarmMessage>(std::move(contents))});
-}
-
-const FarmMessage& read(const Message& message) {
-  return static_cast<const FarmMessage&>(*message.contents);
+                         .contents = network::make_contents(std::move(content))});
 }
 
 // Length of the message with a rendered block, in bytes.
@@ -87,8 +79,8 @@ network::Params make_network_params(const machine::Model& model, const Params& f
 void add_processors(machine::Machine& machine, const Params& params,
                     const topologies::Topology& workers) {
   const auto& model = machine.model();
-  auto& coordinator =
-      add_processor(machine, Role::coordinator, database_memory(model, params), Role::coordinator);
+  auto& coordinator = add_processor(machine, to_string(Role::coordinator),
+                                    database_memory(model, params), Role::coordinator);
   for (int id = 0; id < workers.processors; ++id) add_worker(machine, workers, id, params);
   allocate_image(coordinator, params.image);
 }
@@ -136,8 +128,10 @@ class SharedFarm {
       auto& processor = *machine_.processors()[id];
       auto& manager = memory_->manager(id);
       if (id == 0)
-        kernels::start(processor, "coordination", machine::Priority::low,
-                       [this, &manager] { coordinate(manager); });
+        coordination_ =
+            kernels::start(processor, "coordination", machine::Priority::low, [this, &manager] {
+              coordinate(manager);
+            }).id();
       else
         kernels::start(processor, "application", machine::Priority::low,
                        [this, &manager] { work(manager); });
@@ -152,7 +146,7 @@ class SharedFarm {
     std::size_t next = 0, in_farm = 0;
     const auto feed = [&](int worker) {
       if (next == blocks.size()) return;
-      send(manager, {worker, FARM_PROCESS}, FarmMessage(blocks[next++]), BLOCK_BYTES);
+      send(manager, {worker, FARM_PROCESS}, blocks[next++], BLOCK_BYTES);
       progress_.note_task(++in_farm);
     };
     for (int block = 0; block < BLOCKS_OF_WORKER; ++block)
@@ -162,7 +156,7 @@ class SharedFarm {
       }
     while (in_farm > 0) {
       const Message message = manager.serve_at_once();
-      const auto& block = std::get<renderer::Block>(read(message).content);
+      const auto& block = std::get<renderer::Block>(network::read<FarmMessage>(message));
       --in_farm;
       ++done_[message.from.processor];
       feed(message.from.processor);
@@ -174,7 +168,7 @@ class SharedFarm {
                     });
     }
     progress_.end();
-    send(manager, network::make_global(FARM_PROCESS), FarmMessage(Stop{}), TAG_BYTES);
+    send(manager, network::make_global(FARM_PROCESS), Stop{}, TAG_BYTES);
   }
 
   // Renders blocks until it receives Stop.
@@ -182,10 +176,10 @@ class SharedFarm {
     for (bool active = true; active;) {
       const Message message = manager.serve_at_once();
       case_of(
-          read(message),
+          network::read<FarmMessage>(message),
           [&](const renderer::Area& area) {
-            send(manager, {message.from.processor, FARM_PROCESS},
-                 FarmMessage(render(manager, area)), block_bytes(pixel_bytes_, area));
+            send(manager, {message.from.processor, FARM_PROCESS}, render(manager, area),
+                 block_bytes(pixel_bytes_, area));
           },
           [&](const auto&) { active = false; });
     }
@@ -208,8 +202,8 @@ class SharedFarm {
     observe::ControlPanel view;
     for (int id = 1; id <= workers_.processors; ++id) view.network.push_back(id);
     view.picture = {params_.image.width, params_.image.height, [this] { return &picture_.rgb8(); }};
-    view.gauges = {{"rays", "rays that the picture shows",
-                    [this] { return static_cast<double>(progress_.rays.total()); }}};
+    view.count_rays = [this] { return static_cast<double>(progress_.rays.total()); };
+    view.gauges = {{"rays", "rays that the picture shows", view.count_rays}};
     shared_memory::show(view, *memory_);
     programs::show(view, *network_);
     return view;
@@ -228,6 +222,7 @@ class SharedFarm {
     result.rgb8 = picture_.rgb8();
     result.pictures = recorder_.pictures();
     result.growth = recorder_.growth();
+    result.coordination = coordination_;
     result.topology = workers_;
     for (const auto& [id, tasks] : done_)
       if (!result.use.cpus.empty()) result.use.cpus.at(static_cast<std::size_t>(id)).tasks = tasks;
@@ -255,6 +250,7 @@ class SharedFarm {
   snapshots::Recorder recorder_;
   renderer::BlockBuffer block_scratch_;
   Progress progress_;
+  machine::ProcessId coordination_ = 0;
   std::map<int, std::uint64_t> done_;  // number of tasks, by processor
 };
 

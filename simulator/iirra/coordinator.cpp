@@ -17,11 +17,11 @@ void interact(Shared& shared, network::Client& client) {
   for (bool has_left = false; !has_left;) {
     const std::size_t number = shared.orders.next(Seconds{shared.record.begun_s});
     has_left = std::holds_alternative<ray_tracing::Leave>(shared.orders[number].what);
-    const IirraMessage::Content order = UserOrder{number};
+    const IirraMessage order = UserOrder{number};
     client.send({.to = {coordinator, TASK_PROCESS},
                  .from = {.process = TASK_PROCESS},
                  .length = shared.sizes.of(order),
-                 .contents = std::make_shared<const IirraMessage>(order)});
+                 .contents = network::make_contents(order)});
   }
 }
 
@@ -261,7 +261,7 @@ void Coordinator::obey_user(std::size_t place) {
       [](ray_tracing::Leave) {}, [&](const ray_tracing::Save& save) { keep_picture(save.name); });
 }
 
-void Coordinator::tell(network::Address to, IirraMessage::Content content) {
+void Coordinator::tell(network::Address to, IirraMessage content) {
   send(manager_, shared_.sizes, TASK_PROCESS, to, std::move(content));
 }
 

@@ -140,8 +140,9 @@ class Run {
       return ray_tracing::render_sequentially(shared_.scene, params_.image, goes_on);
     };
     const auto& record = shared_.record;
+    view.count_rays = [&] { return static_cast<double>(record.rays.total()); };
     view.gauges = {
-        {"rays", "rays traced", [&] { return static_cast<double>(record.rays.total()); }},
+        {"rays", "rays traced", view.count_rays},
         {"samples", "samples computed", [&] { return static_cast<double>(record.counts.samples); }},
         {"tasks moved", "cells moved to another worker",
          [&] { return static_cast<double>(record.counts.tasks_moved); }}};
@@ -165,7 +166,7 @@ class Run {
     return view;
   }
 
-  const char* role_of(int id) const {
+  Role role_of(int id) const {
     if (id == shared_.places.coordinator) return Role::coordinator;
     return id == shared_.places.display ? Role::display : Role::worker;
   }
@@ -174,13 +175,13 @@ class Run {
     companions_.resize(static_cast<std::size_t>(topology_.processors));
     for (int id = 0; id < topology_.processors; ++id) {
       ray_tracing::check_label(topology_, id);
-      const char* role = role_of(id);
+      const Role role = role_of(id);
       const bool is_worker = role == Role::worker;
       auto& processor = machine_.add_processor(
-          name_of(topology_, id, is_worker ? fmt::format("worker{}", id) : role),
+          name_of(topology_, id, is_worker ? fmt::format("worker{}", id) : to_string(role)),
           params_.memory.value_or(get_bytes(programs::model_of(params_.others, id, model),
                                             is_worker ? "worker_memory" : "database_memory")),
-          is_worker && params_.is_double ? Role::router : role,
+          to_string(is_worker && params_.is_double ? Role::router : role),
           programs::find_model(params_.others, id));
       kernels::load_program(processor);
       if (is_worker && !params_.data)
@@ -197,7 +198,8 @@ class Run {
     if (!params_.is_double) return;
     for (const int id : shared_.places.workers) {
       auto& router = *machine_.processors()[id];
-      companions_[id] = &machine_.add_companion(router, router.name() + ".second", Role::worker);
+      companions_[id] =
+          &machine_.add_companion(router, router.name() + ".second", to_string(Role::worker));
     }
   }
 
@@ -256,12 +258,13 @@ class Run {
                              ? find_parents(topology_, places)
                              : std::vector<int>(static_cast<std::size_t>(topology_.processors));
     const auto& processors = machine_.processors();
-    const auto start_on = [&](int id, const char* name, machine::Process::Body body) {
-      kernels::start(*processors[id], name, machine::Priority::low, std::move(body));
+    const auto start_on = [&](int id, const char* name, machine::Process::Body body) -> auto& {
+      return kernels::start(*processors[id], name, machine::Priority::low, std::move(body));
     };
     coordinator_.emplace(shared_, manager(places.coordinator),
                          network_->client(places.coordinator, 1));
-    start_on(places.coordinator, "coordination", [this] { coordinator_->run(); });
+    shared_.record.coordination =
+        start_on(places.coordinator, "coordination", [this] { coordinator_->run(); }).id();
     display_.emplace(shared_, manager(places.display));
     start_on(places.display, "visualisation", [this] { display_->run(); });
     for (std::size_t i = 0; i < places.workers.size(); ++i) {

@@ -92,9 +92,10 @@ Columns<Result> run_columns() {
                  "mean distance from the coordinator to a worker, in links")};
 }
 
-ray_tracing::Load load_of_coordination(const observe::Use& use) {
+ray_tracing::Load load_of_coordination(const Result& result) {
+  const auto& use = result.use;
   const auto& cpu = *find_role(use, Role::coordinator);
-  const auto& process = find_process(use, cpu.name + ".coordination");
+  const auto& process = find_process(use, result.coordination);
   return {"coordination", 1 - (process.alternative_s + process.input_s) / use.time_s,
           fmt::format("its CPU {}", ray_tracing::percent(cpu.busy_s / use.time_s))};
 }
@@ -106,7 +107,7 @@ Losses find_losses(const Result& result) {
   if (use.time_s <= 0 || result.rays.total() == 0) return {};
   double busy_s = 0, high_s = 0;
   for (const auto& cpu : use.cpus)
-    if (cpu.role == Role::worker) {
+    if (has_role(cpu, Role::worker)) {
       busy_s += cpu.busy_s;
       high_s += cpu.busy_high_s;
     }
@@ -137,7 +138,7 @@ ray_tracing::Loads find_loads(const Result& result) {
   const auto& use = result.use;
   if (use.time_s <= 0) return {};
   auto loads = ray_tracing::find_loads(use);
-  loads.push_back(load_of_coordination(use));
+  loads.push_back(load_of_coordination(result));
   const auto& display = *find_role(use, Role::display);
   loads.push_back({display.name, display.busy_s / use.time_s, "its CPU"});
   loads.push_back({"tasks", (result.ended_s - result.last_task_s) / result.time_s,

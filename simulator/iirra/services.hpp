@@ -34,7 +34,7 @@ class Coordinator {
   void keep_picture(const std::string& name);
   void serve_demand(int child);
   void note(std::size_t order, const std::string& why);
-  void tell(network::Address to, IirraMessage::Content content);
+  void tell(network::Address to, IirraMessage content);
 
   Shared& shared_;
   shared_memory::DataManager& manager_;

@@ -121,7 +121,7 @@ void Worker::serve_waiting() {
 // Called between rays of a sample: handles only messages that do not affect the current cell.
 void Worker::serve_urgent() {
   while (auto message = manager_.take_other()) {
-    const auto& content = static_cast<const IirraMessage&>(*message->contents).content;
+    const auto& content = network::read<IirraMessage>(*message);
     if (std::holds_alternative<Poll>(content) || std::holds_alternative<TaskRequest>(content) ||
         std::holds_alternative<NoTasks>(content))
       obey(*message);
@@ -182,7 +182,7 @@ std::size_t Worker::give(int to) {
   return given;
 }
 
-void Worker::send_to(network::Address to, IirraMessage::Content content) {
+void Worker::send_to(network::Address to, IirraMessage content) {
   counts_.requests += std::holds_alternative<TaskRequest>(content);
   counts_.refusals += std::holds_alternative<NoTasks>(content);
   send(manager_, sizes_, TASK_PROCESS, to, std::move(content));

@@ -32,7 +32,7 @@ class Worker final : private TaskGiver {
 
   std::size_t load() const override { return tasks_.active(); }
   std::size_t give(int to) override;
-  void send_to(network::Address to, IirraMessage::Content content) override;
+  void send_to(network::Address to, IirraMessage content) override;
   void pass_on(const network::Message& message) override;
 
   Shared& shared_;

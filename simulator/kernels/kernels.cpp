@@ -7,9 +7,9 @@ void load_program(machine::Processor& processor) {
                               processor.now());
 }
 
-void start(machine::Processor& on, const char* name, machine::Priority priority,
-           machine::Process::Body body) {
-  on.start(fmt::format("{}.{}", on.name(), name), priority, std::move(body));
+machine::Process& start(machine::Processor& on, const char* name, machine::Priority priority,
+                        machine::Process::Body body) {
+  return on.start(fmt::format("{}.{}", on.name(), name), priority, std::move(body));
 }
 
 RecordBytes record_bytes(const machine::Model& model) {

@@ -21,8 +21,8 @@ using observe::KernelUse;
 void load_program(machine::Processor& processor);
 
 /// Starts a process named "PROCESSOR.NAME".
-void start(machine::Processor& on, const char* name, machine::Priority priority,
-           machine::Process::Body body);
+machine::Process& start(machine::Processor& on, const char* name, machine::Priority priority,
+                        machine::Process::Body body);
 
 /// Calls `body` while `bytes` of the current processor's memory are allocated.
 template <class Body>

@@ -43,6 +43,12 @@ std::string_view to_string(Returned reason);
 struct Contents {
   virtual ~Contents() = default;
 };
+/// Contents of type T, such as a variant of all messages of a program.
+template <class T>
+struct ContentsOf final : Contents {
+  explicit ContentsOf(T of) : content(std::move(of)) {}
+  const T content;
+};
 
 struct Message {
   Address to = {}, from = {};
@@ -58,6 +64,16 @@ struct Message {
   static constexpr std::uint64_t IDENTIFICATION = 20;
   std::uint64_t bytes() const { return IDENTIFICATION + length; }
 };
+
+template <class T>
+std::shared_ptr<const Contents> make_contents(T content) {
+  return std::make_shared<const ContentsOf<T>>(std::move(content));
+}
+/// The contents of a message. Throws std::bad_cast if they are not a T.
+template <class T>
+const T& read(const Message& message) {
+  return dynamic_cast<const ContentsOf<T>&>(*message.contents).content;
+}
 
 /// A message passed within a processor, either copied or as a pointer of one word.
 struct Handed {

@@ -44,6 +44,7 @@ struct ControlPanel {
   /// empty result when `goes_on` returns false. Another thread may call it while the machine runs.
   std::function<std::vector<std::uint8_t>(const std::function<bool()>& goes_on)> sequential;
   std::vector<Gauge> gauges;
+  std::function<double()> count_rays;    ///< empty if the program traces no rays
   std::vector<Inspect> inspections;      ///< each may return an empty list for a processor
   TakeOrder take_order;                  ///< empty for a program without a user
   std::function<void()> close_orders;    ///< ends manual commands; only those of the file remain

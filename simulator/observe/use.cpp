@@ -84,15 +84,10 @@ std::string name_of(const LinkRow& link) {
   return link.beside == 0 ? name : fmt::format("{} ({})", name, link.beside + 1);
 }
 
-const CpuRow* find_role(const Use& use, std::string_view role) {
-  const auto found = std::ranges::find(use.cpus, role, &CpuRow::role);
-  return found == use.cpus.end() ? nullptr : &*found;
-}
-
-const ProcessRow& find_process(const Use& use, std::string_view name) {
-  const auto found = std::ranges::find(use.processes, name, &ProcessRow::name);
+const ProcessRow& find_process(const Use& use, machine::ProcessId id) {
+  const auto found = std::ranges::find(use.processes, id, &ProcessRow::id);
   if (found == use.processes.end())
-    throw base::InvariantBroken(fmt::format("no process is called {}", name));
+    throw base::InvariantBroken(fmt::format("no process has the id {}", id));
   return *found;
 }
 

@@ -58,10 +58,8 @@ Use between(const Use& before, const Use& after);
 
 /// "p0>p1", or "p0>p1 (2)" for the second link between the two processors.
 std::string name_of(const LinkRow& link);
-/// The first processor with this role; null if there is none.
-const CpuRow* find_role(const Use& use, std::string_view role);
-/// Throws base::InvariantBroken for an unknown name.
-const ProcessRow& find_process(const Use& use, std::string_view name);
+/// Throws base::InvariantBroken for an unknown process.
+const ProcessRow& find_process(const Use& use, machine::ProcessId id);
 std::uint64_t total_messages(const Use& use);
 std::uint64_t total_bytes(const Use& use);
 

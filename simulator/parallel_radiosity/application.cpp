@@ -12,10 +12,6 @@ using renderer::Work;
 
 namespace {
 
-const AmpMessage::Content& read(const Message& message) {
-  return static_cast<const AmpMessage&>(*message.contents).content;
-}
-
 kernels::KernelCost make_cost(const char* name, const machine::Model& model, const Params& params) {
   const auto costs_of = [](const machine::Model& its) -> machine::OperationCosts {
     return {its, "radiosity", renderer::op_names()};
@@ -49,7 +45,7 @@ void Application::run() {
     for (bool between_shots = true; between_shots;) {
       const Message message = wait_message();
       case_of(
-          read(message),
+          read<AmpMessage>(message),
           [&](const Shot& shot) {
             shoot(shot);
             between_shots = false;
@@ -65,7 +61,8 @@ void Application::run() {
 // Stores a message that arrived early because its sender is ahead.
 void Application::keep(const Message& message) {
   case_of(
-      read(message), [&](const Candidate& candidate) { candidates_.push_back(candidate); },
+      read<AmpMessage>(message),
+      [&](const Candidate& candidate) { candidates_.push_back(candidate); },
       [&](const auto&) { borders_.push_back(message); });
 }
 
@@ -122,7 +119,7 @@ void Application::wait_for_borders() {
     missing += (border.vertices.size() + MessageBytes::MOST - 1) / MessageBytes::MOST;
   while (borders_.size() < missing) keep(wait_message());
   for (const Message& message : borders_) {
-    const auto& given = std::get<Given>(read(message));
+    const auto& given = std::get<Given>(read<AmpMessage>(message));
     const auto border = std::ranges::find(node_.share.in, message.from.processor, &Border::other);
     for (std::size_t i = 0; i < given.values.size(); ++i)
       state_.received[border->vertices[given.first + i]] = given.values[i];
@@ -180,7 +177,7 @@ void Application::note_charged(Cycles cycles) {
 
 // Charges the making or reading of a message's header, and the copying of its colours.
 void Application::charge_message(Cycles kernels::MessageCosts::*identification,
-                                 const AmpMessage::Content& content) {
+                                 const AmpMessage& content) {
   const auto colours = static_cast<std::int64_t>(count_colours(content));
   const MessageWork& work = common_.messages.here();
   machine::this_process().charge(work.identification.*identification +
@@ -189,17 +186,17 @@ void Application::charge_message(Cycles kernels::MessageCosts::*identification,
 
 Message Application::wait_message() {
   Message message = node_.manager ? node_.manager->serve_at_once() : node_.client->receive();
-  charge_message(&kernels::MessageCosts::read, read(message));
+  charge_message(&kernels::MessageCosts::read, read<AmpMessage>(message));
   return message;
 }
 
-void Application::send(network::Address to, AmpMessage::Content content) {
+void Application::send(network::Address to, AmpMessage content) {
   charge_message(&kernels::MessageCosts::made, content);
   const auto length = common_.bytes.of(content);
   node_.client->send({.to = to,
                       .from = {.process = AMP_PROCESS},
                       .length = length,
-                      .contents = std::make_shared<const AmpMessage>(std::move(content))});
+                      .contents = network::make_contents(std::move(content))});
 }
 
 void Root::run() {
@@ -251,7 +248,7 @@ void Root::take_vertices(const Node& node, std::vector<radiosity::Rgb>& vertices
   for (std::size_t first = 0; first < theirs.size();) {
     send({node.id, AMP_PROCESS}, Show{first});
     const Message message = wait_message();
-    for (const auto& value : std::get<Displayed>(read(message)).values)
+    for (const auto& value : std::get<Displayed>(read<AmpMessage>(message)).values)
       vertices[theirs[first++]] = value;
   }
 }

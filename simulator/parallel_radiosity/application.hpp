@@ -75,9 +75,8 @@ class Application {
   Candidate reduce();
   void shoot(const radiosity::Shot& shot);
   network::Message wait_message();
-  void charge_message(Cycles kernels::MessageCosts::*identification,
-                      const AmpMessage::Content& content);
-  void send(network::Address to, AmpMessage::Content content);
+  void charge_message(Cycles kernels::MessageCosts::*identification, const AmpMessage& content);
+  void send(network::Address to, AmpMessage content);
 
   const Common& common_;
   const Node node_;

@@ -16,7 +16,7 @@ std::size_t colours_of(const Part& part) {
 
 }  // namespace
 
-std::size_t count_colours(const AmpMessage::Content& content) {
+std::size_t count_colours(const AmpMessage& content) {
   return occam::case_of(content, [](const auto& part) { return colours_of(part); });
 }
 
@@ -38,7 +38,7 @@ MessageBytes::MessageBytes(const machine::Model& model, radiosity::Sends sends)
   shot += 3 * colour;
 }
 
-std::uint64_t MessageBytes::of(const AmpMessage::Content& content) const {
+std::uint64_t MessageBytes::of(const AmpMessage& content) const {
   return occam::case_of(
       content, [&](const Candidate&) { return candidate; },
       [&](const radiosity::Shot&) { return shot; },

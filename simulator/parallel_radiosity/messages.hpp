@@ -38,13 +38,9 @@ struct Displayed {
   std::vector<radiosity::Rgb> values;
 };
 
-struct AmpMessage : network::Contents {
-  using Content = std::variant<Candidate, radiosity::Shot, Given, Show, Displayed, Stop>;
-  explicit AmpMessage(Content content) : content(std::move(content)) {}
-  Content content;
-};
+using AmpMessage = std::variant<Candidate, radiosity::Shot, Given, Show, Displayed, Stop>;
 /// Number of colours in a message.
-std::size_t count_colours(const AmpMessage::Content& content);
+std::size_t count_colours(const AmpMessage& content);
 
 /// Lengths of messages in bytes, from the model's [bytes] radiosity_*. A shot has one colour, or
 /// one for each corner.
@@ -54,7 +50,7 @@ struct MessageBytes {
   static constexpr std::uint64_t WORD = 4;
   static constexpr std::size_t MOST = 64;  ///< maximum number of values in a message
 
-  std::uint64_t of(const AmpMessage::Content& content) const;
+  std::uint64_t of(const AmpMessage& content) const;
   std::uint64_t longest() const;
 };
 

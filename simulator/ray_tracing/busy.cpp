@@ -15,10 +15,10 @@ using base::Columns;
 namespace {
 
 // Mean load of the processors with this role.
-Load load_of(const observe::Use& use, const char* role, const char* name, const char* work) {
+Load load_of(const observe::Use& use, Role role, const char* name, const char* work) {
   double busy_s = 0, high_s = 0, n = 0;
   for (const auto& cpu : use.cpus)
-    if (cpu.role == role) {
+    if (has_role(cpu, role)) {
       busy_s += cpu.busy_s;
       high_s += cpu.busy_high_s;
       ++n;
@@ -43,7 +43,7 @@ struct Alike {
 std::vector<Alike> group_workers(const observe::Use& use) {
   std::vector<Alike> groups;
   for (const auto& cpu : use.cpus) {
-    if (cpu.role != Role::worker) continue;
+    if (!has_role(cpu, Role::worker)) continue;
     auto group = std::ranges::find(groups, cpu.model, &Alike::model);
     if (group == groups.end()) group = groups.insert(groups.end(), {cpu.model});
     ++group->count;
@@ -54,7 +54,7 @@ std::vector<Alike> group_workers(const observe::Use& use) {
 }
 
 bool routes_for_workers(const observe::Use& use, const observe::CpuRow& cpu) {
-  return cpu.role == (find_role(use, Role::router) ? Role::router : Role::worker);
+  return has_role(cpu, find_role(use, Role::router) ? Role::router : Role::worker);
 }
 
 Load load_of_routing(const observe::Use& use) {
@@ -63,7 +63,7 @@ Load load_of_routing(const observe::Use& use) {
     if (routes_for_workers(use, cpu) && (!most || cpu.busy_high_s > most->busy_high_s)) most = &cpu;
   const double tasks_s = most->busy_s - most->busy_high_s;
   return {most->name + " (routing)", most->busy_high_s / use.time_s,
-          fmt::format("beside {} {}", most->role == Role::router ? "data" : "tasks",
+          fmt::format("beside {} {}", has_role(*most, Role::router) ? "data" : "tasks",
                       percent(tasks_s / use.time_s))};
 }
 
@@ -76,7 +76,7 @@ Load load_of_links(const observe::Use& use) {
 void add_workers(Busy& busy, const observe::Use& use) {
   std::size_t n = 0;
   for (const auto& cpu : use.cpus)
-    if (cpu.role == Role::worker) {
+    if (has_role(cpu, Role::worker)) {
       busy.worker_mean += cpu.busy_s / use.time_s;
       busy.worker_max = std::max(busy.worker_max, cpu.busy_s / use.time_s);
       busy.worker_memory = std::max(busy.worker_memory, cpu.memory_peak_bytes);
@@ -87,10 +87,22 @@ void add_workers(Busy& busy, const observe::Use& use) {
 
 }  // namespace
 
+std::string to_string(Role role) {
+  constexpr const char* NAMES[] = {"coordinator", "worker", "database", "display", "router"};
+  return NAMES[static_cast<int>(role)];
+}
+
+bool has_role(const observe::CpuRow& cpu, Role role) { return cpu.role == to_string(role); }
+
+const observe::CpuRow* find_role(const observe::Use& use, Role role) {
+  const auto found = std::ranges::find(use.cpus, to_string(role), &observe::CpuRow::role);
+  return found == use.cpus.end() ? nullptr : &*found;
+}
+
 void check_label(const topologies::Topology& topology, int id) {
   const auto label = name_of(topology, id, "");
-  for (const char* own : {Role::coordinator, Role::database, Role::display})
-    if (label == own)
+  for (const Role own : {Role::coordinator, Role::database, Role::display})
+    if (label == to_string(own))
       base::refuse("network.topology",
                    "found a processor called \"{1}\" in {0}, expected another name: the program "
                    "uses this one",
@@ -98,8 +110,8 @@ void check_label(const topologies::Topology& topology, int id) {
 }
 
 Busy make_busy(const observe::Use& use) {
-  const auto share_of = [&](const char* role) {
-    const auto* cpu = observe::find_role(use, role);
+  const auto share_of = [&](Role role) {
+    const auto* cpu = find_role(use, role);
     return cpu ? std::optional(cpu->busy_s / use.time_s) : std::nullopt;
   };
   const auto& cpu = *std::ranges::max_element(use.cpus, {}, &observe::CpuRow::busy_s);
@@ -192,7 +204,7 @@ std::vector<std::string> note_models(const observe::Use& use) {
 
 Columns<observe::Use> model_columns() {
   const auto is_other = [](const observe::Use& use, const observe::CpuRow& cpu) {
-    return cpu.role == Role::worker && cpu.model != find_role(use, Role::coordinator)->model;
+    return has_role(cpu, Role::worker) && cpu.model != find_role(use, Role::coordinator)->model;
   };
   const auto share = [is_other](const observe::Use& use) {
     double others = 0, all = 0;

@@ -4,12 +4,18 @@
 
 namespace ray_tracing {
 
-/// Roles of processors, see machine::Processor::role().
-struct Role {
-  static constexpr auto coordinator = "coordinator", worker = "worker", database = "database",
-                        display = "display",
-                        router = "router";  ///< routes messages for its companion, a worker
+enum class Role : std::uint8_t {
+  coordinator,
+  worker,
+  database,
+  display,
+  router  ///< routes messages for its companion, a worker
 };
+/// The name of a role, see machine::Processor::role().
+std::string to_string(Role role);
+bool has_role(const observe::CpuRow& cpu, Role role);
+/// The first processor with this role; null if there is none.
+const observe::CpuRow* find_role(const observe::Use& use, Role role);
 
 /// The busiest resource is a bottleneck if its load is at least this. With a lower load there is no
 /// bottleneck: all processes are then waiting for messages in transit.

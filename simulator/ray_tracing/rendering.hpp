@@ -24,6 +24,7 @@ struct Rendering {
   std::optional<double> order_to_pixel_s;   ///< longest time from an order to a changed pixel
   bool is_aborted = false;                  ///< true if the user aborted the run
   observe::Use use;                         ///< use of the machine during time_s
+  machine::ProcessId coordination = 0;      ///< the process that coordinates the others
   machine::End end = machine::End::done;    ///< if not `done`, measurements end there
   std::uint64_t events = 0;                 ///< number of simulated events
   std::vector<observe::KernelUse> kernels;  ///< kernels called on any processor

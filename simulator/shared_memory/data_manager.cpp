@@ -99,7 +99,7 @@ void DataManager::take(Message message) {
         fmt::format("a request for data of {} was returned: {}", this_process().processor().name(),
                     to_string(message.returned)));
   occam::case_of(
-      static_cast<const DataMessage&>(*message.contents),
+      network::read<DataMessage>(message),
       [&](const DataRequest& request) {
         ++use_.seen;
         handle_request(message, request);
@@ -158,25 +158,25 @@ void DataManager::serve_for_ever() {
   for (;;) serve();
 }
 
-void DataManager::send(network::Address to, std::uint64_t bytes, const DataMessage& contents) {
+void DataManager::send(network::Address to, std::uint64_t bytes, DataMessage content) {
   client_.send({.to = to,
                 .from = {.process = DATA_PROCESS},
                 .length = bytes,
-                .contents = std::make_shared<const DataMessage>(contents)});
+                .contents = network::make_contents(content)});
 }
 
 void DataManager::fetch(std::size_t record, network::Address to) {
   ++use_.requests;
   const Seconds since = this_process().now();
   has_reply_ = false;
-  send(to, costs_.request_bytes, DataMessage(DataRequest{record}));
+  send(to, costs_.request_bytes, DataRequest{record});
   while (!has_reply_) take(client_.receive());
   use_.waited += this_process().now() - since;
 }
 
 void DataManager::reply(network::Address to, std::size_t record, std::uint64_t bytes, Level level,
                         int links) {
-  send(to, costs_.reply_bytes + bytes, DataMessage(DataReply{record, level, links}));
+  send(to, costs_.reply_bytes + bytes, DataReply{record, level, links});
 }
 
 bool DataManager::touch(std::size_t record) {

@@ -42,10 +42,7 @@ struct DataReply {
   int links = 0;  ///< number of links passed by the request
 };
 /// A message between data managers.
-struct DataMessage : network::Contents {
-  explicit DataMessage(std::variant<DataRequest, DataReply> content) : content(content) {}
-  std::variant<DataRequest, DataReply> content;
-};
+using DataMessage = std::variant<DataRequest, DataReply>;
 
 struct DataUse {
   std::array<std::uint64_t, LEVELS> found{};  ///< number of accesses, by Level of the item
@@ -139,7 +136,7 @@ class DataManager {
   DataUse use_;
 
  private:
-  void send(network::Address to, std::uint64_t bytes, const DataMessage& contents);
+  void send(network::Address to, std::uint64_t bytes, DataMessage content);
   void wait_for_message(Seconds period);
   network::Message serve_every(Seconds period);
 

@@ -217,7 +217,7 @@ bool Session::is_reached(double date) {
     return false;
   }
   if (goal_->is_message && count_messages() > goal_->messages) return true;
-  if (goal_->is_ray && find_rays()->value() > goal_->rays) return true;
+  if (goal_->is_ray && view_.count_rays() > goal_->rays) return true;
   if (goal_->is_picture && *view_.picture->rgb8() != *goal_->picture) return true;
   return date > goal_->date;
 }
@@ -301,11 +301,6 @@ void Session::make_frame() {
 void Session::observe(bool is_told) {
   is_observing_ = is_told;
   machine_->set_observer(is_told ? &spans_ : nullptr);
-}
-
-const observe::ControlPanel::Gauge* Session::find_rays() const {
-  const auto found = std::ranges::find(view_.gauges, "rays", &observe::ControlPanel::Gauge::name);
-  return found == view_.gauges.end() ? nullptr : &*found;
 }
 
 std::uint64_t Session::count_messages() const {

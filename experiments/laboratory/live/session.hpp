@@ -118,8 +118,6 @@ class Session : public observe::RunController {
   std::shared_ptr<const std::vector<std::uint8_t>> look();
   void observe(bool is_told);
   std::uint64_t count_messages() const;
-  // the gauge of rays; null if the program traces none
-  const observe::ControlPanel::Gauge* find_rays() const;
 
   const ExperimentFile& file_;
   const programs::RecordList* orders_;

@@ -213,10 +213,9 @@ void Session::step(const std::string& what) {
   } else if (what == "message") {
     goal.is_message = true;
   } else if (what == "ray") {
-    const auto* rays = find_rays();
-    base::require(rays != nullptr, "step", "found ray, but the program traces no rays");
+    base::require(view_.count_rays != nullptr, "step", "found ray, but the program traces no rays");
     goal.is_ray = true;
-    goal.rays = rays->value();
+    goal.rays = view_.count_rays();
   } else if (what == "millisecond") {
     goal.date = shown_s() + 1e-3;
   } else {

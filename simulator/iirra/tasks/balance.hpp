@@ -33,7 +33,7 @@ class TaskGiver {
   virtual std::size_t load() const = 0;
   /// Sends some tasks to `to`. Returns their number, 0 if there are none to spare.
   virtual std::size_t give(int to) = 0;
-  virtual void send_to(network::Address to, IirraMessage::Content content) = 0;
+  virtual void send_to(network::Address to, IirraMessage content) = 0;
   /// Gives an offered message back to the router, because this worker does not serve it.
   virtual void pass_on(const network::Message& message) = 0;
 

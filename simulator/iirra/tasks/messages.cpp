@@ -20,7 +20,7 @@ std::uint64_t Sizes::of(const Picture& picture) const {
   return sum;
 }
 
-std::uint64_t Sizes::of(const IirraMessage::Content& content) const {
+std::uint64_t Sizes::of(const IirraMessage& content) const {
   return occam::case_of(
       content, [&](const Tasks& tasks) { return of(tasks); },
       [&](const Picture& picture) { return of(picture); },
@@ -34,16 +34,16 @@ std::uint64_t Sizes::of(const IirraMessage::Content& content) const {
 }
 
 void send(shared_memory::DataManager& manager, const Sizes& sizes, int from, network::Address to,
-          IirraMessage::Content content) {
+          IirraMessage content) {
   machine::this_process().charge(sizes.message.here().made);
   const auto bytes = sizes.of(content);
   manager.client().send({.to = to,
                          .from = {.process = from},
                          .length = bytes,
-                         .contents = std::make_shared<const IirraMessage>(std::move(content))});
+                         .contents = network::make_contents(std::move(content))});
 }
 
-const IirraMessage::Content& read(const Sizes& sizes, const network::Message& message) {
+const IirraMessage& read(const Sizes& sizes, const network::Message& message) {
   auto& self = machine::this_process();
   if (message.returned != network::Returned::no)
     throw machine::Fault(
@@ -51,7 +51,7 @@ const IirraMessage::Content& read(const Sizes& sizes, const network::Message& me
         fmt::format("a message from processor {} to processor {} came back: {}",
                     message.to.processor, message.from.processor, to_string(message.returned)));
   self.charge(sizes.message.here().read);
-  return static_cast<const IirraMessage&>(*message.contents).content;
+  return network::read<IirraMessage>(message);
 }
 
 }  // namespace iirra

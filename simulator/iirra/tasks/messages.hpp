@@ -71,13 +71,9 @@ struct KeepPicture {     ///< saves the picture; with polling, after the next ro
 struct Finish {};  ///< the display must show all pictures, then reply Finished
 struct Finished {};
 
-struct IirraMessage : network::Contents {
-  using Content =
-      std::variant<Tasks, TaskRequest, NoTasks, Measure, CellTimes, NewPhase, Report, Stop,
-                   UserOrder, Poll, Picture, PictureShown, KeepPicture, Finish, Finished>;
-  explicit IirraMessage(Content content) : content(std::move(content)) {}
-  Content content;
-};
+using IirraMessage =
+    std::variant<Tasks, TaskRequest, NoTasks, Measure, CellTimes, NewPhase, Report, Stop, UserOrder,
+                 Poll, Picture, PictureShown, KeepPicture, Finish, Finished>;
 
 /// Sizes of stored and transmitted data in bytes, from the model.
 struct Sizes {
@@ -104,15 +100,15 @@ struct Sizes {
   static std::uint64_t of(const Painted& block) { return 3 * WORD + block.rgb8.size(); }
   std::uint64_t of(const Tasks& tasks) const;
   std::uint64_t of(const Picture& picture) const;
-  std::uint64_t of(const IirraMessage::Content& content) const;
+  std::uint64_t of(const IirraMessage& content) const;
 };
 
 /// Sends a message through `manager`'s client. If the message cannot be delivered, process `from`
 /// gets it back.
 void send(shared_memory::DataManager& manager, const Sizes& sizes, int from, network::Address to,
-          IirraMessage::Content content);
+          IirraMessage content);
 /// The content of a message. If the message was returned as undeliverable, throws machine::Fault
 /// that names both ends.
-const IirraMessage::Content& read(const Sizes& sizes, const network::Message& message);
+const IirraMessage& read(const Sizes& sizes, const network::Message& message);
 
 }  // namespace iirra

@@ -117,7 +117,8 @@ TEST(FarmBottleneck, IsWhatOthersWaitFor) {
 TEST(FarmBottleneck, WaitsFillTheTimeThatTheCpuDoesNot) {
   const auto sum = isolated([&] {
     const auto use = run(small_params(), "tree:5", renderer::make_spheres(60)).use;
-    const auto& process = find_process(use, "database.ray.database");
+    const auto& process =
+        *std::ranges::find(use.processes, "database.ray.database", &observe::ProcessRow::name);
     const double waited = process.output_s + process.input_s + process.alternative_s;
     return fmt::format("{}", (waited + find_role(use, Role::database)->busy_s) / use.time_s);
   });

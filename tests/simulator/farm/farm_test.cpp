@@ -56,7 +56,7 @@ TEST(Farm, MixedMachinesShareTheWorkBySpeed) {
         std::map<std::string, double> of;
         for (const auto& cpu : farm.use.cpus) {
           sum += cpu.tasks.value_or(0);
-          of[cpu.model] += cpu.role == Role::worker ? static_cast<double>(cpu.tasks.value()) : 0;
+          of[cpu.model] += has_role(cpu, Role::worker) ? static_cast<double>(cpu.tasks.value()) : 0;
         }
         if (sum != farm.tasks) return fmt::format("{} tasks, not {}", sum, farm.tasks);
         // There are two workers of each model. A slow one passes on the rays of all others.

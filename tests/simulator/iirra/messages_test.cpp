@@ -9,7 +9,7 @@ namespace {
 // Lengths are in words, and each message begins with a tag.
 TEST(IirraMessages, AreAsLongAsWhatTheySay) {
   const Sizes sizes(machine::load_model("t805-25"));
-  const auto words_of = [&](const IirraMessage::Content& content) {
+  const auto words_of = [&](const IirraMessage& content) {
     const auto bytes = sizes.of(content);
     EXPECT_EQ(bytes % Sizes::WORD, 0u);
     return bytes / Sizes::WORD;

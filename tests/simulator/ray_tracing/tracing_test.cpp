@@ -81,7 +81,7 @@ TEST(Models, EachHasItsWorkersBusyShareAndTasks) {
   observe::Use use;
   use.time_s = 10;
   const auto worker = [](const char* model, double busy_s, std::uint64_t tasks) {
-    observe::CpuRow row{.name = "w", .role = Role::worker, .model = model, .tasks = {}};
+    observe::CpuRow row{.name = "w", .role = to_string(Role::worker), .model = model, .tasks = {}};
     row.busy_s = busy_s;
     row.tasks = tasks;
     return row;
