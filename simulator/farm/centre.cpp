@@ -66,7 +66,7 @@ void Visualisation::run(Channel<Answer>& inp) {
     case_of(
         answer, [&](const Intersection& found) { show(found); },
         [&](const RenderedBlock& block) {
-          recorder.note(progress.since_begun_s(), [&] { return look(); });
+          note();
           cost(picture, scratch,
                [block](FrameBuffer& to, renderer::Work& work) { to.add(*block, work); });
           rays += block->rays.total();
@@ -83,7 +83,7 @@ void Visualisation::run(Channel<Answer>& inp) {
 }
 
 void Visualisation::show(const Intersection& found) {
-  recorder.note(progress.since_begun_s(), [&] { return look(); });
+  note();
   cost(picture, scratch, [this, found](FrameBuffer& to, renderer::Work& work) {
     const bool changed =
         to.add(found.ray, eval_contribution(scene, params, found.ray, found.hit, work), work);
@@ -93,14 +93,17 @@ void Visualisation::show(const Intersection& found) {
   if (is_changed && found.ray.order > 0) progress.note_changed(found.ray.order);
 }
 
+void Visualisation::note() {
+  recorder.note(progress.since_begun_s(), [&] { return look(); });
+}
+
 void Visualisation::end(machine::Seconds at) {
   recorder.end((at - progress.begun).value, [&] { return look(); });
 }
 
 snapshots::Snapshot Visualisation::look() const {
-  return {.rays = rays,
-          .cycles = static_cast<std::uint64_t>(tasks.charged().value),
-          .rgb8 = picture.rgb8()};
+  return {
+      .rays = rays, .cycles = static_cast<std::uint64_t>(charged().value), .rgb8 = picture.rgb8()};
 }
 
 }  // namespace farm

@@ -31,12 +31,14 @@ struct Visualisation {
   FrameBuffer scratch;  ///< as large as `picture` if costs are timed, otherwise empty
   snapshots::Recorder recorder;
   Progress& progress;
-  const kernels::KernelCost& tasks;  ///< cost of the workers' tasks
+  std::function<machine::Cycles()> charged;  ///< cycles charged for the workers' tasks
   std::vector<ray_tracing::KeyImage> key_images = {};
   std::uint64_t rays = 0;   ///< number of rays shown in the picture
   bool is_changed = false;  ///< true if the last ray changed the picture
 
   void run(Channel<Answer>& inp);
+  /// Records the picture if one is due, before a change.
+  void note();
   /// Records the final picture of a run, even if the run was cut short.
   void end(machine::Seconds at);
   void show(const Intersection& found);

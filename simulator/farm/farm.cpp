@@ -51,9 +51,10 @@ FrameBuffer make_picture(const Params& params) {
           get_area(params.image), params.block ? renderer::Sampling() : params.image.sampling};
 }
 
-machine::Cycles cost_of_judging(const machine::Model& model) {
-  static constexpr std::string_view NAMES[] = {"cell_judged"};
-  return machine::OperationCosts(model, "central", NAMES)(std::array<std::uint64_t, 1>{1});
+// Cost of a kernel that runs on the coordinator or the display.
+kernels::KernelCost central_cost(const char* name, const machine::Model& model,
+                                 const Params& params) {
+  return {name, {model, &kernels::central_costs}, params.cycles_per_host_s};
 }
 
 // Bytes of scene data on the display: surfaces with textures, and lights (4.3.6.6). A preview needs
@@ -149,19 +150,13 @@ class Centre {
   Result take_result(machine::End end) {
     if (end == machine::End::done && !progress_.is_aborted)
       base::check_equal("rays left in the database", rays_.stores.size(), std::size_t{0});
-    Result result = make_result(progress_, end);
-    visualisation_.end(progress_.ended);
-    result.samples = visualisation_.picture.samples();
-    result.rgb8 = visualisation_.picture.rgb8();
-    result.pictures = visualisation_.recorder.pictures();
-    result.growth = visualisation_.recorder.growth();
+    Result result = make_result(progress_, visualisation_, end);
     result.is_aborted = progress_.is_aborted;
     if (rays_.longest_pause_s > 0) result.reorder_pause_s = rays_.longest_pause_s;
     for (const auto& [at, shown] : progress_.orders_shown)
       if (shown)
         result.order_to_pixel_s =
             std::max(result.order_to_pixel_s.value_or(0), (*shown - at).value);
-    result.key_images = std::move(visualisation_.key_images);
     result.coordination = coordination_;
     result.interactive_s = progress_.interactive_s;
     result.peaks = rays_.stores.peaks();
@@ -195,7 +190,7 @@ class Centre {
             .seed = params_.seed,
             .load = scene_messages(workers),
             .stages = params_.stages,
-            .cell_judged = cost_of_judging(machine_.model())};
+            .cell_judged = kernels::central_cost(machine_.model(), "cell_judged")};
   }
 
   machine::Machine& machine_;
@@ -231,15 +226,8 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
             message_},
       orders_(params.script, !params.block && observe::has_controller(params.monitor)),
       progress_(machine),
-      visualisation_{scene,
-                     params.image,
-                     central_cost("display", machine.model(), params),
-                     message_,
-                     make_picture(params),
-                     params.cycles_per_host_s ? make_picture(params) : FrameBuffer(),
-                     snapshots::Recorder(params.snapshot_times, params.monitor),
-                     progress_,
-                     tasks},
+      visualisation_(make_visualisation(machine.model(), scene, params, progress_,
+                                        [&tasks] { return tasks.charged(); })),
       from_interaction_("coordinator.from.interaction"),
       into_database_("database.from.coord", machine.link(on_.coordinator, on_.database),
                      occam::Protocol::variant),
@@ -254,19 +242,15 @@ Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Pa
 }
 
 observe::ControlPanel Centre::make_view() {
-  observe::ControlPanel view;
-  view.picture = {params_.image.width, params_.image.height,
-                  [this] { return &visualisation_.picture.rgb8(); }};
+  auto view = farm::make_view(visualisation_);
   view.sequential = [this](const auto& goes_on) {
     return ray_tracing::render_sequentially(scene_, params_.image, goes_on);
   };
   const auto& stores = rays_.stores;
-  view.count_rays = [this] { return static_cast<double>(visualisation_.rays); };
-  view.gauges = {{"rays", "rays that the picture shows", view.count_rays},
-                 {"rays in the database", "rays waiting in all stores of the ray database",
-                  [&stores] { return static_cast<double>(stores.size()); }},
-                 {"tasks", "tasks handed out to the workers",
-                  [this] { return static_cast<double>(progress_.tasks); }}};
+  view.gauges.push_back({"rays in the database", "rays waiting in all stores of the ray database",
+                         [&stores] { return static_cast<double>(stores.size()); }});
+  view.gauges.push_back({"tasks", "tasks handed out to the workers",
+                         [this] { return static_cast<double>(progress_.tasks); }});
   view.inspections.emplace_back([this, &stores](int processor) {
     if (processor != on_.database.id()) return std::vector<observe::ControlPanel::Reading>{};
     const auto lengths = stores.lengths();
@@ -281,17 +265,13 @@ observe::ControlPanel Centre::make_view() {
     return has_no_ray || progress_.phase == Progress::Phase::ended;
   };
   if (params_.block) return view;
-  view.waits_for_user = [this] { return progress_.is_null && orders_.waits_for_manual_order(); };
-  view.close_orders = [this] { orders_.close(); };
-  view.take_order = [this](const std::any& record, machine::Seconds after) {
-    const auto check_script = [this](const std::vector<Order>& script) {
-      Params params = params_;
-      params.script = script;
-      check(params);
-    };
-    return orders_.take(std::any_cast<const ray_tracing::OrderRecord<Limits>&>(record), after,
-                        check_script);
-  };
+  orders_.show(
+      view, [this] { return progress_.is_null; },
+      [this](const std::vector<Order>& script) {
+        Params params = params_;
+        params.script = script;
+        check(params);
+      });
   return view;
 }
 
@@ -346,11 +326,7 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
 
   Result result =
       centre.take_result(observe::run(machine, params.monitor, make_view(centre, workers)));
-  result.topology = workers.topology;
-  for (auto& note : note_given_up(topology, workers.topology)) result.notes.push_back(note);
-  if (!result.use.cpus.empty())
-    for (const auto& [id, tasks] : kernel.done)
-      result.use.cpus.at(static_cast<std::size_t>(id)).tasks = tasks;
+  add_workers(result, topology, workers.topology, kernel.done);
   result.mean_depth = workers.mean_depth;
   result.events = machine.events();
   result.kernel_host_s = kernel.ray.profile_s() + kernel.block.profile_s();
@@ -358,11 +334,6 @@ Result run_farm(const machine::Model& model, const topologies::Topology& topolog
   const auto [shading, display] = centre.kernels();
   result.kernels = kernels::uses_of({&kernel.ray, &kernel.block, shading, display});
   return result;
-}
-
-kernels::KernelCost central_cost(const char* name, const machine::Model& model,
-                                 const Params& params) {
-  return {name, {model, &kernels::central_costs}, params.cycles_per_host_s};
 }
 
 std::uint64_t worker_memory(const machine::Model& model, const Params& params) {
@@ -392,19 +363,44 @@ Processor& add_worker(Machine& machine, const topologies::Topology& workers, int
                        Role::worker, programs::find_model(params.others, id));
 }
 
-std::vector<std::string> note_given_up(const topologies::Topology& asked,
-                                       const topologies::Topology& wired) {
-  std::vector<std::string> notes;
+Visualisation make_visualisation(const machine::Model& model, const renderer::Scene& scene,
+                                 const Params& params, Progress& progress,
+                                 std::function<machine::Cycles()> charged) {
+  return {scene,
+          params.image,
+          central_cost("display", model, params),
+          kernels::message_costs(model),
+          make_picture(params),
+          params.cycles_per_host_s ? make_picture(params) : FrameBuffer(),
+          snapshots::Recorder(params.snapshot_times, params.monitor),
+          progress,
+          std::move(charged)};
+}
+
+observe::ControlPanel make_view(const Visualisation& visualisation) {
+  observe::ControlPanel view;
+  view.picture = {visualisation.params.width, visualisation.params.height,
+                  [&visualisation] { return &visualisation.picture.rgb8(); }};
+  view.count_rays = [&visualisation] { return static_cast<double>(visualisation.rays); };
+  view.gauges = {{"rays", "rays that the picture shows", view.count_rays}};
+  return view;
+}
+
+void add_workers(Result& result, const topologies::Topology& asked,
+                 const topologies::Topology& wired, const std::map<int, std::uint64_t>& done) {
+  result.topology = wired;
+  if (!result.use.cpus.empty())
+    for (const auto& [id, tasks] : done)
+      result.use.cpus.at(static_cast<std::size_t>(id)).tasks = tasks;
   for (const auto& [a, b] : asked.links) {
     if (std::ranges::find(wired.links, topologies::Link{a, b}) != wired.links.end()) continue;
     const auto end = [&](const topologies::End& of) {
       return fmt::format("port {} of {}", of.port, worker_name(asked, of.processor));
     };
-    notes.push_back(fmt::format(
+    result.notes.push_back(fmt::format(
         "the link from {} to {} is omitted: the coordinator's link uses its port",
         end(a.processor == asked.root ? a : b), end(a.processor == asked.root ? b : a)));
   }
-  return notes;
 }
 
 void allocate_image(Processor& display, const renderer::Params& image) {
@@ -414,7 +410,7 @@ void allocate_image(Processor& display, const renderer::Params& image) {
                             "the image", display.now());
 }
 
-Result make_result(Progress& progress, machine::End end) {
+Result make_result(Progress& progress, Visualisation& visualisation, machine::End end) {
   if (end != machine::End::done) progress.cut();
   Result result;
   result.end = end;
@@ -426,6 +422,12 @@ Result make_result(Progress& progress, machine::End end) {
   result.drain_s = (progress.ended - progress.last_task).value;
   result.use = between(progress.before, progress.after);
   result.notes = std::move(progress.notes);
+  visualisation.end(progress.ended);
+  result.samples = visualisation.picture.samples();
+  result.rgb8 = visualisation.picture.rgb8();
+  result.pictures = visualisation.recorder.pictures();
+  result.growth = visualisation.recorder.growth();
+  result.key_images = std::move(visualisation.key_images);
   return result;
 }
 

@@ -16,7 +16,9 @@ namespace farm {
 
 using ray_tracing::Role;
 
-struct Params {
+/// The ray database is always charged by counts. The farm does not reroute messages after a fault:
+/// it waits for lost workers for ever.
+struct Params : ray_tracing::RunParams {
   renderer::Params image;  ///< size, shading and shading limits
   std::vector<Limits> stages =
       std::vector<Limits>(1);  ///< successive limits of the interactive phase
@@ -38,16 +40,7 @@ struct Params {
   /// thesis's measurements.
   std::uint32_t scene_message = 0;
   std::optional<std::uint64_t> worker_memory, database_memory;  ///< in bytes; default: the model's
-  /// If set, charges intersections, shading and display by measured host time multiplied by this
-  /// factor. Otherwise charges operation counts. The ray database is always charged by counts.
-  std::optional<double> cycles_per_host_s;
   bool profile = false;  ///< measure the host time of kernels
-  /// Faults, with worker numbers from 0. The farm does not reroute messages, so it waits for lost
-  /// workers for ever.
-  std::vector<programs::PlannedFault> faults;
-  programs::OtherModels others;  ///< by worker number, from 0
-  machine::EngineParams engine = {};
-  observe::RunMonitor* monitor = nullptr;  ///< limit and trace; may be null
 };
 
 struct Result : ray_tracing::Rendering {
@@ -73,9 +66,12 @@ Result run_farm(const machine::Model& model, const topologies::Topology& workers
 
 // Parts shared by both kinds of farm.
 
-/// Cost of a kernel that runs on the coordinator or the display.
-kernels::KernelCost central_cost(const char* name, const machine::Model& model,
-                                 const Params& params);
+/// `charged` returns the cycles charged for the workers' tasks.
+Visualisation make_visualisation(const machine::Model& model, const renderer::Scene& scene,
+                                 const Params& params, Progress& progress,
+                                 std::function<machine::Cycles()> charged);
+/// A live view with the picture and its number of rays.
+observe::ControlPanel make_view(const Visualisation& visualisation);
 std::uint64_t worker_memory(const machine::Model& model, const Params& params);    ///< in bytes
 std::uint64_t database_memory(const machine::Model& model, const Params& params);  ///< in bytes
 /// Adds a processor and allocates memory for its program.
@@ -89,10 +85,11 @@ machine::Processor& add_worker(machine::Machine& machine, const topologies::Topo
                                int id, const Params& params);
 /// Allocates memory for the image on the display.
 void allocate_image(machine::Processor& display, const renderer::Params& image);
-/// A note about the link, if any, that was removed to free a port for the coordinator.
-std::vector<std::string> note_given_up(const topologies::Topology& asked,
-                                       const topologies::Topology& wired);
-/// Measurements of the coordination process, even if the run was cut short.
-Result make_result(Progress& progress, machine::End end);
+/// Measurements of the coordination process and the display, even if the run was cut short.
+Result make_result(Progress& progress, Visualisation& visualisation, machine::End end);
+/// Adds the workers' topology, the numbers of tasks done by each processor, and a note about the
+/// link that was removed to free a port for the coordinator, if any.
+void add_workers(Result& result, const topologies::Topology& asked,
+                 const topologies::Topology& wired, const std::map<int, std::uint64_t>& done);
 
 }  // namespace farm

@@ -58,24 +58,11 @@ Columns<Result> peak_columns() {
 }  // namespace
 
 std::vector<Load> find_loads(const Result& result) {
-  const auto& use = result.use;
-  if (use.time_s <= 0) return {};
-  auto loads = ray_tracing::find_loads(use);
-  loads.push_back(load_of_coordination(result));
-  for (const Role role : {Role::database, Role::display})
-    if (const auto* cpu = find_role(use, role))
-      loads.push_back({cpu->name, cpu->busy_s / use.time_s, "its CPU"});
-  loads.push_back(
+  if (result.use.time_s <= 0) return {};
+  return ray_tracing::find_loads(
+      result.use, load_of_coordination(result),
       {"tasks", result.drain_s / result.time_s, fmt::format("all {} handed out", result.tasks)});
-  ray_tracing::sort(loads);
-  return loads;
 }
-
-Measured::Measured(Result result, ray_tracing::DataFigures data_figures)
-    : run(std::move(result)),
-      data(std::move(data_figures)),
-      busy(ray_tracing::make_busy(run.use)),
-      loads(find_loads(run)) {}
 
 Columns<Measured> make_columns() {
   const auto of_run = [](const auto& columns) {
@@ -101,8 +88,7 @@ Columns<Measured> make_columns() {
 
 programs::Shows make_shows() {
   const auto coordinator = to_string(Role::coordinator);
-  return {.leading = {"topology", "workers", "objects"},
-          .summary = {"rays", "time_s", "time_per_ray_ms", "speedup", "efficiency",
+  return {.summary = {"rays", "time_s", "time_per_ray_ms", "speedup", "efficiency",
                       "cpu_busy_worker_mean", "cpu_busy_coordinator", "cpu_busy_database",
                       "link_busy_max", "bottleneck"},
           .loads = {"time_s", "mean_distance", "mean_depth", "messages_sent", "bytes_sent",

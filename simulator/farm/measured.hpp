@@ -1,7 +1,7 @@
 #pragma once
 // Measurements of a farm run, their columns, and the bottlenecks of the farm.
 #include "simulator/farm/shared_farm.hpp"
-#include "simulator/ray_tracing/busy.hpp"
+#include "simulator/ray_tracing/program.hpp"
 
 namespace farm {
 
@@ -18,15 +18,7 @@ using programs::Load;
 /// Empty for a run that was cut short before its first task.
 std::vector<Load> find_loads(const Result& result);
 
-struct Measured {
-  Measured(Result result, ray_tracing::DataFigures data_figures);
-
-  Result run;
-  ray_tracing::DataFigures data;
-  ray_tracing::Busy busy;
-  snapshots::Figures growth = {};
-  std::vector<Load> loads;
-};
+using Measured = ray_tracing::Measured<Result>;
 
 base::Columns<Measured> make_columns();
 programs::Shows make_shows();

@@ -2,8 +2,6 @@
 
 #include "renderer/files/load_scene.hpp"
 #include "simulator/farm/measured.hpp"
-#include "simulator/programs/declare/support.hpp"
-#include "simulator/ray_tracing/snapshot_fields.hpp"
 
 namespace farm {
 
@@ -49,29 +47,8 @@ base::Fields<Params> memory_fields() {
                    "memory of the ray database and of the display; default: the model's")};
 }
 
-// Declares a field for the weights of P in `member`.
-template <class P, class Member>
-base::Field<P> weights_field(Member member, const std::string& help) {
-  const auto set = [member](P& p, const base::Scalar& value) {
-    const auto& weights = std::get<std::vector<double>>(value);
-    const auto is_weight = [](double w) { return w >= 0 && w <= 1e6; };
-    if (weights.size() != 3 || !std::ranges::all_of(weights, is_weight)) return false;
-    p.*member = Weights{weights[0], weights[1], weights[2]};
-    return true;
-  };
-  const auto get = [member](const P& p) -> base::Scalar {
-    const std::optional<Weights> weights = p.*member;
-    if (!weights) return {};
-    return std::vector<double>{weights->influence, weights->level, weights->cell};
-  };
-  return {"weights",
-          "",
-          help,
-          {.kind = base::Domain::Kind::list,
-           .expected = "[influence, level, cell], three numbers from 0 to 1e6"},
-          set,
-          get};
-}
+constexpr double Weights::*WEIGHTS[] = {&Weights::influence, &Weights::level, &Weights::cell};
+constexpr auto WEIGHTS_EXPECTED = "[influence, level, cell], three numbers from 0 to 1e6";
 
 base::Names<std::optional<renderer::PreviewStep>> preview_names() {
   base::Names<std::optional<renderer::PreviewStep>> names{{"none", std::nullopt}};
@@ -98,9 +75,10 @@ base::Fields<Params> cell_fields() {
                     "smooth transition to its neighbours"),
           D::choice("preview", &Params::preview, preview_names(),
                     "preview that the display draws by z-buffer before the first ray"),
-          weights_field<Params>(&Params::weights,
-                                "weights of influence, level and cell size in a ray's priority; "
-                                "[0, 0, 0]: compare them in this order instead")};
+          ray_tracing::weights_field<Params>(
+              WEIGHTS, &Params::weights, WEIGHTS_EXPECTED,
+              "weights of influence, level and cell size in a ray's priority; "
+              "[0, 0, 0]: compare them in this order instead")};
 }
 
 base::Fields<Params> farm_fields() {
@@ -112,123 +90,68 @@ base::Fields<Params> farm_fields() {
           programs::whole_seed_field<Params>(&Params::seed, "seed for the order of the cells")};
 }
 
-base::Fields<ProgramParams> make_fields() {
-  using P = ProgramParams;
-  const auto image = [](auto& p) -> auto& { return p.farm.image; };
-  const auto snapshot_times = [](auto& p) -> auto& { return p.farm.snapshot_times; };
-  return base::join(
-      base::lift_all<P>(memory_fields(), &P::farm, "machine."),
-      {base::lift_all<P>(ray_tracing::scene_fields(), &P::scene),
-       base::lift_all<P>(renderer::param_fields(), image, "image."),
-       base::lift_all<P>(cell_fields(), &P::farm, "farm."),
-       base::lift_all<P>(farm_fields(), &P::farm, "farm."),
-       base::lift_all<P>(ray_tracing::snapshot_fields(), snapshot_times, "farm."),
-       // In the last place, so that the key "order" without a section means farm.order instead of
-       // image.order.
-       base::lift_all<P>(base::Fields<Params>{ray_tracing::pixel_order_field(&Params::pixels)},
-                         &P::farm, "image."),
-       base::lift_optional<P>(ray_tracing::data_fields(), &P::data)});
-}
-
 base::Fields<Limits> limit_fields() {
   using D = base::Declare<Limits>;
-  return {
-      D::number("min_influence", &Limits::min_influence, 0, 1, "",
-                "smallest influence factor of a ray"),
-      D::whole("depth_reflected", &Limits::depth_reflected, 0, 1000, "",
-               "deepest tree level of rays whose ancestors were only reflected"),
-      D::whole("depth_transmitted", &Limits::depth_transmitted, 0, 1000, "",
-               "deepest tree level of transmitted rays and their descendants"),
-      D::whole("min_cell", &Limits::min_cell, 1, 65536, "pixels", "smallest image cell"),
-      base::lift<Limits>(renderer::area_field(), &Limits::area),
-      weights_field<Limits>(&Limits::weights, "replaces farm.weights while these limits apply")};
-}
-
-std::vector<programs::RecordList> make_lists() {
-  using P = ProgramParams;
-  return ray_tracing::make_lists<P>(
-      limit_fields(), [](auto& p) -> auto& { return p.farm.stages; },
-      [](auto& p) -> auto& { return p.farm.script; });
+  return base::join(
+      ray_tracing::ray_limit_fields<Limits>(),
+      {{D::whole("min_cell", &Limits::min_cell, 1, 65536, "pixels", "smallest image cell"),
+        base::lift<Limits>(renderer::area_field(), &Limits::area),
+        ray_tracing::weights_field<Limits>(WEIGHTS, &Limits::weights, WEIGHTS_EXPECTED,
+                                           "replaces farm.weights while these limits apply")}});
 }
 
 Params make_params(const Setup& setup, const ProgramParams& params) {
-  Params farm = params.farm;
-  farm.cycles_per_host_s = setup.cycles_per_host_s;
+  Params farm = machine_params(setup, params);
   farm.profile = setup.profile;
-  farm.faults = setup.faults;
-  farm.others = setup.others;
-  farm.engine = setup.engine;
-  farm.monitor = setup.monitor;
   return farm;
 }
 
-bool shares_data(const ProgramParams& params) {
-  return params.data && params.data->cache_percent > 0;
-}
-
 void check_program(const Setup& setup, const ProgramParams& params) {
-  check(params.farm);
-  if (params.data) check_task(params.farm);
-  if (shares_data(params) && params.farm.preview)
+  check(params.machine);
+  if (params.data) check_task(params.machine);
+  if (params.shares_data() && params.machine.preview)
     base::refuse("farm.preview",
                  "found a preview, expected none: with data.cache_percent the "
                  "display does not hold the scene");
-  if (shares_data(params) && !setup.faults.empty())
+  if (params.shares_data() && !setup.faults.empty())
     base::refuse("[[fault]]",
                  "found one, expected none with data.cache_percent: data managers cannot continue "
                  "after a fault");
   const auto size = size_of(params.scene);
-  if (shares_data(params)) check(setup.model, size, make_params(setup, params), *params.data);
+  if (params.shares_data()) check(setup.model, size, make_params(setup, params), *params.data);
 }
 
 Measured run_one(const Setup& setup, const ProgramParams& params) {
   const auto scene = renderer::load_scene(scene_source(params.scene));
   const Params farm = make_params(setup, params);
   const bool has_data = params.data.has_value();
-  if (!shares_data(params))
+  if (!params.shares_data())
     return {run_farm(setup.model, setup.topology, scene, farm), {has_data, {}}};
   auto result = run_shared_farm(setup.model, setup.topology, scene, farm, *params.data);
   return {std::move(result.farm), {has_data, std::move(result.shared)}};
 }
 
 Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
-  Measured measured = run_one(setup, params);
-  auto given =
-      make_given(setup, params.scene, params.farm.image, params.farm.max_cell, measured.run);
-  measured.growth = given.growth;
-  Outcome<Measured> outcome;
-  static_cast<programs::Extras&>(outcome) = std::move(given.extras);
-  outcome.loads = measured.loads;
+  auto outcome = make_outcome(setup, params, run_one(setup, params));
+  const auto& measured = outcome.rows[0];
   if (setup.profile && !measured.data.use) outcome.kernel_host_s = measured.run.kernel_host_s;
-  outcome.rows.push_back(std::move(measured));
   return outcome;
 }
 
 }  // namespace
 
 programs::Program make_farm() {
-  auto program = programs::make_program<ProgramParams, Measured>(
+  return ray_tracing::make_program<Limits, Params, Measured>(
       {.name = "farm",
        .help = "the farm of chapter 4: a ray tracer with increasing realism",
        .uses = {.network = true, .faults = true, .timed = true, .others = true},
-       .fields = make_fields(),
+       .fields = ray_tracing::program_fields("farm", memory_fields(),
+                                             base::join(cell_fields(), {farm_fields()})),
        .columns = make_columns(),
        .run = &run,
        .check = &check_program,
-       .describe = [](const ProgramParams& params) { return describe(params.scene); },
-       .lists = make_lists()});
-  program.processors = "workers";
-  program.shows_parameters = false;
-  program.shows = make_shows();
-  program.shows_picture = true;
-  program.picture_key = [](const std::any& any) {
-    const auto& params = std::any_cast<const ProgramParams&>(any);
-    return picture_key(params.scene, params.farm.image);
-  };
-  program.voids = [](const std::any& any, const std::string& key) {
-    return find_void(std::any_cast<const ProgramParams&>(any).scene, key);
-  };
-  return program;
+       .shows = make_shows()},
+      limit_fields());
 }
 
 }  // namespace farm

@@ -1,14 +1,11 @@
 #pragma once
 // Declaration of the farm as a program for experiments.
 #include "simulator/farm/shared_farm.hpp"
+#include "simulator/ray_tracing/program.hpp"
 
 namespace farm {
 
-struct ProgramParams {
-  Params farm;                       ///< the keys of [image], [farm], [[stage]], [[order]]
-  std::optional<SharedParams> data;  ///< set if any key of [data] is present
-  ray_tracing::SceneChoice scene;
-};
+using ProgramParams = ray_tracing::ProgramParams<Params>;
 
 /// Makes the program "farm". With Setup::cycles_per_host_s, costs are timed, even during checks.
 programs::Program make_farm();

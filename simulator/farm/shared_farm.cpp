@@ -23,10 +23,7 @@ using FarmMessage = std::variant<Stop, renderer::Area, renderer::Block>;
 constexpr int BLOCKS_OF_WORKER = 2;
 
 void send(DataManager& manager, Address to, FarmMessage content, std::uint64_t bytes) {
-  manager.client().send({.to = to,
-                         .from = {.process = FARM_PROCESS},
-                         .length = bytes,
-                         .contents = network::make_contents(std::move(content))});
+  manager.client().send(network::make_message(FARM_PROCESS, to, bytes, std::move(content)));
 }
 
 // Length of the message with a rendered block, in bytes.
@@ -97,13 +94,10 @@ class SharedFarm {
         data_params_(make_data_params(model, ray_tracing::size_of(scene), data)),
         machine_(model, machine::Code::compiled, params.engine),
         pixel_bytes_(kernels::record_bytes(model).pixel),
-        display_cost_(central_cost("display", model, params)),
         block_cost_("block", {model, &kernels::tree_costs}, params.cycles_per_host_s),
-        picture_(params.image.width, params.image.height, {params.image.width}, params.cells,
-                 get_area(params.image)),
-        scratch_(params.cycles_per_host_s ? picture_ : FrameBuffer()),
-        recorder_(params.snapshot_times, params.monitor),
-        progress_(machine_) {
+        progress_(machine_),
+        visualisation_(
+            make_visualisation(model, scene, params, progress_, [this] { return charged_; })) {
     add_processors(machine_, params, workers_);
     network_.emplace(machine_, make_routing(data.method, joined_, topologies::make_routes(joined_)),
                      make_network_params(model, params, data, items_.catalogue(), data_params_,
@@ -116,7 +110,7 @@ class SharedFarm {
     start();
     SharedResult result;
     result.farm = take_result(observe::run(machine_, params_.monitor, make_view()));
-    for (auto& note : note_given_up(asked, workers_)) result.farm.notes.push_back(note);
+    add_workers(result.farm, asked, workers_, done_);
     result.shared = {memory_->use(), network_->use(), data_params_.cache_bytes,
                      workers_.processors * result.farm.time_s};
     return result;
@@ -160,12 +154,13 @@ class SharedFarm {
       --in_farm;
       ++done_[message.from.processor];
       feed(message.from.processor);
-      recorder_.note(progress_.since_begun_s(), [&] { return look(); });
+      visualisation_.note();
       progress_.rays += block.rays;
-      display_cost_(picture_, scratch_,
-                    [kept = message.contents, &block](FrameBuffer& to, renderer::Work& work) {
-                      to.add(block, work);
-                    });
+      visualisation_.rays = progress_.rays.total();
+      visualisation_.cost(visualisation_.picture, visualisation_.scratch,
+                          [kept = message.contents, &block](FrameBuffer& to, renderer::Work& work) {
+                            to.add(block, work);
+                          });
     }
     progress_.end();
     send(manager, network::make_global(FARM_PROCESS), Stop{}, TAG_BYTES);
@@ -199,38 +194,21 @@ class SharedFarm {
   }
 
   observe::ControlPanel make_view() {
-    observe::ControlPanel view;
+    auto view = farm::make_view(visualisation_);
     for (int id = 1; id <= workers_.processors; ++id) view.network.push_back(id);
-    view.picture = {params_.image.width, params_.image.height, [this] { return &picture_.rgb8(); }};
-    view.count_rays = [this] { return static_cast<double>(progress_.rays.total()); };
-    view.gauges = {{"rays", "rays that the picture shows", view.count_rays}};
     shared_memory::show(view, *memory_);
     programs::show(view, *network_);
     return view;
   }
 
-  snapshots::Snapshot look() const {
-    return {.rays = progress_.rays.total(),
-            .cycles = static_cast<std::uint64_t>(charged_.value),
-            .rgb8 = picture_.rgb8()};
-  }
-
   Result take_result(machine::End end) {
-    Result result = make_result(progress_, end);
-    recorder_.end((progress_.ended - progress_.begun).value, [&] { return look(); });
-    result.samples = picture_.samples();
-    result.rgb8 = picture_.rgb8();
-    result.pictures = recorder_.pictures();
-    result.growth = recorder_.growth();
+    Result result = make_result(progress_, visualisation_, end);
     result.coordination = coordination_;
-    result.topology = workers_;
-    for (const auto& [id, tasks] : done_)
-      if (!result.use.cpus.empty()) result.use.cpus.at(static_cast<std::size_t>(id)).tasks = tasks;
     for (int id = 1; id <= workers_.processors; ++id)
       result.mean_depth += network_->routing().distance(0, id);
     result.mean_depth /= workers_.processors;
     result.kernel_cycles = charged_;
-    result.kernels = kernels::uses_of({&block_cost_, &display_cost_});
+    result.kernels = kernels::uses_of({&block_cost_, &visualisation_.cost});
     result.events = machine_.events();
     return result;
   }
@@ -244,12 +222,11 @@ class SharedFarm {
   std::optional<network::Network> network_;
   std::optional<shared_memory::VirtualMemory> memory_;
   const std::uint32_t pixel_bytes_;
-  kernels::KernelCost display_cost_, block_cost_;
+  kernels::KernelCost block_cost_;
   machine::Cycles charged_{};  // cycles charged for all blocks
-  FrameBuffer picture_, scratch_;
-  snapshots::Recorder recorder_;
   renderer::BlockBuffer block_scratch_;
   Progress progress_;
+  Visualisation visualisation_;
   machine::ProcessId coordination_ = 0;
   std::map<int, std::uint64_t> done_;  // number of tasks, by processor
 };

@@ -18,10 +18,8 @@ void interact(Shared& shared, network::Client& client) {
     const std::size_t number = shared.orders.next(Seconds{shared.record.begun_s});
     has_left = std::holds_alternative<ray_tracing::Leave>(shared.orders[number].what);
     const IirraMessage order = UserOrder{number};
-    client.send({.to = {coordinator, TASK_PROCESS},
-                 .from = {.process = TASK_PROCESS},
-                 .length = shared.sizes.of(order),
-                 .contents = network::make_contents(order)});
+    client.send(network::make_message(TASK_PROCESS, {coordinator, TASK_PROCESS},
+                                      shared.sizes.of(order), order));
   }
 }
 

@@ -56,8 +56,7 @@ std::shared_ptr<const CellQuadrants> make_quadrants(const Params& params) {
 }
 
 machine::Cycles cost_of_testing(const machine::Model& model) {
-  static constexpr std::string_view NAMES[] = {"pixel_tested"};
-  return machine::OperationCosts(model, "central", NAMES)(std::array<std::uint64_t, 1>{1});
+  return kernels::central_cost(model, "pixel_tested");
 }
 
 machine::OperationCosts costs_of_tasks(const machine::Model& model) {
@@ -150,19 +149,13 @@ class Run {
     if (memory_) shared_memory::show(view, *memory_);
     view.phase = [this] { return coordinator_->phase(); };
     view.is_complete = [&] { return record.ended_s > 0; };
-    view.waits_for_user = [this] {
-      return coordinator_->is_null() && shared_.orders.waits_for_manual_order();
-    };
-    view.close_orders = [this] { shared_.orders.close(); };
-    view.take_order = [this](const std::any& order, machine::Seconds after) {
-      const auto check_script = [this](const std::vector<Order>& script) {
-        Params params = params_;
-        params.script = script;
-        check(params, topology_);
-      };
-      return shared_.orders.take(std::any_cast<const ray_tracing::OrderRecord<Limits>&>(order),
-                                 after, check_script);
-    };
+    shared_.orders.show(
+        view, [this] { return coordinator_->is_null(); },
+        [this](const std::vector<Order>& script) {
+          Params params = params_;
+          params.script = script;
+          check(params, topology_);
+        });
     return view;
   }
 

@@ -26,7 +26,7 @@ enum class Start : std::uint8_t {
 
 using Order = ray_tracing::Order<Limits>;
 
-struct Params {
+struct Params : ray_tracing::RunParams {
   renderer::Params image;
   /// Successive limits of the interactive phase.
   std::vector<Limits> stages = std::vector<Limits>(1);
@@ -52,11 +52,6 @@ struct Params {
   std::optional<std::size_t> buffers;             ///< per router; by default enough for all workers
   std::optional<shared_memory::DataParams> data;  ///< if absent, all processors hold the scene
   std::optional<std::uint64_t> memory;            ///< bytes per processor; default: the model's
-  std::vector<programs::PlannedFault> faults;
-  programs::OtherModels others;             ///< by processor number
-  std::optional<double> cycles_per_host_s;  ///< see farm::Params
-  machine::EngineParams engine = {};
-  observe::RunMonitor* monitor = nullptr;
 };
 constexpr int MAX_CELL = 512;
 

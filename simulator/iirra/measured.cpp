@@ -135,24 +135,11 @@ Losses find_losses(const Result& result) {
 }
 
 ray_tracing::Loads find_loads(const Result& result) {
-  const auto& use = result.use;
-  if (use.time_s <= 0) return {};
-  auto loads = ray_tracing::find_loads(use);
-  loads.push_back(load_of_coordination(result));
-  const auto& display = *find_role(use, Role::display);
-  loads.push_back({display.name, display.busy_s / use.time_s, "its CPU"});
-  loads.push_back({"tasks", (result.ended_s - result.last_task_s) / result.time_s,
-                   "the last task was taken earlier"});
-  ray_tracing::sort(loads);
-  return loads;
+  if (result.use.time_s <= 0) return {};
+  return ray_tracing::find_loads(result.use, load_of_coordination(result),
+                                 {"tasks", (result.ended_s - result.last_task_s) / result.time_s,
+                                  "the last task was taken earlier"});
 }
-
-Measured::Measured(Result result, ray_tracing::DataFigures data_figures)
-    : run(std::move(result)),
-      data(std::move(data_figures)),
-      busy(ray_tracing::make_busy(run.use)),
-      losses(find_losses(run)),
-      loads(find_loads(run)) {}
 
 Columns<Measured> make_columns() {
   const auto of_run = [](const auto& columns) {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "simulator/iirra/iirra.hpp"
+#include "simulator/ray_tracing/program.hpp"
 
 namespace iirra {
 
@@ -19,21 +20,17 @@ struct Losses {
 /// All fractions are NaN if the run was cut short before its first ray.
 Losses find_losses(const Result& result);
 
-struct Measured {
-  Measured(Result result, ray_tracing::DataFigures data_figures);
-
-  Result run;
-  ray_tracing::DataFigures data;
-  ray_tracing::Busy busy;
-  Losses losses;
-  snapshots::Figures growth = {};
-  ray_tracing::Loads loads;
-};
-
-/// Possible bottlenecks: the resources of ray_tracing::find_loads, the display's CPU, and two more.
-/// "coordination" is the fraction of time in which this process did not wait for messages. "tasks"
-/// is the fraction of time after the last task was taken.
+/// Possible bottlenecks, see ray_tracing::find_loads. "coordination" is the fraction of time in
+/// which this process does not wait for messages, and "tasks" that after the last task was taken.
 ray_tracing::Loads find_loads(const Result& result);
+
+struct Measured : ray_tracing::Measured<Result> {
+  Measured(Result result, ray_tracing::DataFigures figures)
+      : ray_tracing::Measured<Result>(std::move(result), std::move(figures)),
+        losses(find_losses(run)) {}
+
+  Losses losses;
+};
 
 base::Columns<Measured> make_columns();
 

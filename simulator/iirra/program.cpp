@@ -2,8 +2,6 @@
 
 #include "renderer/files/load_scene.hpp"
 #include "simulator/iirra/measured.hpp"
-#include "simulator/programs/declare/support.hpp"
-#include "simulator/ray_tracing/snapshot_fields.hpp"
 
 namespace iirra {
 
@@ -15,33 +13,12 @@ namespace {
 constexpr double Weights::*WEIGHTS[] = {&Weights::position, &Weights::size,  &Weights::samples,
                                         &Weights::contrast, &Weights::depth, &Weights::influence};
 
-// Declares a field for the weights of P in `member`.
-template <class P, class Member>
-base::Field<P> weights_field(Member member, const std::string& help) {
-  const auto set = [member](P& p, const base::Scalar& value) {
-    const auto& given = std::get<std::vector<double>>(value);
-    const auto is_weight = [](double w) { return w >= 0 && w <= 1e6; };
-    if (given.size() != std::size(WEIGHTS) || !std::ranges::all_of(given, is_weight)) return false;
-    Weights weights;
-    for (std::size_t i = 0; i < given.size(); ++i) weights.*WEIGHTS[i] = given[i];
-    p.*member = weights;
-    return true;
-  };
-  const auto get = [member](const P& p) -> base::Scalar {
-    const std::optional<Weights> weights = p.*member;
-    if (!weights) return {};
-    std::vector<double> all;
-    for (const auto weight : WEIGHTS) all.push_back((*weights).*weight);
-    return all;
-  };
-  return {"weights",
-          "",
-          help,
-          {.kind = base::Domain::Kind::list,
-           .expected = "[position, size, samples, contrast, depth, influence], six numbers from 0 "
-                       "to 1e6"},
-          set,
-          get};
+constexpr auto WEIGHTS_EXPECTED =
+    "[position, size, samples, contrast, depth, influence], six numbers from 0 to 1e6";
+
+base::Fields<Params> memory_fields() {
+  return {base::Declare<Params>::whole("worker_memory_bytes", &Params::memory, 1, 0x1p40, "bytes",
+                                       "memory of a worker; default: the model's")};
 }
 
 base::Fields<Params> cell_fields() {
@@ -55,9 +32,10 @@ base::Fields<Params> cell_fields() {
                    "side of the first cells, a power of two"),
           D::choice("order", &Params::order, ORDERS,
                     "order of cells of equal importance; adaptive: the greatest contrast first"),
-          weights_field<Params>(&Params::weights,
-                                "weights of position, size, samples, contrast, depth and influence "
-                                "in a cell's importance"),
+          ray_tracing::weights_field<Params>(
+              WEIGHTS, &Params::weights, WEIGHTS_EXPECTED,
+              "weights of position, size, samples, contrast, depth and influence "
+              "in a cell's importance"),
           programs::whole_seed_field<Params>(&Params::seed, "seed for the order of the cells")};
 }
 
@@ -101,64 +79,30 @@ base::Fields<Params> machine_fields() {
                "messages that a router has room for; default: the number of processors plus 64")};
 }
 
-base::Fields<ProgramParams> make_fields() {
-  using P = ProgramParams;
-  using D = base::Declare<P>;
-  const auto image = [](auto& p) -> auto& { return p.iirra.image; };
-  const auto snapshot_times = [](auto& p) -> auto& { return p.iirra.snapshot_times; };
-  const auto memory = [](auto& p) -> auto& { return p.iirra.memory; };
-  return base::join(
-      base::Fields<P>{D::whole("machine.worker_memory_bytes", memory, 1, 0x1p40, "bytes",
-                               "memory of a worker; default: the model's")},
-      {base::lift_all<P>(ray_tracing::scene_fields(), &P::scene),
-       base::lift_all<P>(renderer::param_fields(), image, "image."),
-       base::lift_all<P>(cell_fields(), &P::iirra, "iirra."),
-       base::lift_all<P>(machine_fields(), &P::iirra, "iirra."),
-       base::lift_all<P>(ray_tracing::snapshot_fields(), snapshot_times, "iirra."),
-       // In the last place, so that the key "order" without a section means iirra.order instead of
-       // image.order.
-       base::lift_all<P>(base::Fields<Params>{ray_tracing::pixel_order_field(&Params::pixels)},
-                         &P::iirra, "image."),
-       base::lift_optional<P>(ray_tracing::data_fields(), &P::data)});
-}
-
 base::Fields<Limits> limit_fields() {
   using D = base::Declare<Limits>;
-  return {
-      D::number("min_influence", &Limits::min_influence, 0, 1, "",
-                "smallest influence factor of a ray"),
-      D::whole("depth_reflected", &Limits::depth_reflected, 0, 1000, "",
-               "deepest tree level of rays whose ancestors were only reflected"),
-      D::whole("depth_transmitted", &Limits::depth_transmitted, 0, 1000, "",
-               "deepest tree level of transmitted rays and their descendants"),
-      D::whole("min_cell", &Limits::min_cell, 1, MAX_CELL, "pixels", "smallest side of a cell"),
-      D::whole("max_samples", &Limits::max_samples, 5, 13, "",
-               "largest number of samples of a cell"),
-      D::number("min_contrast", &Limits::min_contrast, 0, 1, "",
-                "smallest contrast of cells to divide (Eq 4.7)"),
-      base::lift<Limits>(renderer::area_field(), &Limits::area),
-      weights_field<Limits>(&Limits::weights, "replaces iirra.weights while these limits apply")};
-}
-
-bool shares_data(const ProgramParams& params) {
-  return params.data && params.data->cache_percent > 0;
+  return base::join(
+      ray_tracing::ray_limit_fields<Limits>(),
+      {{D::whole("min_cell", &Limits::min_cell, 1, MAX_CELL, "pixels", "smallest side of a cell"),
+        D::whole("max_samples", &Limits::max_samples, 5, 13, "",
+                 "largest number of samples of a cell"),
+        D::number("min_contrast", &Limits::min_contrast, 0, 1, "",
+                  "smallest contrast of cells to divide (Eq 4.7)"),
+        base::lift<Limits>(renderer::area_field(), &Limits::area),
+        ray_tracing::weights_field<Limits>(WEIGHTS, &Limits::weights, WEIGHTS_EXPECTED,
+                                           "replaces iirra.weights while these limits apply")}});
 }
 
 Params make_params(const Setup& setup, const ProgramParams& params) {
-  Params iirra = params.iirra;
-  iirra.faults = setup.faults;
-  iirra.others = setup.others;
-  iirra.cycles_per_host_s = setup.cycles_per_host_s;
-  iirra.engine = setup.engine;
-  iirra.monitor = setup.monitor;
+  Params iirra = machine_params(setup, params);
   if (params.data) iirra.method = params.data->method;
-  if (shares_data(params))
+  if (params.shares_data())
     iirra.data = make_data_params(setup.model, size_of(params.scene), *params.data);
   return iirra;
 }
 
 void check_program(const Setup& setup, const ProgramParams& params) {
-  if (shares_data(params)) check_data(setup.model, size_of(params.scene), *params.data);
+  if (params.shares_data()) check_data(setup.model, size_of(params.scene), *params.data);
   const Params iirra = make_params(setup, params);
   base::require(iirra.method != network::Method::acyclic || !setup.tree, "network.tree",
                 "found a tree for all senders, expected none with data.method = \"acyclic\", which "
@@ -171,45 +115,23 @@ Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
   auto result = run_iirra(setup.model, setup.topology, setup.routes, setup.tree, scene,
                           make_params(setup, params));
   const ray_tracing::DataFigures data{params.data.has_value(), result.shared};
-  Measured measured(std::move(result), data);
-  auto given =
-      make_given(setup, params.scene, params.iirra.image, params.iirra.max_cell, measured.run);
-  measured.growth = given.growth;
-  Outcome<Measured> outcome;
-  static_cast<programs::Extras&>(outcome) = std::move(given.extras);
-  outcome.loads = measured.loads;
-  outcome.rows.push_back(std::move(measured));
-  return outcome;
+  return make_outcome(setup, params, Measured(std::move(result), data));
 }
 
 }  // namespace
 
 programs::Program make_iirra() {
-  using P = ProgramParams;
-  auto program = programs::make_program<P, Measured>(
+  auto program = ray_tracing::make_program<Limits, Params, Measured>(
       {.name = "iirra",
        .help = "chapter 5's ray tracer: image cells and task managers on every processor",
        .uses = {.network = true, .routes = true, .faults = true, .timed = true, .others = true},
-       .fields = make_fields(),
+       .fields = ray_tracing::program_fields("iirra", memory_fields(),
+                                             base::join(cell_fields(), {machine_fields()})),
        .columns = make_columns(),
        .run = &run,
-       .check = &check_program,
-       .describe = [](const P& params) { return ray_tracing::describe(params.scene); },
-       .lists = ray_tracing::make_lists<P>(
-           limit_fields(), [](auto& p) -> auto& { return p.iirra.stages; },
-           [](auto& p) -> auto& { return p.iirra.script; })});
-  program.processors = "workers";
+       .check = &check_program},
+      limit_fields());
   program.services = SERVICES;
-  program.shows_parameters = false;
-  program.shows.leading = {"topology", "workers", "objects"};
-  program.shows_picture = true;
-  program.picture_key = [](const std::any& any) {
-    const auto& params = std::any_cast<const P&>(any);
-    return picture_key(params.scene, params.iirra.image);
-  };
-  program.voids = [](const std::any& params, const std::string& key) {
-    return find_void(std::any_cast<const P&>(params).scene, key);
-  };
   return program;
 }
 

@@ -102,4 +102,9 @@ machine::OperationCosts central_costs(const machine::Model& model) {
   return {model, "central", renderer::op_names()};
 }
 
+machine::Cycles central_cost(const machine::Model& model, std::string_view operation) {
+  return machine::OperationCosts(model, "central",
+                                 {&operation, 1})(std::array<std::uint64_t, 1>{1});
+}
+
 }  // namespace kernels

@@ -185,5 +185,7 @@ machine::OperationCosts intersection_costs(const machine::Model& model);
 machine::OperationCosts tree_costs(const machine::Model& model);
 /// Costs of the central process: its computations and the display.
 machine::OperationCosts central_costs(const machine::Model& model);
+/// Cost of one operation of the coordinator or the display.
+machine::Cycles central_cost(const machine::Model& model, std::string_view operation);
 
 }  // namespace kernels

@@ -65,9 +65,13 @@ struct Message {
   std::uint64_t bytes() const { return IDENTIFICATION + length; }
 };
 
+/// Makes a message. If it cannot be delivered, `process` of the sender receives it back.
 template <class T>
-std::shared_ptr<const Contents> make_contents(T content) {
-  return std::make_shared<const ContentsOf<T>>(std::move(content));
+Message make_message(int process, const Address& to, std::uint64_t length, T content) {
+  return {.to = to,
+          .from = {.process = process},
+          .length = length,
+          .contents = std::make_shared<const ContentsOf<T>>(std::move(content))};
 }
 /// The contents of a message. Throws std::bad_cast if they are not a T.
 template <class T>

@@ -193,10 +193,7 @@ Message Application::wait_message() {
 void Application::send(network::Address to, AmpMessage content) {
   charge_message(&kernels::MessageCosts::made, content);
   const auto length = common_.bytes.of(content);
-  node_.client->send({.to = to,
-                      .from = {.process = AMP_PROCESS},
-                      .length = length,
-                      .contents = network::make_contents(std::move(content))});
+  node_.client->send(network::make_message(AMP_PROCESS, to, length, std::move(content)));
 }
 
 void Root::run() {

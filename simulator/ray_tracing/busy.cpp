@@ -178,10 +178,16 @@ Columns<Loads> bottleneck_columns() {
           load("next_busy", 1, &Load::busy, "share of time_s in which `next_busiest` was busy")};
 }
 
-Loads find_loads(const observe::Use& use) {
+Loads find_loads(const observe::Use& use, const Load& coordination, const Load& tasks) {
   Loads loads = {load_of_workers(use), load_of_routing(use), load_of_links(use)};
   if (find_role(use, Role::router))
     loads.push_back(load_of(use, Role::router, "data managers", "data"));
+  loads.push_back(coordination);
+  for (const Role role : {Role::database, Role::display})
+    if (const auto* cpu = find_role(use, role))
+      loads.push_back({cpu->name, cpu->busy_s / use.time_s, "its CPU"});
+  loads.push_back(tasks);
+  std::ranges::stable_sort(loads, std::ranges::greater{}, &Load::busy);
   return loads;
 }
 
@@ -223,8 +229,6 @@ Columns<observe::Use> model_columns() {
           "other_models_tasks", share,
           "share of the tasks done by workers of other models than the coordinator's")});
 }
-
-void sort(Loads& loads) { std::ranges::stable_sort(loads, std::ranges::greater{}, &Load::busy); }
 
 std::string percent(double share) { return fmt::format("{:.0f} %", 100 * share); }
 

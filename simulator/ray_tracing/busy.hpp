@@ -50,13 +50,15 @@ using Loads = std::vector<Load>;
 /// - "workerN (routing)": high-priority processes of the worker with the most routing;
 /// - "data managers": mean load of the CPUs of workers' companions, if these route messages;
 /// - "link A>B": the busiest direction of a link.
-Loads find_loads(const observe::Use& use);
+/// - `coordination`, the database and the display;
+/// - `tasks`, the time after the last task was sent.
+/// The busiest comes first.
+Loads find_loads(const observe::Use& use, const Load& coordination, const Load& tasks);
 /// The column other_models_tasks. Absent if all processors have the same model.
 base::Columns<observe::Use> model_columns();
 /// If workers have several models, makes a sentence for each model: number of workers, their load,
 /// and their fraction of the tasks if these are counted.
 std::vector<std::string> note_models(const observe::Use& use);
-void sort(Loads& loads);            ///< sorts by load, busiest first
 std::string percent(double share);  ///< such as "12 %"
 /// Columns for sorted loads: bottleneck, busiest, next_busiest and their fractions.
 base::Columns<Loads> bottleneck_columns();

@@ -69,6 +69,17 @@ class Orders {
     return dated.at_s;
   }
 
+  /// Lets the user of a live page give orders. `is_null` is true if no step within the limits is
+  /// left; `check` is as in take().
+  void show(observe::ControlPanel& view, std::function<bool()> is_null,
+            std::function<void(const std::vector<Order>&)> check) {
+    view.waits_for_user = [this, is_null] { return is_null() && waits_for_manual_order(); };
+    view.close_orders = [this] { close(); };
+    view.take_order = [this, check](const std::any& record, machine::Seconds after) {
+      return take(std::any_cast<const OrderRecord<Limits>&>(record), after, check);
+    };
+  }
+
   /// True if the user's process is waiting for a manual order and none is pending.
   bool waits_for_manual_order() const { return waits_for_manual_order_ && next_ == orders_.size(); }
   bool has_left() const {

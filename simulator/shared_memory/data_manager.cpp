@@ -159,10 +159,7 @@ void DataManager::serve_for_ever() {
 }
 
 void DataManager::send(network::Address to, std::uint64_t bytes, DataMessage content) {
-  client_.send({.to = to,
-                .from = {.process = DATA_PROCESS},
-                .length = bytes,
-                .contents = network::make_contents(content)});
+  client_.send(network::make_message(DATA_PROCESS, to, bytes, content));
 }
 
 void DataManager::fetch(std::size_t record, network::Address to) {

@@ -37,10 +37,7 @@ void send(shared_memory::DataManager& manager, const Sizes& sizes, int from, net
           IirraMessage content) {
   machine::this_process().charge(sizes.message.here().made);
   const auto bytes = sizes.of(content);
-  manager.client().send({.to = to,
-                         .from = {.process = from},
-                         .length = bytes,
-                         .contents = network::make_contents(std::move(content))});
+  manager.client().send(network::make_message(from, to, bytes, std::move(content)));
 }
 
 const IirraMessage& read(const Sizes& sizes, const network::Message& message) {

@@ -183,6 +183,9 @@ struct Declaration {
   std::function<void(const Setup&, const P&)> check = {};
   std::function<Row(const P&)> describe = {};
   std::vector<RecordList> lists = {};
+  Shows shows = {};
+  std::function<std::string(const P&)> picture_key = {};
+  std::function<std::string(const P&, const std::string& key)> voids = {};
 };
 
 template <class P, class R>
@@ -203,10 +206,15 @@ Program make_program(const Declaration<P, R>& d) {
     program.check = [check = d.check, params](const Setup& setup, const std::any& any) {
       check(setup, params(any));
     };
-  if (d.describe)
-    program.describe = [describe = d.describe, params](const std::any& any) {
-      return describe(params(any));
+  const auto erase = [params](const auto& of) {
+    return [of, params](const std::any& any, const auto&... others) {
+      return of(params(any), others...);
     };
+  };
+  if (d.describe) program.describe = erase(d.describe);
+  if (d.picture_key) program.picture_key = erase(d.picture_key);
+  if (d.voids) program.voids = erase(d.voids);
+  program.shows = d.shows;
   return program;
 }
 

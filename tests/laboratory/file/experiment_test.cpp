@@ -22,7 +22,7 @@ TEST(ExperimentsFile, DefaultsAreOnePoint) {
   EXPECT_EQ(e.model.source.text, "t805-25");
   EXPECT_EQ(make_workers(e).name, "tree:7");
   EXPECT_EQ(ray_tracing::scene_source(farm_of(e).scene), "spheres:200");
-  EXPECT_EQ(farm_of(e).farm.image.limits.depth, 15);
+  EXPECT_EQ(farm_of(e).machine.image.limits.depth, 15);
 }
 
 TEST(ExperimentsFile, SweepSpansItsAxesInOrderTheLastFastest) {
@@ -53,7 +53,7 @@ TEST(ExperimentsFile, CoupledAxesMoveTogether) {
   ASSERT_EQ(file.points.size(), 6u);
   EXPECT_EQ(objects_of(file.points[5].experiment), 800);
   EXPECT_EQ(file.points[5].experiment.workers, 4);
-  EXPECT_EQ(farm_of(file.points[5].experiment).farm.image.height, 32);
+  EXPECT_EQ(farm_of(file.points[5].experiment).machine.image.height, 32);
   EXPECT_EQ(name_of(file.points[5]), "objects = 800, workers = 4, height = 32");
   EXPECT_TRUE(resolve(file).ends_with(
       "[sweep]\nobjects = [200, 800]\n\"workers, height\" = [[1, 16], [2, 16], [4, 32]]"))
@@ -88,7 +88,7 @@ TEST(ExperimentsFile, SetReplacesAnyKey) {
   EXPECT_EQ(file.points[1].experiment.workers, 5);
   EXPECT_EQ(objects_of(file.points[1].experiment), 9);
   EXPECT_EQ(file.points[0].experiment.title, "A = b");
-  EXPECT_EQ(farm_of(file.points[0].experiment).farm.image.width, 64);
+  EXPECT_EQ(farm_of(file.points[0].experiment).machine.image.width, 64);
 }
 
 TEST(ExperimentsFile, SetTakesKeysOfAsManyPartsAsAFile) {
@@ -111,7 +111,7 @@ TEST(ExperimentsFile, CostsOfAnyProgramMayBeCounted) {
 
 TEST(ExperimentsFile, TasksAreRaysOrBlocksOfAnySize) {
   const auto block = [](const std::string& task) {
-    return farm_of(load("[farm]\ntask = \"" + task + "\"\n").points[0].experiment).farm.block;
+    return farm_of(load("[farm]\ntask = \"" + task + "\"\n").points[0].experiment).machine.block;
   };
   EXPECT_FALSE(block("ray"));
   for (const auto& [width, height] : {std::pair(1, 1), {1, 7}, {7, 1}, {64, 32}}) {
@@ -128,7 +128,7 @@ TEST(ExperimentsFile, StagesAndOrders) {
   const auto file = load(
       "[[stage]]\nmin_cell = 4\ndepth_reflected = 1\n[[stage]]\narea = [1, 2, 3, 4]\n"
       "[[order]]\nat_s = 2\nmin_influence = 0.5\n[[order]]\nat_s = 3.5\nnon_interactive = true\n");
-  const auto& p = farm_of(file.points[0].experiment).farm;
+  const auto& p = farm_of(file.points[0].experiment).machine;
   ASSERT_EQ(p.stages.size(), 2u);
   EXPECT_EQ(p.stages[0].min_cell, 4);
   EXPECT_EQ(p.stages[1].area, (renderer::Area{1, 2, 3, 4}));

@@ -9,6 +9,15 @@
 namespace network {
 namespace {
 
+TEST(Messages, AreReadOnlyAsTheTypeThatWasSent) {
+  using Content = std::variant<int, double>;
+  const Message message = make_message(3, {1, 2}, 8, Content(4.5));
+  EXPECT_EQ(std::get<double>(read<Content>(message)), 4.5);
+  EXPECT_EQ(message.from.process, 3);
+  EXPECT_EQ(message.bytes(), Message::IDENTIFICATION + 8);
+  EXPECT_THROW(read<double>(message), std::bad_cast);
+}
+
 // Every processor sends `each` messages to a nonexistent process on every other, then receives the
 // returned messages. The result is the number of messages that return with the reason.
 double send_to_nobody(Method method, const std::string& spec, int each) {
