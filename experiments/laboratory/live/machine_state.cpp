@@ -62,7 +62,7 @@ ordered_json make_outline(const ExperimentFile& file, const machine::Machine& ma
   }
   for (const auto& gauge : view.gauges)
     gauges.push_back({{"name", gauge.name}, {"help", gauge.help}});
-  const auto* orders = view.take_order ? find_orders(program) : nullptr;
+  const bool has_user = view.take_order && program.find_list("order");
   ordered_json outline = {{"title", experiment.title},
                           {"question", experiment.question},
                           {"file", file.path},
@@ -74,10 +74,10 @@ ordered_json make_outline(const ExperimentFile& file, const machine::Machine& ma
                           {"links", links},
                           {"gauges", gauges},
                           {"has_sequential", view.sequential != nullptr},
-                          {"has_user", orders != nullptr}};
+                          {"has_user", has_user}};
   if (view.picture)
     outline["picture"] = {{"width", view.picture->width}, {"height", view.picture->height}};
-  if (orders) outline["limits"] = describe_limits(*orders, file);
+  if (has_user) outline["limits"] = describe_limits(*program.find_list("stage"), file);
   return outline;
 }
 

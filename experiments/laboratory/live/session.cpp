@@ -31,7 +31,7 @@ constexpr std::size_t MOST_TOLD_AT_END = 256;  // limit on processors kept for d
 
 Session::Session(const ExperimentFile& file, double speed)
     : file_(file),
-      orders_(find_orders(*file.points.at(0).experiment.program)),
+      orders_(file.points.at(0).experiment.program->find_list("order")),
       faults_(file.points[0].experiment.faults),
       speed_(speed),
       pace_since_(HostClock::now()) {}

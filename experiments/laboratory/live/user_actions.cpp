@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "base/errors.hpp"
 #include "experiments/laboratory/file/values.hpp"
@@ -13,12 +12,6 @@ namespace laboratory {
 using nlohmann::ordered_json;
 
 namespace {
-
-// Keys of an order that are actions. All other keys are limits.
-constexpr std::array<std::string_view, 6> ACTS = {"at_s",  "non_interactive", "interactive",
-                                                  "abort", "leave",           "save"};
-
-bool is_limit(std::string_view name) { return std::ranges::find(ACTS, name) == ACTS.end(); }
 
 base::Scalar to_scalar(const std::string& key, const ordered_json& value) {
   if (value.is_boolean()) return value.get<bool>();
@@ -61,11 +54,6 @@ const toml::table* last_stage(const ExperimentFile& file) {
 
 }  // namespace
 
-const programs::RecordList* find_orders(const programs::Program& program) {
-  const auto found = std::ranges::find(program.lists, "order", &programs::RecordList::key);
-  return found == program.lists.end() ? nullptr : &*found;
-}
-
 std::any read_order(const programs::RecordList& list, const ordered_json& order) {
   base::require(order.is_object(), "order", "found {}, expected an object", order.type_name());
   auto record = list.make_record();
@@ -87,13 +75,12 @@ UserAction make_action(double at_s, const ordered_json& order) {
   return action;
 }
 
-ordered_json describe_limits(const programs::RecordList& list, const ExperimentFile& file) {
+ordered_json describe_limits(const programs::RecordList& stages, const ExperimentFile& file) {
   using Kind = base::Domain::Kind;
   const auto* given = last_stage(file);
-  const auto standard = list.make_record();
+  const auto standard = stages.make_record();
   auto limits = ordered_json::array();
-  for (const auto& field : list.fields) {
-    if (!is_limit(field.name)) continue;
+  for (const auto& field : stages.fields) {
     const bool is_number = field.domain.kind == Kind::number || field.domain.kind == Kind::whole;
     ordered_json limit = {{"name", field.name},
                           {"help", field.help},

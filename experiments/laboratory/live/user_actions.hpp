@@ -16,18 +16,16 @@ struct UserAction {
   std::vector<std::pair<std::string, std::string>> keys;
 };
 
-/// The record list "order" of a program; null if the program takes no orders.
-const programs::RecordList* find_orders(const programs::Program& program);
-
 /// Converts an order from a page, such as {"min_influence": 0.1, "area": [0, 0, 8, 8]}, to a record
 /// of the list. Throws BadInput for unknown keys, and for values of the wrong type or size.
 std::any read_order(const programs::RecordList& list, const nlohmann::ordered_json& order);
 /// Converts an order from a page to the form of the experiment file.
 UserAction make_action(double at_s, const nlohmann::ordered_json& order);
 
-/// Describes the limits of an order for the page: name, help, unit, type, range and initial value.
-/// Initial values come from the file's last [[stage]] if it sets them.
-nlohmann::ordered_json describe_limits(const programs::RecordList& list,
+/// Describes the limits of a stage, which an order may also set, for the page: name, help, unit,
+/// type, range and initial value. Initial values come from the file's last [[stage]] if it sets
+/// them.
+nlohmann::ordered_json describe_limits(const programs::RecordList& stages,
                                        const ExperimentFile& file);
 
 }  // namespace laboratory

@@ -17,6 +17,11 @@ const Parameter* Program::find(std::string_view name) const {
   return found == parameters.end() ? nullptr : &*found;
 }
 
+const RecordList* Program::find_list(std::string_view key) const {
+  const auto found = std::ranges::find(lists, key, &RecordList::key);
+  return found == lists.end() ? nullptr : &*found;
+}
+
 std::string key_of(const Parameter& parameter) {
   const bool has_section = parameter.name.find('.') != std::string::npos;
   return has_section ? parameter.name : "program." + parameter.name;

@@ -164,7 +164,8 @@ struct Program {
   bool shows_parameters = true;  ///< true: each parameter is a column of the results
   Shows shows = {};
 
-  const Parameter* find(std::string_view name) const;
+  const Parameter* find(std::string_view name) const;  ///< null if there is none
+  const RecordList* find_list(std::string_view key) const;
 };
 
 /// The key of a parameter in the experiment file: its name if that contains a section, otherwise
