@@ -11,6 +11,7 @@
 #include "base/errors.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
+#include "embedded/dygraphs.hpp"
 #include "experiments/laboratory/host/hash.hpp"
 #include "experiments/laboratory/report/embed.hpp"
 #include "experiments/laboratory/report/report_files.hpp"
@@ -210,7 +211,10 @@ void add_text(data& page, const char* name, const std::string& text) {
 std::string make_report(const Report& report) {
   data page;
   page["part"] = PART_TEMPLATE;
-  page["style"] = REPORT_STYLE;
+  const bool has_charts = std::ranges::any_of(
+      report.plots, [](const Report::Drawing& plot) { return !plot.data.empty(); });
+  page["style"] = (has_charts ? DYGRAPHS_STYLE : "") + std::string(REPORT_STYLE);
+  page["library"] = has_charts ? data(DYGRAPHS_SCRIPT) : data(false);
   page["script"] = REPORT_SCRIPT;
   page["data"] = make_data(report);
   // Makes a nonce, with which the page permits only its own scripts. A script injected by a text of

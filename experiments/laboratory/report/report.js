@@ -7,16 +7,13 @@
 
   // ---- Page elements ----
 
-  function fill(element, attributes, children) {
-    for (const [name, value] of Object.entries(attributes ?? {}))
-      if (value !== undefined) element.setAttribute(name, value);
+  function make(name, attributes, ...children) {
+    const element = document.createElement(name);
+    for (const [key, value] of Object.entries(attributes ?? {}))
+      if (value !== undefined) element.setAttribute(key, value);
     element.append(...children);
     return element;
   }
-  const make = (name, attributes, ...children) =>
-      fill(document.createElement(name), attributes, children);
-  const draw = (name, attributes, ...children) =>
-      fill(document.createElementNS("http://www.w3.org/2000/svg", name), attributes, children);
   function makeButton(text, title, click) {
     const button = make("button", {type: "button", title}, text);
     button.addEventListener("click", click);
@@ -56,466 +53,313 @@
     return box;
   }
 
-  // ---- Scales ----
+  // ---- Lines and symbols of series ----
 
-  const isPowerOfTwo = value => Number.isInteger(Math.log2(value));
-
-  // Maps values to pixels: the value `low` to `from`, `high` to `to`.
-  function makeScale(log, low, high, from, to) {
-    const way = log ? Math.log : value => value;
-    const a = way(low), b = way(high);
-    const scale = value => from + (way(value) - a) / (b - a) * (to - from);
-    return Object.assign(scale, {log, low, high, from, to});
-  }
-
-  function chooseStep(length, most) {
-    const least = length / most, power = 10 ** Math.floor(Math.log10(least));
-    return [1, 2, 5, 10].map(factor => factor * power).find(step => step >= least * 0.999);
-  }
-
-  function makeLinearTicks({low, high}, most) {
-    const ticks = [], step = chooseStep(high - low, most);
-    for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i)
-      ticks.push(Number((i * step).toPrecision(12)));
-    return ticks;
-  }
-
-  function makeTicks(scale, most, base) {
-    const {log, low, high} = scale;
-    if (!log) return makeLinearTicks(scale, most);
-    const ticks = [];
-    const decades = Math.log10(high / low);
-    const factors = base === 2 ? [1] : decades > most ? [1] : decades > 2.5 ? [1, 3] : [1, 2, 5];
-    for (let i = Math.floor(Math.log(low) / Math.log(base)); base ** i <= high; ++i)
-      for (const factor of factors) {
-        const tick = factor * base ** i;
-        if (tick >= low && tick <= high) ticks.push(Number(tick.toPrecision(12)));
-      }
-    // the range is less than a decade, so decades make too few ticks
-    if (ticks.length < 2) return makeLinearTicks(scale, most);
-    const every = Math.ceil(ticks.length / most);
-    return ticks.filter((_, i) => i % every === 0);
-  }
-
-  // ---- Styles of curves ----
-
-  const polygon = (corners, turn) => {
-    let path = "";
-    for (let i = 0; i < corners; ++i) {
-      const angle = 2 * Math.PI * i / corners + turn;
-      const x = 5 * Math.sin(angle), y = -5 * Math.cos(angle);
-      path += `${i ? "L" : "M"}${x.toFixed(2)},${y.toFixed(2)}`;
-    }
-    return path + "Z";
-  };
-  // Symbols of Look: disc, square, triangle, diamond, triangle down, pentagon, cross, plus, star
+  // Symbols of Look: disc, square, triangle, diamond, triangle down, pentagon, cross, plus, star; and
+  // a ring for marks
   const SYMBOLS = [
-    "M-4,0A4,4 0 1 1 4,0A4,4 0 1 1 -4,0Z", "M-4,-4H4V4H-4Z", polygon(3, 0), polygon(4, 0),
-    polygon(3, Math.PI), polygon(5, 0), "M-4,-4L4,4M-4,4L4,-4", "M-5,0H5M0,-5V5",
-    "M-4,-4L4,4M-4,4L4,-4M-5,0H5M0,-5V5",
+    "M-4,0A4,4 0 1 1 4,0A4,4 0 1 1 -4,0Z", "M-4,-4H4V4H-4Z", "M0,-5L4.33,2.5H-4.33Z",
+    "M0,-5L5,0L0,5L-5,0Z", "M0,5L-4.33,-2.5H4.33Z",
+    "M0,-5L4.76,-1.55L2.94,4.05H-2.94L-4.76,-1.55Z", "M-4,-4L4,4M-4,4L4,-4", "M-5,0H5M0,-5V5",
+    "M-4,-4L4,4M-4,4L4,-4M-5,0H5M0,-5V5", "M-9,0A9,9 0 1 1 9,0A9,9 0 1 1 -9,0Z",
   ];
-  const STROKES = {curve: 2, law: 1, reference: 0, mark: 0};
-
-  function drawSymbol(s, x, y, ring = s.kind === "mark" ? 9 : 0) {
-    const at = {transform: `translate(${x.toFixed(2)},${y.toFixed(2)})`};
-    if (ring > 0)
-      return draw("circle", {...at, r: ring, fill: "none", stroke: "#000", "stroke-width": 1.5});
-    const isOpen = s.kind === "reference";
-    return draw("path", {...at, d: SYMBOLS[s.symbol], stroke: s.colour,
-                         "stroke-width": isOpen || s.symbol > 5 ? 2 : 0.5,
-                         fill: isOpen ? "none" : s.colour});
-  }
-
-  function drawSwatch(s) {
-    const swatch = draw("svg", {viewBox: "0 0 34 14", width: 34, height: 14, "aria-hidden": true});
-    if (STROKES[s.kind])
-      swatch.append(draw("path", {d: "M1,7H33", stroke: s.colour, "stroke-width": STROKES[s.kind],
-                                  "stroke-dasharray": s.dashes}));
-    if (s.kind !== "law") swatch.append(drawSymbol(s, 17, 7, s.kind === "mark" ? 5 : 0));
-    return swatch;
-  }
-
-  const IDEAL = {name: "ideal", kind: "law", colour: "#707070", dashes: "9,5", points: []};
+  const MARK = {kind: "mark", colour: "#000", symbol: 9};
+  const WIDTHS = {curve: 2, law: 1, ideal: 1.5, reference: 0, mark: 0};  // of lines, in pixels
+  const IDEAL = {name: "ideal", kind: "ideal", colour: "#707070", dashes: "9,5", points: []};
   const LAWS = {
     "Amdahl's law": {dashes: "7,3,2,3", at: (serial, n) => 1 / (serial + (1 - serial) / n)},
     "Gustafson's law": {dashes: "2,3", at: (serial, n) => n + (1 - n) * serial},
   };
+  const split = dashes => dashes ? dashes.split(",").map(Number) : [];
 
-  // ---- A plot ----
+  function paintLine(context, points, colour, width, dashes) {
+    context.beginPath();
+    for (const [x, y] of points) context.lineTo(x, y);
+    Object.assign(context, {strokeStyle: colour, lineWidth: width});
+    context.setLineDash(split(dashes));
+    context.stroke();
+  }
 
-  const TALL = 300, LOWER = 110, BELOW = 46, TOP = 12, RIGHT = 16, FONT = 13;
+  // Paints the filled symbol of a curve, or an open one.
+  function paintSymbol(context, {kind, colour, symbol}, x, y) {
+    const isOpen = kind !== "curve" || symbol > 5, path = new Path2D(SYMBOLS[symbol]);
+    context.save();
+    context.translate(x, y);
+    context.setLineDash([]);
+    Object.assign(context, {fillStyle: colour, strokeStyle: colour, lineWidth: isOpen ? 2 : 0.5});
+    if (!isOpen) context.fill(path);
+    context.stroke(path);
+    context.restore();
+  }
+
+  function makeSwatch(s) {
+    const swatch = make("canvas", {width: 68, height: 40, "aria-hidden": true});
+    const context = swatch.getContext("2d"), width = WIDTHS[s.kind];
+    context.scale(2, 2);
+    if (width)
+      paintLine(context, [[1, 10], [33, 10]], s.colour, width, s.kind !== "law" && s.dashes);
+    if (s.kind !== "law" && s !== IDEAL) paintSymbol(context, s, 17, 10);
+    return swatch;
+  }
+
+  // ---- A plot: charts of dygraphs, with buttons, a legend, and details of points ----
+
+  // The points of all series by x, each with its series, the number k of that, and its band.
+  const listPoints = series => series.flatMap((s, k) => s.points.map(([x, y, point]) => {
+    const [, low, high] = s.band?.find(band => band[0] === x) ?? [x, y, y];
+    return {s, k, x, y, point, low, high};
+  })).sort((a, b) => a.x - b.x);
 
   class Plot {
-    constructor(figure, data, number) {
-      Object.assign(this, {figure, data, number});
-      this.log = {x: data.x.log, y: data.y.log};
+    constructor(still, {title, x, y, ideal, series, difference, laws = []}) {
+      Object.assign(this, {x, y, laws, log: {x: x.log, y: y.log}});
+      const all = series.map(s => s.kind === "mark" ? {...s, ...MARK} : s);
+      this.series = ideal ? [IDEAL, ...all] : all;
+      this.curves = series.filter(s => s.kind === "curve");
       this.hidden = new Set();  // hidden entries of the legend
-      this.laws = new Set();  // names of the visible laws
-      this.lawsAreChosen = false;  // true once the user has selected laws
-      this.at = null;  // the selected point: series s, index i
-      this.curves = data.series.filter(s => s.kind === "curve");
-      const told = data.series.filter(s => s.kind === "curve" || s.kind === "reference");
-      this.marks = [...new Set(data.series.filter(s => s.kind !== "law")
-                                   .flatMap(s => s.points.map(p => p[0])))].sort((a, b) => a - b);
-      this.doubles = this.marks.every(isPowerOfTwo);
-      this.told = told;
-      this.build();
-      this.followLaws();
-      this.update();
-      new ResizeObserver(() => this.redraw()).observe(this.stage);
+      this.chosenLaws = undefined;  // names of the visible laws, once the user has selected some
+      this.states = [];  // functions that show states on the page
+      const told = series.filter(s => s.kind === "curve" || s.kind === "reference");
+      this.panels = [{series: told, label: y.label}, difference ?? []].flat();
+      for (const panel of this.panels)
+        Object.assign(panel, {all: listPoints(panel.series), box: make("div", {class: "panel"})});
+      this.xs = [...new Set(this.panels[0].all.map(at => at.x))];
+      this.build(still, title);
+      this.update(true);
     }
 
-    // ---- Visibility ----
-
-    // The legend entry that shows or hides a series. Hiding a curve also hides its series.
-    entryOf(s) { return s.name ? s : this.data.series.find(t => t.name && t.kind === s.kind) ?? s; }
-    isShown(s) { return !this.hidden.has(this.entryOf(s)) && !this.hidden.has(this.curves[s.of]); }
-    canBeDrawn([x, y]) { return (!this.log.x || x > 0) && (!this.log.y || y > 0); }
-    bandOf(s) { return (s.band ?? []).filter(p => this.canBeDrawn(p)); }
-    pointsOf(s) { return s.points.filter(p => this.canBeDrawn(p)); }
-    canBeLog(axis) {
-      return this.data.series.some(s => s.points.length > 0) &&
-          this.data.series.every(s => s.points.every(p => p[axis === "x" ? 0 : 1] > 0));
-    }
-
-    // Shows the laws of speed-up by default if both axes are linear, where their shapes are familiar.
-    followLaws() {
-      if (this.lawsAreChosen || !this.data.laws) return;
-      const are = !this.log.x && !this.log.y && this.curves.length <= 3;
-      this.laws = new Set(are ? this.data.laws.map(({law}) => law) : []);
-    }
-
-    extent(axis, series) {
-      let low = Infinity, high = -Infinity;
-      for (const s of series)
-        for (const p of this.pointsOf(s)) {
-          low = Math.min(low, p[axis]);
-          high = Math.max(high, p[axis]);
-        }
-      if (axis === 1)
-        for (const [, from, to] of series.flatMap(s => this.bandOf(s))) {
-          low = Math.min(low, from);
-          high = Math.max(high, to);
-        }
-      return low <= high ? [low, high] : this.log[axis ? "y" : "x"] ? [1, 10] : [0, 1];
-    }
-
-    xScale(left, right) {
-      const [low, high] = this.extent(0, this.data.series);
-      const ratio = high > low ? (high / low) ** 0.04 : 1.5;
-      const margin = high > low ? 0.04 * (high - low) : 0.5;
-      return this.log.x ? makeScale(true, low / ratio, high * ratio, left, right)
-                        : makeScale(false, low - margin, high + margin, left, right);
-    }
-
-    // Fits the scale to the visible series, so that small ones can be examined alone.
-    yScale(bottom, top, xHigh) {
-      const {min, max} = this.data.y;
-      let [low, high] = this.extent(1, this.data.series.filter(s => this.isShown(s)));
-      const showsIdeal = this.data.ideal && !this.hidden.has(IDEAL);
-      if (this.log.y) {
-        const margin = Math.max(1.1, (high / low) ** 0.06);
-        const end = showsIdeal ? Math.max(high * margin, Math.min(xHigh, 2 * high)) : high * margin;
-        return makeScale(true, low / margin, end, bottom, top);
-      }
-      if (this.data.y.log && low > 0) low = 0;  // begins at 0, as linear plots do
-      if (min !== undefined) low = Math.min(min, low);
-      if (showsIdeal) high = xHigh > 2.5 * high ? 1.5 * high : Math.max(high, xHigh);
-      else if (max !== undefined) high = Math.max(high, max);
-      const margin = 0.05 * (high - low || Math.abs(high) || 1);
-      return makeScale(false, low === 0 ? 0 : low - margin, high + margin, bottom, top);
-    }
-
-    // ---- Elements of a plot ----
-
-    build() {
-      const {data, figure} = this;
-      const still = figure.querySelector("svg");
-      this.caption = still.getAttribute("aria-label");
+    build(still, title) {
       still.classList.add("still");
-      this.svg = draw("svg", {class: "live", tabindex: 0, role: "application",
-                              "aria-label": `${this.caption}. Arrow keys go from point to point, ` +
-                                  "Enter tells how busy the machine was."});
-      this.tip = make("div", {class: "tip", hidden: ""});
+      const tools = make("div", {class: "tools", role: "toolbar", "aria-label": "axes and laws"});
+      const key = make("div", {class: "legend", role: "group", "aria-label": "curves"});
+      const caption = `${still.getAttribute("aria-label")}. Arrow keys go from point to point, ` +
+          "Enter tells how busy the machine was.";
+      this.stage = make("div", {class: "stage", tabindex: 0, role: "application",
+                                "aria-label": caption}, ...this.panels.map(({box}) => box));
       this.said = make("div", {class: "said", "aria-live": "polite"});
-      this.stage = make("div", {class: "stage"}, this.svg, this.tip);
-      this.tools = make("div", {class: "tools", role: "toolbar", "aria-label": "axes and laws"});
-      this.key = make("div", {class: "legend", role: "group", "aria-label": "curves"});
-      this.details = make("div", {});
-      still.after(make("p", {class: "title"}, data.title), this.tools, this.stage, this.key,
-                  this.said, this.details);
-      this.buildTools();
-      this.buildKey();
-      this.svg.addEventListener("pointermove", event => this.follow(event));
-      this.svg.addEventListener("pointerdown", event => this.follow(event));
-      this.svg.addEventListener("pointerleave", () => this.leave());
-      this.svg.addEventListener("blur", () => this.leave());
-      this.svg.addEventListener("click", event => {
-        this.follow(event);  // on touch screens, pointerleave precedes click
-        this.open();
-      });
-      this.svg.addEventListener("keydown", event => this.press(event));
+      this.details = make("div");
+      still.after(make("p", {class: "title"}, title), tools, this.stage, key, this.said,
+                  this.details);
+      this.stage.addEventListener("blur", () => this.panels[0].graph.clearSelection());
+      this.stage.addEventListener("keydown", event => this.press(event));
+      this.addTools(tools);
+      this.addEntries(key, this.series.filter(s => s.name));
     }
 
-    buildTools() {
-      this.pressed = [];  // buttons, each with a function that tells whether it is pressed
-      const add = (text, title, is, click) => {
-        const button = makeButton(text, title, () => {
-          click();
-          this.update();
-        });
-        this.tools.append(button);
-        this.pressed.push([button, is]);
-        return button;
-      };
+    // Adds a button. `is` tells whether it is pressed. `click` returns true to undo zooms.
+    addButton(bar, text, title, is, click) {
+      const button = makeButton(text, title, event => this.update(click(event)));
+      if (is) this.states.push(() => button.setAttribute("aria-pressed", is()));
+      bar.append(button);
+      return button;
+    }
+
+    addTools(bar) {
       for (const axis of ["x", "y"]) {
-        const name = unitless(this.data[axis].label);
-        const button = add(`log ${axis}`, `${name}: logarithmic or linear`, () => this.log[axis],
-                           () => {
-                             this.log[axis] = !this.log[axis];
-                             this.followLaws();
-                           });
-        button.disabled = !this.log[axis] && !this.canBeLog(axis);
-      }
-      for (const law of new Set((this.data.laws ?? []).map(({law}) => law)))
-        add(law, `${law}, fitted to each curve`, () => this.laws.has(law), () => {
-          this.lawsAreChosen = true;
-          if (!this.laws.delete(law)) this.laws.add(law);
+        const title = `${unitless(this[axis].label)}: logarithmic or linear`;
+        const button = this.addButton(bar, `log ${axis}`, title, () => this.log[axis], () => {
+          this.log[axis] = !this.log[axis];
+          return true;
         });
+        button.disabled = !this.log[axis] && this.panels[0].all.some(at => at[axis] <= 0);
+      }
+      for (const law of new Set(this.laws.map(l => l.law)))
+        this.addButton(bar, law, `${law}, fitted to each curve`, () => this.has(law), () => {
+          this.chosenLaws = Object.keys(LAWS).filter(l => this.has(l) !== (l === law));
+        });
+      this.addButton(bar, "whole plot", "undo zooms; drag over the plot to zoom", null, () => true);
     }
 
-    buildKey() {
-      const named = this.data.series.filter(s => s.name);
-      const entries = this.data.ideal ? [IDEAL, ...named] : named;
-      if (entries.length === 0) this.key.hidden = true;
-      this.serials = [];  // labels of visible laws beside the curves
+    addEntries(bar, entries) {
+      bar.hidden = entries.length === 0;
       for (const s of entries) {
-        const text = make("span", {}, s.name);
-        const serial = make("span", {class: "serial"});
-        const button = makeButton("", "on and off; with Shift: this one alone", event => {
-          if (!event.shiftKey) {
-            if (!this.hidden.delete(s)) this.hidden.add(s);
-          } else {
-            const isAlone = entries.every(t => (t === s) !== this.hidden.has(t));
-            this.hidden = new Set(isAlone ? [] : entries.filter(t => t !== s));
-          }
-          this.update();
+        const title = "on and off; with Shift: this one alone";
+        const button = this.addButton(bar, "", title, () => !this.hidden.has(s), event => {
+          const isAlone = entries.every(t => (t === s) !== this.hidden.has(t));
+          if (event.shiftKey) this.hidden = new Set(isAlone ? [] : entries.filter(t => t !== s));
+          else if (!this.hidden.delete(s)) this.hidden.add(s);
         });
-        button.append(drawSwatch(s), text, serial);
-        this.key.append(button);
-        this.pressed.push([button, () => !this.hidden.has(s)]);
-        if (s.kind === "curve") this.serials.push([serial, s.of]);
+        const text = make("span", {class: "serial"});
+        button.append(makeSwatch(s), make("span", {}, s.name), text);
+        this.states.push(() => {
+          text.textContent = this.laws.filter(l => this.curves[l.of] === s && this.has(l.law)).map(
+              l => ` · ${l.law.split("'")[0]} s = ${l.serial.toPrecision(3)}`).join("");
+        });
       }
     }
 
-    update() {
-      for (const [button, is] of this.pressed) button.setAttribute("aria-pressed", is());
-      for (const [text, of] of this.serials)
-        text.textContent = (this.data.laws ?? [])
-            .filter(l => l.of === of && this.laws.has(l.law))
-            .map(l => ` · ${l.law.split("'")[0]} s = ${l.serial.toPrecision(3)}`).join("");
-      this.at = null;
-      this.redraw();
+    // True for a visible law. Until the user selects laws, they are visible on linear axes, where
+    // their shapes are familiar.
+    has(law) {
+      return this.chosenLaws?.includes(law) ??
+          (!this.log.x && !this.log.y && this.curves.length <= 3);
     }
 
-    // ---- Drawing ----
-
-    redraw() {
-      const width = this.stage.clientWidth;
-      if (width === 0) return;
-      const lower = this.data.difference ? LOWER + 14 : 0;
-      const height = TOP + TALL + lower + BELOW, bottom = TOP + TALL;
-      this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
-      this.svg.style.height = `${height}px`;
-      this.svg.replaceChildren(draw("rect", {width, height, fill: "#fff"}));
-      const y = this.yScale(bottom, TOP, this.extent(0, this.data.series)[1]);
-      const yBase = y.log && this.data.ideal && this.doubles ? 2 : 10;
-      const yTicks = makeTicks(y, 8, yBase);
-      let lowerScale, lowerTicks = [];
-      if (lower) {
-        lowerScale = this.lowerScale(bottom + lower, bottom + 14);
-        lowerTicks = makeTicks(lowerScale, 5, 10);
-      }
-      const widest = Math.max(...[...yTicks, ...lowerTicks].map(tick => tell(tick).length));
-      const left = 34 + widest * FONT * 0.6;
-      const x = this.xScale(left, width - RIGHT);
-      const most = Math.max(3, Math.floor((width - left) / 55));
-      const xTicks = x.log && this.marks.length <= most ? this.marks.filter(mark => mark > 0)
-                                                      : makeTicks(x, most, this.doubles ? 2 : 10);
-      this.x = x;
-      this.y = y;
-      this.drawPanel(x, y, xTicks, yTicks, this.data.y.label, !lower);
-      this.drawCurves(x, y, this.data.series);
-      if (lower) {
-        this.drawPanel(x, lowerScale, xTicks, lowerTicks, this.data.difference.label, true);
-        this.drawCurves(x, lowerScale, this.data.difference.series);
-      }
-      this.text(this.data.x.label, (x.from + x.to) / 2, height - 8, "middle");
-      this.pointer = this.svg.appendChild(draw("g", {"pointer-events": "none"}));
-      this.show();
+    // The entry of the legend shows or hides a series. So does the entry of its curve.
+    isShown(s) {
+      const entry = s.name ? s : this.series.find(t => t.name && t.kind === s.kind);
+      return !this.hidden.has(entry) && !this.hidden.has(this.curves[s.of]);
     }
 
-    text(text, x, y, anchor, more) {
-      this.svg.append(draw("text", {x, y, "text-anchor": anchor, ...more}, text));
-    }
+    // ---- The chart ----
 
-    drawPanel(x, y, xTicks, yTicks, label, hasNumbers) {
-      const line = (attributes, from, to) => this.svg.append(draw("path", {
-        d: `M${from.map(v => v.toFixed(1))}L${to.map(v => v.toFixed(1))}`, fill: "none",
-        ...attributes}));
-      const grid = {stroke: "#d8d8d8", "stroke-width": 0.8};
-      for (const tick of xTicks) {
-        line(grid, [x(tick), y.from], [x(tick), y.to]);
-        if (hasNumbers) this.text(tell(tick), x(tick), y.from + 17, "middle");
-      }
-      for (const tick of yTicks) {
-        line(grid, [x.from, y(tick)], [x.to, y(tick)]);
-        this.text(tell(tick), x.from - 7, y(tick) + 4, "end");
-      }
-      if (y.low < 0 && y.high > 0 && !y.log)
-        line({stroke: "#707070"}, [x.from, y(0)], [x.to, y(0)]);
-      line({stroke: "#404040", "stroke-width": 1.2}, [x.from, y.to], [x.from, y.from]);
-      line({stroke: "#404040", "stroke-width": 1.2}, [x.from, y.from], [x.to, y.from]);
-      this.text(label, 0, 0, "middle",
-                {transform: `translate(14,${(y.from + y.to) / 2}) rotate(-90)`});
-    }
-
-    lowerScale(bottom, top) {
-      const all = this.data.difference.series.flatMap(s => s.points.map(p => p[1]));
-      const low = Math.min(0, ...all), high = Math.max(0, ...all);
-      const margin = Math.max(0.1 * (high - low), 0.5);
-      return makeScale(false, low - margin, high + margin, bottom, top);
-    }
-
-    // Draws the curves, clipped to the panel.
-    drawCurves(x, y, series) {
-      const id = `clip${this.number}${series === this.data.series ? "" : "l"}`;
-      this.svg.append(draw("clipPath", {id}, draw("rect", {
-        x: x.from - 6, y: y.to - 6, width: x.to - x.from + 12, height: y.from - y.to + 12})));
-      const group = this.svg.appendChild(draw("g", {"clip-path": `url(#${id})`}));
-      const line = (points, attributes) => group.append(draw("path", {
-        d: points.map((p, i) => `${i ? "L" : "M"}${x(p[0]).toFixed(2)},${y(p[1]).toFixed(2)}`)
-               .join(""), fill: "none", ...attributes}));
-      if (series === this.data.series) this.drawLaws(x, y, line);
-      for (const s of series) {
-        const band = this.isShown(s) ? this.bandOf(s) : [];
-        if (band.length > 1)
-          line([...band.map(([at, low]) => [at, low]),
-                ...band.map(([at, , high]) => [at, high]).reverse()],
-               {fill: s.colour, "fill-opacity": 0.18});
-      }
-      for (const s of series) {
-        if (!this.isShown(s)) continue;
-        const points = this.pointsOf(s);
-        if (STROKES[s.kind])
-          line(points, {stroke: s.colour, "stroke-width": STROKES[s.kind],
-                        "stroke-dasharray": s.kind === "curve" ? s.dashes : ""});
-        if (s.kind !== "law")
-          for (const p of points) group.append(drawSymbol(s, x(p[0]), y(p[1])));
+    update(isWhole) {
+      for (const show of this.states) show();
+      for (const panel of this.panels) {
+        const options = this.choose(panel);
+        if (isWhole) options.dateWindow = this.xRange();
+        if (panel.graph) panel.graph.updateOptions(options);
+        else panel.graph = new Dygraph(panel.box, options.file, {...this.style(panel), ...options});
       }
     }
 
-    drawLaws(x, y, line) {
-      const xs = [];
-      for (let i = 0; i <= 200; ++i)
-        xs.push(x.log ? x.low * (x.high / x.low) ** (i / 200) : x.low + (x.high - x.low) * i / 200);
-      const curve = (at, attributes) =>
-          line(xs.map(n => [n, at(n)]).filter(p => this.canBeDrawn(p) && p[0] > 0), attributes);
-      if (this.data.ideal && !this.hidden.has(IDEAL))
-        curve(n => n,
-              {stroke: IDEAL.colour, "stroke-width": 1.5, "stroke-dasharray": IDEAL.dashes});
-      for (const {law, of, serial} of this.data.laws ?? [])
-        if (this.laws.has(law) && !this.hidden.has(this.curves[of]))
-          curve(n => LAWS[law].at(serial, n), {stroke: this.curves[of].colour, "stroke-width": 1,
-                                               "stroke-dasharray": LAWS[law].dashes});
+    xRange() {
+      const [to, from] = this.log.x ? [Math.log, Math.exp] : [x => x, x => x];
+      const xs = this.xs.map(to).filter(Number.isFinite), low = xs[0], high = xs.at(-1);
+      const margin = 0.04 * (high - low) || 0.5;
+      return [from(low - margin), from(high + margin)];
     }
 
-    // ---- The selected point ----
-
-    shownPoints() {
-      return this.told.filter(s => this.isShown(s)).flatMap(
-          s => s.points.map((p, i) => ({s, i, p})).filter(({p}) => this.canBeDrawn(p)));
-    }
-
-    // Selects the point with the nearest x, and among these the nearest y.
-    follow(event) {
-      const box = this.svg.getBoundingClientRect();
-      const px = event.clientX - box.left, py = event.clientY - box.top;
-      let best = null, least = Infinity;
-      for (const at of this.shownPoints()) {
-        const distance =
-            1e4 * Math.abs(this.x(at.p[0]) - px) + Math.abs(this.y(at.p[1]) - py);
-        if (distance < least) [best, least] = [at, distance];
+    // Chooses limits of y, null for those of the points. The ideal line extends the axis, but does
+    // not flatten the curves. An axis of differences includes 0.
+    yRange({rows}, isUpper) {
+      const {log, y: {min, max}} = this, highest = Math.max(0, ...rows.map(at => at.high));
+      if (!isUpper) {
+        const lowest = Math.min(0, ...rows.map(at => at.y));
+        const margin = Math.max(0.1 * (highest - lowest), 0.5);
+        return [lowest - margin, highest + margin];
       }
-      this.at = best;
-      this.show();
+      if (log.y && highest === 0) return [1, 10];
+      if (highest > 0 && this.series.includes(IDEAL) && this.isShown(IDEAL))
+        return [null, 1.05 * Math.min(2.5 * highest, Math.max(highest, this.xs.at(-1)))];
+      return log.y ? [null, null] : [min || null, max ?? null];
     }
 
-    leave() {
-      this.at = null;
-      this.show();
+    // Puts ticks at the points if x is logarithmic and there are few, or else where dygraphs does.
+    tickX(low, high, pixels, options, graph) {
+      const xs = this.log.x ? this.xs.filter(x => x >= low && x <= high) : [];
+      const every = Math.ceil(xs.length * options("pixelsPerLabel") / pixels);
+      const isOwn = xs.length > 1 && (every === 1 || xs.every(x => Number.isInteger(Math.log2(x))));
+      return Dygraph.numericTicks(low, high, pixels, options, graph,
+                                  isOwn ? xs.filter((_, i) => i % every === 0) : undefined);
     }
 
-    show() {
-      this.pointer.replaceChildren();
-      this.tip.hidden = !this.at;
-      if (!this.at) return;
-      const {s, p} = this.at;
-      const px = this.x(p[0]), py = this.y(p[1]);
-      this.pointer.append(
-          draw("path", {d: `M${px},${this.y.to}V${this.y.from}`, stroke: "#707070"}),
-          drawSymbol(s, px, py, 9));
-      const label = unitless(this.data.y.label);
-      this.tip.replaceChildren(make("div", {}, `${this.data.x.label} ${tell(p[0])}`));
-      const beside = this.shownPoints().filter(at => at.p[0] === p[0])
-                         .sort((a, b) => b.p[1] - a.p[1]);
-      for (const at of beside) {
-        const isThis = at.s === s && at.i === this.at.i;
-        this.tip.append(make("div", {class: isThis ? "this" : undefined}, drawSwatch(at.s),
-                             `${at.s.name || label} `, make("b", {}, tell(at.p[1]))));
+    // Chooses options that depend on the axes and the visible series. Each visible point is a row.
+    choose(panel) {
+      const isUpper = panel === this.panels[0], logX = this.log.x, logY = isUpper && this.log.y;
+      panel.rows = panel.all.filter(
+          ({s, x, y}) => this.isShown(s) && (!logX || x > 0) && (!logY || y > 0));
+      const file = panel.rows.map(({k, x, y, low, high}) => [
+        x, ...panel.series.map((_, i) => i === k ? [logY && low <= 0 ? y : low, y, high] : null)]);
+      if (file.length === 0) file.push([this.xs[0], ...panel.series.map(() => null)]);
+      return {
+        file, yRangePad: logY ? 10 : null, includeZero: this.y.min === 0 || this.y.log,
+        axes: {
+          x: {logscale: logX, ticker: (...range) => this.tickX(...range), axisLabelFormatter: tell,
+              pixelsPerLabel: 55, axisLabelWidth: 56, drawAxis: panel === this.panels.at(-1)},
+          y: {logscale: logY, axisLabelFormatter: tell, axisLabelWidth: 64, pixelsPerLabel: 25,
+              valueRange: this.yRange(panel, isUpper)},
+        },
+      };
+    }
+
+    style(panel) {
+      const escape = text => make("i", {}, text).innerHTML;
+      return {
+        labels: ["x", ...panel.series.map((_, k) => String(k))], ylabel: escape(panel.label),
+        xlabel: panel === this.panels.at(-1) ? escape(this.x.label) : "", rightGap: 20,
+        customBars: true, connectSeparatedPoints: true, drawPoints: true, resizable: "passive",
+        axisLabelFontSize: 13, gridLineColor: "#d8d8d8", gridLineWidth: 0.8,
+        series: Object.fromEntries(panel.series.map((s, k) => [k, {
+          color: s.colour, strokeWidth: WIDTHS[s.kind], strokePattern: split(s.dashes),
+          drawPointCallback: (graph, name, context, x, y) => paintSymbol(context, s, x, y)}])),
+        plugins: [{activate: () => ({didDrawChart: event => this.paintOver(panel, event)})}],
+        // The nearest point is selected. Its series keeps its look.
+        highlightSeriesOpts: {}, highlightSeriesBackgroundAlpha: 1,
+        drawHighlightPointCallback: (graph, name, context, x, y) => {
+          paintLine(context, [[x, 0], [x, panel.box.clientHeight]], "#707070", 1);
+          paintSymbol(context, MARK, x, y);
+        },
+        legend: "follow", legendFollowOffsetX: 14, legendFollowOffsetY: 0,
+        legendFormatter: ({i}) => this.makeTip(panel, panel.chosen = panel.rows[i]),
+        clickCallback: () => this.open(panel),
+        zoomCallback: (low, high) => {
+          for (const {graph} of this.panels.filter(other => other !== panel))
+            graph.updateOptions({dateWindow: [low, high]});
+        },
+        // Only zooms. Without touch events, a finger scrolls the page.
+        interactionModel: {
+          mousedown: (event, ...more) => event.shiftKey || event.altKey ||
+              Dygraph.defaultInteractionModel.mousedown(event, ...more),
+          dblclick: () => this.update(true), willDestroyContextMyself: true},
+      };
+    }
+
+    // Paints what is no series of dygraphs: the line y = 0, laws, and marks.
+    paintOver(panel, {dygraph: graph, drawingContext: context}) {
+      const [low, high] = graph.xAxisRange(), {x: left, w: width} = graph.getArea();
+      // toDomXCoord() of dygraphs ignores logarithmic axes
+      const place = ([x, y]) => [left + width * graph.toPercentXCoord(x), graph.toDomYCoord(y)];
+      const line = (points, ...look) => paintLine(context, points.map(place), ...look);
+      line([[low, 0], [high, 0]], "#707070", 1);
+      if (panel !== this.panels[0]) return;
+      const xs = Array.from({length: 201}, (_, i) => this.log.x
+          ? low * (high / low) ** (i / 200) : low + (high - low) * i / 200).filter(x => x > 0);
+      for (const {law, of, serial} of this.laws.filter(l => this.has(l.law)))
+        if (this.isShown(this.curves[of]))
+          line(xs.map(x => [x, LAWS[law].at(serial, x)]), this.curves[of].colour, WIDTHS.law,
+               LAWS[law].dashes);
+      for (const s of this.series.filter(t => this.isShown(t))) {
+        if (s === IDEAL) line(xs.map(x => [x, x]), s.colour, WIDTHS.ideal, s.dashes);
+        if (s.kind === "law") line(s.points, s.colour, WIDTHS.law);
+        if (s.kind === "mark")
+          for (const p of s.points) paintSymbol(context, s, ...place(p));
       }
-      if (points[p[2]]?.loads.length) this.tip.append(make("div", {class: "hint"}, "click: why"));
-      const room = this.stage.clientWidth - this.tip.offsetWidth;
-      const left = px + 14 <= room ? px + 14 : px - 14 - this.tip.offsetWidth;
-      this.tip.style.left = `${Math.max(0, Math.min(room, left))}px`;
-      this.tip.style.top = `${Math.max(0, Math.min(py, TOP + TALL - this.tip.offsetHeight))}px`;
     }
 
-    say() {
-      const {s, p} = this.at;
-      this.said.textContent = `${s.name ? s.name + ", " : ""}${this.data.x.label} ${tell(p[0])}: ` +
-          `${this.data.y.label} ${tell(p[1])}`;
+    // Lists the values at the x of the selected point.
+    makeTip(panel, chosen) {
+      const tip = new DocumentFragment();
+      if (!chosen) return tip;
+      tip.append(make("div", {}, `${this.x.label} ${tell(chosen.x)}`));
+      for (const at of panel.rows.filter(({x}) => x === chosen.x).sort((a, b) => b.y - a.y))
+        tip.append(make("div", {class: at === chosen ? "this" : undefined}, makeSwatch(at.s),
+                        `${at.s.name || unitless(panel.label)} `, make("b", {}, tell(at.y))));
+      if (points[chosen.point]?.loads.length)
+        tip.append(make("div", {class: "hint"}, "click: why"));
+      return tip;
     }
 
     press(event) {
-      const all = this.shownPoints();
+      const [panel] = this.panels, {rows, chosen, graph} = panel;
       if (event.key === "Escape") {
-        this.leave();
+        graph.clearSelection();
         this.details.replaceChildren();
       }
-      if (event.key === "Enter" || event.key === " ") this.open(true);
-      const steps = {ArrowRight: [0, 1], ArrowLeft: [0, -1], ArrowUp: [1, 1], ArrowDown: [1, -1]};
-      const isStep = event.key in steps;
-      if (isStep || event.key === "Enter" || event.key === " ") event.preventDefault();
-      if (!isStep || all.length === 0) return;
-      const [axis, way] = steps[event.key];
-      const now = this.at ?? all[0];
-      const near = all.filter(at => axis === 0 ? at.s === now.s : at.p[0] === now.p[0])
-                       .sort((a, b) => a.p[axis] - b.p[axis]);
-      const index = near.findIndex(at => at.s === now.s && at.i === now.i);
-      this.at = this.at ? near[Math.max(0, Math.min(near.length - 1, index + way))] : now;
-      this.show();
-      this.say();
+      const isEnter = event.key === "Enter" || event.key === " ";
+      const step = {ArrowRight: ["x", 1], ArrowLeft: ["x", -1], ArrowUp: ["y", 1],
+                    ArrowDown: ["y", -1]}[event.key];
+      if (isEnter || step) event.preventDefault();
+      if (isEnter) this.open(panel, true);
+      if (!step || rows.length === 0) return;
+      const [axis, way] = step, now = chosen ?? rows[0];
+      const near = rows.filter(({k, x}) => axis === "x" ? k === now.k : x === now.x)
+                       .sort((a, b) => a[axis] - b[axis]);
+      const next = near[near.indexOf(now) + (chosen ? way : 0)] ?? now, {s, k, x, y} = next;
+      graph.setSelection(rows.indexOf(next), String(k));
+      this.said.textContent =
+          `${s.name ? s.name + ", " : ""}${this.x.label} ${tell(x)}: ${panel.label} ${tell(y)}`;
     }
 
-    open(goes) {
-      const point = this.at?.p[2];
-      if (points[point] === undefined) return;
-      const box = makeDetails(point, () => {
+    // Shows the details of the selected point. `goes` moves the focus there.
+    open({chosen}, goes) {
+      const leave = () => {
         this.details.replaceChildren();
-        this.svg.focus({preventScroll: true});
-      });
-      this.details.replaceChildren(box);
+        this.stage.focus({preventScroll: true});
+      };
+      leave();
+      if (points[chosen?.point] === undefined) return;
+      const box = this.details.appendChild(makeDetails(chosen.point, leave));
       if (goes) box.focus({preventScroll: true});
     }
   }
@@ -616,7 +460,7 @@
 
   document.documentElement.classList.add("is-interactive");
   for (const table of document.querySelectorAll("main table")) makeRows(table);
-  document.querySelectorAll("figure.plot").forEach((figure, i) => {
-    if (plots[i]) new Plot(figure, plots[i], i);
+  document.querySelectorAll("figure.plot > svg").forEach((still, i) => {
+    if (plots[i]) new Plot(still, plots[i]);
   });
 })();

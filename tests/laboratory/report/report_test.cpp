@@ -206,9 +206,18 @@ TEST(ExperimentsReport, ThePageKnowsItsPlotsAndPoints) {
   EXPECT_EQ(data["points"][0]["why"], "Limited by coordination 0.98: </script>\"\xef\xbf\xbd.");
   EXPECT_EQ(data["points"][0]["loads"][0][1], 0.98);
   EXPECT_EQ(data["points"][1]["why"], "");
-  EXPECT_EQ(count(html, "</script"), 2u);
+  EXPECT_EQ(count(html, "</script"), 3u);
   EXPECT_EQ(count(html, "<!--"), 0u);
   EXPECT_EQ(count(html, "<tr data-point="), 2u) << "rows of points that are not told";
+}
+
+TEST(ExperimentsReport, OnlyPagesWithChartsContainTheirLibrary) {
+  const TemporaryFolder folder;
+  auto report = make_example(folder);
+  const std::string copyright = "github.com/danvk/dygraphs";
+  EXPECT_EQ(count(make_report(report), copyright), 0u);
+  report.plots[0].data = "{}";
+  EXPECT_EQ(count(make_report(report), copyright), 1u);
 }
 
 // The page's policy names its scripts by a nonce. The author of a text in the page does not know
@@ -216,11 +225,12 @@ TEST(ExperimentsReport, ThePageKnowsItsPlotsAndPoints) {
 TEST(ExperimentsReport, NoOtherScriptRuns) {
   const TemporaryFolder folder;
   auto report = make_example(folder);
+  report.plots[0].data = "{}";
   const std::regex policy("script-src 'nonce-([0-9a-f]{32})'");
   std::smatch first, second;
   const auto html = make_report(report);
   ASSERT_TRUE(std::regex_search(html, first, policy));
-  EXPECT_EQ(count(html, "nonce=\"" + first[1].str() + "\""), 2u);
+  EXPECT_EQ(count(html, "nonce=\"" + first[1].str() + "\""), 3u);
   report.title += " ";
   const auto other = make_report(report);
   ASSERT_TRUE(std::regex_search(other, second, policy));
