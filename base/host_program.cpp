@@ -1,20 +1,16 @@
 #include "base/host_program.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <signal.h>
+#include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
-#include <boost/process/args.hpp>
-#include <boost/process/child.hpp>
-#include <boost/process/exe.hpp>
-#include <boost/process/extend.hpp>
-#include <boost/process/io.hpp>
-#include <boost/process/search_path.hpp>
 #include <cerrno>
-#include <cstdio>
-#include <memory>
-#include <mutex>
+#include <cstdlib>
 #include <optional>
 #include <stdexcept>
 #include <system_error>
@@ -26,94 +22,151 @@ namespace base {
 
 namespace {
 
-namespace process = boost::process;
+[[noreturn]] void fail(const char* what) {
+  throw std::system_error(errno, std::generic_category(), what);
+}
 
-// An unnamed temporary file, deleted by the destructor. Unlike a pipe, it cannot block the program
-// that reads or writes it.
+// An unnamed file in memory. Unlike a pipe, it cannot block the program that reads or writes it.
 class Scratch {
  public:
-  Scratch() : file_(std::tmpfile(), &std::fclose) { check(file_ != nullptr); }
-  explicit Scratch(const std::string& text) : Scratch() {
-    check(std::fwrite(text.data(), 1, text.size(), file_.get()) == text.size());
-    check(std::fflush(file_.get()) == 0);
-    std::rewind(file_.get());
+  explicit Scratch(std::string_view text = {}) : file_(memfd_create("tlab", MFD_CLOEXEC)) {
+    if (file_ < 0) fail("a temporary file");
+    while (!text.empty()) {
+      const auto written = write(file_, text.data(), text.size());
+      if (written <= 0) {
+        close(file_);
+        fail("a temporary file");
+      }
+      text.remove_prefix(static_cast<std::size_t>(written));
+    }
+    lseek(file_, 0, SEEK_SET);
   }
+  ~Scratch() { close(file_); }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
 
-  std::FILE* get() const { return file_.get(); }
+  int number() const { return file_; }
 
-  std::string read() const {
-    std::rewind(file_.get());
+  std::string text() const {
+    lseek(file_, 0, SEEK_SET);
     std::string text;
     char part[1 << 16];
-    while (const auto found = std::fread(part, 1, sizeof part, file_.get()))
-      text.append(part, found);
+    for (ssize_t found; (found = read(file_, part, sizeof part)) > 0;)
+      text.append(part, static_cast<std::size_t>(found));
     return text;
   }
 
  private:
-  static void check(bool holds) {
-    if (!holds) throw std::system_error(errno, std::generic_category(), "a temporary file");
-  }
-  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  int file_;
 };
 
-// Runs in the new process. Has the kernel kill the process when the thread that started it ends,
-// and restores the default signal handlers.
-void set_up_child(pid_t parent) {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  if (getppid() != parent) _exit(1);
-  for (const int ours : {SIGINT, SIGTERM, SIGPIPE, SIGXFSZ}) signal(ours, SIG_DFL);
+// The path of a program in PATH; none if it is not installed.
+std::optional<std::string> find_program(const std::string& name) {
+  const char* path = std::getenv("PATH");
+  for (const auto folder : split(path ? path : "/usr/local/bin:/usr/bin:/bin", ':')) {
+    auto file = fmt::format("{}/{}", folder.empty() ? "." : folder, name);
+    struct stat found {};
+    if (stat(file.c_str(), &found) == 0 && S_ISREG(found.st_mode) &&
+        access(file.c_str(), X_OK) == 0)
+      return file;
+  }
+  return {};
 }
 
-// Serialises program starts. During a start, Boost reads a pipe until the new program closes it. A
-// program started meanwhile by another thread would inherit the pipe, and Boost would wait until
-// that program ends, too.
-std::mutex starts;
+// The environment without the variables that select a locale. The output of programs must not
+// depend on the user's language.
+std::vector<std::string> neutral_environment() {
+  std::vector<std::string> kept;
+  for (char** at = environ; at && *at; ++at) {
+    const std::string_view variable = *at;
+    if (!variable.starts_with("LC_") && !variable.starts_with("LANG")) kept.emplace_back(variable);
+  }
+  kept.emplace_back("LC_ALL=C.UTF-8");
+  return kept;
+}
 
-// A child process, terminated by the destructor or by an early end of tlab.
+std::vector<char*> to_pointers(std::vector<std::string>& texts) {
+  std::vector<char*> pointers;
+  for (auto& text : texts) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+// Everything that the new process needs. It must not allocate memory.
+struct Start {
+  const char* path;
+  char* const* arguments;
+  char* const* environment;
+  int streams[3];
+};
+
+// Runs in the new process, which dies with the thread that started it.
+[[noreturn]] void execute(const Start& start, pid_t parent) {
+  constexpr int CANNOT_START = 127;
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent) _exit(1);
+  for (const int ours : {SIGINT, SIGTERM, SIGHUP, SIGPIPE, SIGXFSZ}) signal(ours, SIG_DFL);
+  for (int i = 0; i < 3; ++i)
+    if (start.streams[i] != i) dup2(start.streams[i], i);
+  execve(start.path, start.arguments, start.environment);
+  _exit(CANNOT_START);
+}
+
+// A child process, killed by the destructor or by an early end of tlab.
 class Child {
  public:
-  template <class... Settings>
-  explicit Child(Settings&&... settings) {
+  explicit Child(const Start& start) {
     const Undivided section;
-    const std::lock_guard lock(starts);
-    child_ = process::child(
-        std::forward<Settings>(settings)...,
-        process::extend::on_exec_setup([parent = getpid()](const auto&) { set_up_child(parent); }));
-    undo_.emplace([this] { kill(child_.id(), SIGKILL); });
+    const pid_t parent = getpid();
+    id_ = fork();
+    if (id_ < 0) fail("another process");
+    if (id_ == 0) execute(start, parent);
+    undo_.emplace([this] { kill(id_, SIGKILL); });
+  }
+  ~Child() {
+    if (!undo_) return;
+    kill(id_, SIGKILL);
+    wait();
   }
   Child(const Child&) = delete;
   Child& operator=(const Child&) = delete;
 
   /// Returns the exit code, or the number of the signal that ended the process.
   int wait() {
-    child_.wait();
+    siginfo_t end{};
+    while (waitid(P_PID, static_cast<id_t>(id_), &end, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
+    }
     undo_.reset();  // the system may reuse the process id from now on
-    return child_.exit_code();
+    waitpid(id_, nullptr, 0);
+    return end.si_status;
   }
 
  private:
+  pid_t id_ = -1;
   std::optional<Undo> undo_;
-  process::child child_;  // its destructor terminates a running process
 };
 
 }  // namespace
 
 std::string run_program(const HostProgram& program) {
-  const auto path = process::search_path(program.name);
-  if (path.empty())
+  const auto path = find_program(program.name);
+  if (!path)
     throw std::runtime_error(
         fmt::format("{}: drawing needs the program {}, which was not found: {}", program.purpose,
                     program.name, program.remedy));
+  std::vector<std::string> arguments{program.name}, environment = neutral_environment();
+  arguments.insert(arguments.end(), program.arguments.begin(), program.arguments.end());
+  const auto argument_list = to_pointers(arguments), variables = to_pointers(environment);
   const Scratch input(program.input), output, errors;
-  Child child(process::exe = path, process::args = program.arguments,
-              (process::std_in < input.get()),
-              (process::std_out > (program.shows_output ? stdout : output.get())),
-              (process::std_err > errors.get()));
+  Child child({.path = path->c_str(),
+               .arguments = argument_list.data(),
+               .environment = program.shows_output ? environ : variables.data(),
+               .streams = {input.number(), program.shows_output ? STDOUT_FILENO : output.number(),
+                           errors.number()}});
   if (const int exit_code = child.wait(); exit_code != 0)
     throw std::runtime_error(fmt::format("{}: {} failed (exit code {}): {}", program.purpose,
-                                         program.name, exit_code, trim(errors.read())));
-  return output.read();
+                                         program.name, exit_code, trim(errors.text())));
+  return output.text();
 }
 
 }  // namespace base

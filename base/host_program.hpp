@@ -1,5 +1,5 @@
 #pragma once
-// Starts host programs: Graphviz, gnuplot, a pager. Only this module uses Boost.Process.
+// Starts host programs: Graphviz, gnuplot, a pager.
 #include <string>
 #include <vector>
 

@@ -1,7 +1,7 @@
 # find_package(tlab): the targets tlab::topologies, tlab::renderer, tlab::machine (the machine and the
 # vocabulary) and tlab::simulator (all systems and programs on it), with their dependencies.
 include(CMakeFindDependencyMacro)
-find_dependency(Boost 1.74 COMPONENTS context filesystem)
+find_dependency(Boost 1.74 COMPONENTS context)
 find_dependency(PNG)
 find_dependency(OpenEXR CONFIG)
 find_dependency(fmt)

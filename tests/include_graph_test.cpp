@@ -235,7 +235,6 @@ TEST(IncludeGraph, DependenciesEnterThroughTheirDoors) {
        std::regex("renderer/radiosity/light/mirrors\\.cpp|simulator/occam/alt\\.hpp|"
                   "renderer/progressive/sampled_cell\\.(hpp|cpp)")},
       {{"boost/context/"}, std::regex("simulator/machine/carriers/fiber\\.cpp")},
-      {{"boost/process/"}, std::regex("base/host_program\\.cpp")},
       {{"assimp/"}, std::regex("renderer/meshes/read_mesh\\.cpp")},
       {{"expat.h"}, std::regex("topologies/files/xml\\.cpp")},
       {{"CLI/"},

@@ -39,7 +39,7 @@ The experiments of a thesis of 1995 are included.")
 # Libraries that the installed headers include and that cmake/tlabConfig.cmake finds.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libtlab-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(needed libboost-context-dev libboost-filesystem-dev libexpat1-dev libfmt-dev libmetis-dev
+set(needed libboost-context-dev libexpat1-dev libfmt-dev libmetis-dev
     libmuparser-dev libopenexr-dev libpng-dev libsimgrid-dev libtomlplusplus-dev libwebp-dev)
 list(JOIN needed ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "tlab, cmake")
