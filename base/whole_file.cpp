@@ -1,8 +1,11 @@
 #include "base/whole_file.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <fstream>
@@ -10,6 +13,7 @@
 
 #include "base/early_end.hpp"
 #include "base/errors.hpp"
+#include "base/inputs.hpp"
 #include "base/partial_name.hpp"
 
 namespace base {
@@ -17,6 +21,8 @@ namespace base {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t MOST_FROM_PIPE = std::size_t{1} << 28;  // limit on bytes read from a pipe
 
 using Write = std::function<void(std::ostream&)>;
 
@@ -121,6 +127,64 @@ void write_and_rename(const fs::path& path, const Write& write) {
   partial.rename();
 }
 
+// A file or a pipe that is open for reading.
+class Input {
+ public:
+  // Remembers the file as an input if `is_kept`. Throws BadInput for folders and devices.
+  Input(const fs::path& path, bool is_kept)
+      : path_(path), file_(open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)) {
+    if (file_ < 0) fail_to_read();
+    struct stat found {};
+    fstat(file_, &found);
+    is_pipe_ = S_ISFIFO(found.st_mode);
+    if (S_ISREG(found.st_mode) && is_kept) note_input(found);
+    if (is_pipe_ || S_ISREG(found.st_mode)) return;
+    close(file_);
+    errno = EISDIR;
+    if (S_ISDIR(found.st_mode)) fail_to_read();
+    refuse(path_.string(), "cannot be read: found a device, expected a file or a pipe");
+  }
+  ~Input() { close(file_); }
+  Input(const Input&) = delete;
+  Input& operator=(const Input&) = delete;
+
+  std::string read(std::size_t most) const {
+    if (is_pipe_) most = std::min(most, MOST_FROM_PIPE);
+    std::string text, part(1 << 16, '\0');
+    while (text.size() <= most) {
+      const auto size = ::read(file_, part.data(), part.size());
+      if (size > 0)
+        text.append(part, 0, static_cast<std::size_t>(size));
+      else if (size == 0 && !is_pipe_)
+        break;
+      else if (!waits_for_more(size, text.empty()))
+        break;
+    }
+    require(text.size() <= most, path_.string(), "longer than the limit of {} bytes", most);
+    return text;
+  }
+
+ private:
+  [[noreturn]] void fail_to_read() const {
+    refuse(path_.string(), "cannot be read: {}", std::generic_category().message(errno));
+  }
+  // Waits until a pipe has more bytes. False at its end.
+  bool waits_for_more(ssize_t size, bool is_empty) const {
+    constexpr int FOR_A_WRITER_MS = 1000;
+    pollfd readable{file_, POLLIN, 0};
+    if (size == 0 && !is_empty) return false;
+    if (size < 0 && errno != EAGAIN && errno != EINTR) fail_to_read();
+    const int found = poll(&readable, 1, size < 0 ? -1 : FOR_A_WRITER_MS);
+    require(size < 0 || (found > 0 && (readable.revents & POLLIN)), path_.string(),
+            "cannot be read: found an empty pipe, expected a file, or a pipe with a writer");
+    return true;
+  }
+
+  const fs::path path_;
+  const int file_;
+  bool is_pipe_ = false;
+};
+
 Write write_bytes(std::string_view bytes) {
   return [bytes](std::ostream& out) {
     out.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
@@ -133,6 +197,7 @@ void save_whole(const fs::path& path, const Write& write) {
   std::error_code ignored;
   const auto status = fs::status(path, ignored);
   if (fs::exists(status) && !fs::is_regular_file(status)) return write_in_place(path, write);
+  check_no_input(path);
   write_and_rename(fs::exists(status) ? fs::canonical(path) : path, write);
 }
 
@@ -151,23 +216,19 @@ void check_can_save(const fs::path& path) {
   std::error_code ignored;
   const auto status = fs::status(path, ignored);
   if (fs::is_directory(status)) fail(path, EISDIR);
+  check_no_input(path);
   if (fs::exists(status) && !fs::is_regular_file(status)) return;
   PartialFile(fs::exists(status) ? fs::canonical(path) : path).fill([](std::ostream&) {});
 }
 
 std::string read_text(const fs::path& path, std::size_t most) {
-  const int earlier = std::exchange(errno, 0);  // errno is restored at the end
-  std::ifstream in(path, std::ios::binary);
-  std::string text, part(1 << 16, '\0');
-  while (in && text.size() <= most) {
-    in.read(part.data(), static_cast<std::streamsize>(part.size()));
-    text.append(part, 0, static_cast<std::size_t>(in.gcount()));
-  }
-  require(in || in.eof(), path.string(), "cannot be read: {}",
-          std::generic_category().message(errno));
-  require(text.size() <= most, path.string(), "longer than the limit of {} bytes", most);
-  errno = earlier;
-  return text;
+  return Input(path, /*is_kept=*/true).read(most);
 }
+
+std::string read_own_text(const fs::path& path) {
+  return Input(path, /*is_kept=*/false).read(SIZE_MAX);
+}
+
+void check_can_read(const fs::path& path) { const Input input(path, /*is_kept=*/true); }
 
 }  // namespace base

@@ -12,7 +12,8 @@ namespace base {
 /// Writes `bytes` beside `path` (".NAME.partial-HOST-PID-N"), then renames the file. After a
 /// failure (full disk, missing folder) or an early end (early_end.hpp), no new file is left, and an
 /// older file is unchanged. Follows symbolic links. Writes in place if `path` is not a regular file
-/// (/dev/stdout, a pipe). Throws std::system_error "path: cannot be written: ...".
+/// (/dev/stdout, a pipe). Throws std::system_error "path: cannot be written: ...", and BadInput for a
+/// file that the program has read (base/inputs.hpp).
 void save_whole(const std::filesystem::path& path, std::string_view bytes);
 
 /// Saves the output of `write` as the other overload saves bytes. Exceptions of `write` pass
@@ -27,8 +28,17 @@ bool save_new(const std::filesystem::path& path, std::string_view bytes);
 /// file can be made beside it.
 void check_can_save(const std::filesystem::path& path);
 
-/// The bytes of a file of at most `most` bytes. Throws BadInput "path: cannot be read: ..." for a
-/// missing file, a folder or a read error, and BadInput with the limit for a longer file.
+/// The bytes of a file of at most `most` bytes, or of a pipe of at most 256 MiB. Throws BadInput
+/// "path: cannot be read: ..." for a missing file, a folder, a device, a read error, and a pipe
+/// without a writer or without bytes. Throws BadInput with the limit for a longer file. Remembers
+/// the file, so that it is not overwritten (base/inputs.hpp).
 std::string read_text(const std::filesystem::path& path, std::size_t most = SIZE_MAX);
+
+/// Reads a file as read_text does, for a caller that may replace it, such as a saved state.
+std::string read_own_text(const std::filesystem::path& path);
+
+/// Opens a file as read_text does, with the same errors, and remembers it. For files that a library
+/// reads.
+void check_can_read(const std::filesystem::path& path);
 
 }  // namespace base

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <sstream>
 
@@ -23,6 +24,7 @@ bool is_surface(std::string_view comment) {
 bool is_png(const std::string& path) {
   constexpr std::string_view SIGNATURE = "\x89PNG\r\n\x1a\n";
   std::string head(SIGNATURE.size(), '\0');
+  if (!std::filesystem::is_regular_file(path)) return false;
   std::ifstream(path, std::ios::binary).read(head.data(), std::ssize(head));
   return head == SIGNATURE;
 }

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -81,10 +82,21 @@ Texts write_nff(const std::string& source, const std::string& output, LeftOut& l
   return {{output, nff.text()}};
 }
 
+// True if a file is an OBJ file whose material library is `library`.
+bool names_library(const std::string& output, const fs::path& library) {
+  if (!fs::is_regular_file(output)) return false;
+  const auto text = base::read_own_text(output);
+  const auto names_it = [&](std::string_view line) {
+    return line.starts_with("mtllib") && base::trim(line.substr(6)) == library.filename().string();
+  };
+  return std::ranges::any_of(base::split(text, '\n'), names_it);
+}
+
 Texts write_obj(const std::string& source, const std::string& output, LeftOut& left_out) {
   const auto library = fs::path(output).replace_extension(".mtl");
-  base::require(fs::exists(output) || !fs::exists(library), library.string(),
-                "found this file without {}, expected neither or both: it would be overwritten",
+  base::require(!fs::exists(library) || names_library(output, library), library.string(),
+                "found this file, but no {} that names it, expected neither or both: it would be "
+                "overwritten",
                 output);
   renderer::ObjText obj(library.parent_path().string(), library.filename().string());
   renderer::NffAsObj nff(obj, left_out);
@@ -115,10 +127,12 @@ rlim_t find_time_limit(const std::string& source) {
 
 // Converts a mesh in a separate process with a limit on CPU time (see read_mesh()).
 Converted convert_apart(const std::string& source, const std::function<Converted()>& convert) {
+  base::check_can_read(source);
   const auto limit_s = find_time_limit(source);
   const auto job = [&](std::size_t) {
     const rlimit limit{limit_s, limit_s + 1};
     setrlimit(RLIMIT_CPU, &limit);
+    alarm(static_cast<unsigned>(20 + 10 * limit_s));  // for a part that is a pipe without a writer
     if (!std::freopen("/dev/null", "w", stderr)) throw std::runtime_error("/dev/null");
     const auto [texts, left_out, remarks] = convert();
     nlohmann::json json = {{"left_out", left_out}, {"remarks", remarks}};
@@ -166,6 +180,8 @@ void convert(const std::string& source, const std::string& output) {
     return is_mesh(source) ? convert_apart(source, convert_here) : convert_here();
   }();
   warn(remarks);
+  for (const auto& [path, text] : texts)
+    if (!text.empty()) base::check_can_save(path);
   for (const auto& [path, text] : texts) {
     if (text.empty()) continue;  // skips the material file of an OBJ without materials
     base::save_whole(path, text);

@@ -12,6 +12,7 @@
 
 #include "base/early_end.hpp"
 #include "base/errors.hpp"
+#include "base/inputs.hpp"
 #include "base/message.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
@@ -208,6 +209,7 @@ bool is_broken_pipe(const std::exception& error) {
 int run_tlab(int argc, char** argv) try {
   secure_streams();
   const InterruptWatch watch;
+  const base::InputGuard inputs;
   try {
     CLI::App app("tlab, the transputer laboratory: simulates transputer machines that ray trace");
     app.formatter(std::make_shared<Help>());

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "base/text.hpp"
+#include "base/whole_file.hpp"
 
 namespace laboratory {
 namespace {
@@ -137,6 +138,11 @@ void check_output(const std::string& output, const std::vector<std::string>& end
   check_apart("--stats", stats, {output});
   check_folder("--output", output);
   check_folder("--stats", stats);
+}
+
+void check_can_save_all(std::initializer_list<std::string> files) {
+  for (const auto& file : files)
+    if (!file.empty()) base::check_can_save(file);
 }
 
 void make_folder(const std::string& option, const std::string& path) {

@@ -67,6 +67,10 @@ void check_output(const std::string& output, const std::vector<std::string>& end
 void check_apart(const std::string& option, const std::string& file,
                  std::initializer_list<std::string> others);
 
+/// Throws the error of base::check_can_save() for the first of these files that cannot be saved.
+/// Called after all input has been read and before long work. Skips empty names.
+void check_can_save_all(std::initializer_list<std::string> files);
+
 /// Removes blanks around a name from a comma-separated list. Throws CLI::ValidationError for an
 /// empty name.
 std::string trim_name(const std::string& name);

@@ -86,6 +86,7 @@ Outcome light(RadiosityOptions& o) {
   Outcome made;
   Clock clock;
   auto room = open_room(o.room);
+  check_can_save_all({o.output, o.stats});
   choose_creases(room, o.creases);
   const auto picture = fit(o.picture, room.view);
   Progress bar("radiosity");

@@ -61,6 +61,7 @@ void check_samples_map(const RenderOptions& o) {
 
 void render_at_once(const RenderOptions& o) {
   const auto scene = open_scene(o.scene);
+  check_can_save_all({o.output, o.stats, o.samples_map});
   const InterruptGuard guard;  // holds interrupts until all files are written
   Progress bar("rendering");
   Clock clock;
@@ -84,6 +85,7 @@ void render_at_once(const RenderOptions& o) {
 
 void render_in_order(const RenderOptions& o) {
   const auto scene = open_scene(o.scene);
+  check_can_save_all({o.output, o.stats, o.samples_map});
   const InterruptGuard guard;  // holds interrupts until all files are written
   Clock clock;
   const auto refined = render_refined(o.refined, o, scene);

@@ -74,6 +74,7 @@ void render_progressively(const ProgressiveOptions& o, const RenderTask& task) {
   last.area = task.params.area;
   check(last, task.params, o.max_cell);
   const auto scene = open_scene(task.scene);
+  check_can_save_all({task.output, task.stats});
   if (!task.key_images.empty()) make_folder("--key-images", task.key_images);
   const auto steps = make_steps(o.kind, o.max_cell, last);
   const InterruptGuard guard;  // holds interrupts until all files are written

@@ -133,7 +133,7 @@ void save_state(const std::string& path, const Identity& identity, const Refinem
 }
 
 RefinementState load_state(const std::string& path, const Identity& identity) {
-  const std::string bytes = base::read_text(path);
+  const std::string bytes = base::read_own_text(path);
   base::require(bytes.starts_with(FIRST_LINE), path,
                 "found another file, expected one that tlab render --state has written");
   std::string_view text(bytes);

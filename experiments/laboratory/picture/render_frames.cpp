@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "base/text.hpp"
+#include "base/inputs.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/progress.hpp"
@@ -90,6 +91,8 @@ void render_frames(const FramesOptions& o, const RenderTask& task) {
   open_scene(task.scene, range.first);
   for (int frame = range.first + 1; frame <= range.last; ++frame)
     renderer::load_scene(task.scene, frame);
+  for (int frame = range.first; frame <= range.last; ++frame) base::check_no_input(name_of(frame));
+  base::check_no_input(output);
 
   const InterruptGuard guard;  // holds interrupts until all files are written
   Progress bar("rendering");

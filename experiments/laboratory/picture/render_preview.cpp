@@ -29,6 +29,7 @@ void add_preview_option(CLI::App& command, std::optional<renderer::PreviewStep>&
 void save_preview(const std::string& scene, const renderer::Params& params,
                   renderer::PreviewStep step, const std::string& output, const std::string& stats) {
   const auto loaded = open_scene(scene);
+  check_can_save_all({output, stats});
   Clock clock;
   const auto preview = renderer::make_preview(loaded, params, step);
   const double seconds = clock.lap();

@@ -124,7 +124,7 @@ void check_same_experiment(const fs::path& results, const ExperimentFile& file) 
 void save_origin(const fs::path& results, const ExperimentFile& file, const ordered_json& origin) {
   const auto path = file_in(results);
   const auto text = origin.dump(2) + "\n";
-  const auto is_there = [&] { return fs::is_regular_file(path) && base::read_text(path) == text; };
+  const auto is_there = [&] { return fs::is_regular_file(path) && base::read_own_text(path) == text; };
   if (is_there()) return;
   check_same_experiment(results, file);
   make_folders(path.parent_path());

@@ -70,8 +70,7 @@ Drawing run_gnuplot(const std::string& script, const std::string& name, int heig
                   run_script(on_png(script, height), name)};
   if (!is_whole(drawing))
     throw std::runtime_error(
-        fmt::format("plot {}: gnuplot left an incomplete drawing (is {} full?)", name,
-                    fs::temp_directory_path().string()));
+        fmt::format("plot {}: gnuplot left an incomplete drawing (is the memory full?)", name));
   return drawing;
 }
 
