@@ -21,15 +21,19 @@ constexpr double MAX_TIME = 1e6;
 // the form of that statement.
 bool always(const Words&) { return true; }
 bool has_file(const Words& words) {
+  const auto name = base::to_lower(words.second);
   return std::ranges::any_of(std::array{".path", ".csv", ".txt"}, [&](const char* ending) {
-    return words.second.ends_with(ending) && (words.third.empty() || words.third.starts_with('#'));
+    return name.ends_with(ending) && (words.third.empty() || words.third.starts_with('#'));
   });
 }
 
 bool has_picture(const Words& words) {
   const bool is_mapping =
       words.third == "planar" || words.third == "spherical" || words.third == "mesh";
-  return words.second.ends_with(".png") || words.second.ends_with(".PNG") ||
+  const auto name = base::to_lower(words.second);
+  // Pictures in other formats are refused later.
+  constexpr const char* ENDINGS[] = {".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".webp"};
+  return std::ranges::any_of(ENDINGS, [&](const char* end) { return name.ends_with(end); }) ||
          (is_mapping && words.second.find('.') != words.second.npos);
 }
 
@@ -99,7 +103,7 @@ class Reader {
     const Words words = first_words(comment);
     return std::ranges::any_of(comments(), [&](const Comment& known) {
       const auto others = known.is_of_rooms ? Knows::scenes : Knows::rooms;
-      return known.name == words.name && KNOWS != others && known.goes_on(words) &&
+      return known.name == base::to_lower(words.name) && KNOWS != others && known.goes_on(words) &&
              (KNOWS != Knows::both || !known.is_of_rooms || has_number(words));
     });
   }
@@ -111,7 +115,8 @@ class Reader {
 
   void read_comment() {
     target_.line = tokens_.line();
-    const auto known = std::ranges::find(comments(), tokens_.take(), &Comment::name);
+    const auto known =
+        std::ranges::find(comments(), base::to_lower(tokens_.take()), &Comment::name);
     require_polygon(known->name);
     tokens_.within_line([&] { known->read(*this); });
   }

@@ -1,6 +1,7 @@
 #include "renderer/files/text/statements.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <functional>
 
 namespace renderer {
@@ -17,9 +18,24 @@ Words first_words(std::string_view comment) {
   return {name, second, take()};
 }
 
-bool has_number(const Words& words) { return parse_number(words.second).has_value(); }
+namespace {
+
+// True for numbers, and for words that are meant as numbers: "0,5", "nan", "1e999".
+bool looks_like_number(std::string_view word) {
+  if (parse_number(word)) return true;
+  if (word.starts_with('+')) word.remove_prefix(1);
+  std::string text(word);
+  std::ranges::replace(text, ',', '.');
+  double ignored = 0;
+  const auto* end = text.data() + text.size();
+  return !text.empty() && std::from_chars(text.data(), end, ignored).ptr == end;
+}
+
+}  // namespace
+
+bool has_number(const Words& words) { return looks_like_number(words.second); }
 bool has_light_shape(const Words& words) {
-  return (words.second == "rect" || words.second == "sphere") && parse_number(words.third);
+  return (words.second == "rect" || words.second == "sphere") && looks_like_number(words.third);
 }
 
 Rgb take_colour(Tokens& tokens, std::string_view what) {

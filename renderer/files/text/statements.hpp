@@ -16,8 +16,9 @@ struct Words {
 };
 Words first_words(std::string_view comment);
 
-// Test whether the words after a comment's name have the form of that statement. If they have not,
-// the comment is prose.
+// Test whether the words after a comment's name have the form of its statement. Otherwise the
+// comment is prose.
+/// A word that almost is a number, such as "0,5" or "nan", counts too, so that it is refused.
 bool has_number(const Words& words);
 bool has_light_shape(const Words& words);
 

@@ -82,7 +82,11 @@ void Tokens::fetch() {
     } else if (text_[at_] == '#') {
       const auto end = std::min(text_.find_first_of(LINE_ENDS, at_), text_.size());
       const auto comment = base::trim(text_.substr(at_ + 1, end - at_ - 1));
-      if (taken_line_ != line_ && is_statement_ && is_statement_(comment))
+      const bool is_statement = is_statement_ && is_statement_(comment);
+      if (is_statement && taken_line_ == line_)
+        fail(line_, fmt::format("found {} after other words, expected it on a line of its own",
+                                base::quote("# " + std::string(comment))));
+      if (is_statement)
         next_ = text_.substr(std::exchange(at_, at_ + 1), 1);
       else
         at_ = end;

@@ -120,8 +120,8 @@ TEST(NffComments, ProseIsNoStatement) {
             "# camera\n# path to the door\n# path door.nff\n# path here.txt is not used\n" +
             COMMENTED_SURFACE +
             "# gloss, none\n# translucent\n# shutter closed\n# move it later\n"
-            "## move 1 0 0\ns 0 0 0 1 # move 1 0 0\n# a # move 1 0 0\nl 1 1 1 # lens 1 2\n"
-            "# emit 1 1 1\n# MOVE 1 1 1\n");
+            "## move 1 0 0\ns 0 0 0 1 # move it\n# a # move 1 0 0\nl 1 1 1 # lens of glass\n"
+            "# emit 1 1 1\n# gloss 10cm\n");
   EXPECT_EQ(scene.view.lens.aperture, 0);
   EXPECT_EQ(scene.lights.size(), 1u);
   EXPECT_EQ(scene.surfaces.size(), 1u);
@@ -183,6 +183,28 @@ INSTANTIATE_TEST_SUITE_P(
         WrongComment{"# light rect 1 2 3 1 0 0 0 0 0", "9: found a light with area 0"},
         WrongComment{"# path no-such.csv", "9: no-such.csv: cannot be read"},
         WrongComment{"# camera no-such.txt", "9: no-such.txt: cannot be read"}));
+
+// A word that is meant as a number makes a statement, which is then refused. Names may be in upper
+// case, and a blank may be missing.
+TEST(NffComments, WhatLooksLikeAStatementIsNotIgnored) {
+  const auto read = [](const std::string& line) {
+    return parse(COMMENTED_VIEW + COMMENTED_SURFACE + line + "\ns 0 0 0 1\n");
+  };
+  for (const char* name : {"lens", "shutter", "move", "gloss", "translucent", "uv", "light rect",
+                           "light sphere", "LENS", "Gloss"})
+    for (const char* number :
+         {"0,5", "-0,5", "nan", "-nan", "inf", "+inf", "infinity", "1e999", "-1e999", "1,5e3"})
+      for (const char* begin : {"# ", "#", "  #\t"}) {
+        const auto line = fmt::format("{}{} {} 1 1", begin, name, number);
+        EXPECT_TRUE(get_error([&] { read(line); }).starts_with("test.nff:9: found '")) << line;
+      }
+  for (const char* line : {"# texture wood.jpg", "# texture Wood.PNG planar", "# path a.CSV"})
+    EXPECT_TRUE(get_error([&] { read(line); }).starts_with("test.nff:9: ")) << line;
+  for (const char* line : {"# lens 1 5", "#lens 1 5", "# LENS +1 5"})
+    EXPECT_EQ(read(line).view.lens.focus, 5) << line;
+  EXPECT_EQ(get_error([&] { read("s 1 0 0 1 # move 1 0 0"); }),
+            "test.nff:9: found '# move 1 0 0' after other words, expected it on a line of its own");
+}
 
 TEST(NffComments, GlossNeedsASurface) {
   EXPECT_EQ(get_error([] { parse("# gloss 0.5\n" + COMMENTED_VIEW); }),
