@@ -125,19 +125,19 @@ bool all_have_ended(const Machine& machine) {
                              [](const auto& p) { return p->stopped() || !has_unfinished(*p); });
 }
 
-// Throws Deadlock if any process is unfinished. The text names each process, its processor, its
-// wait and its partners, and a cycle of waits if there is one.
+// Throws Deadlock if any process is unfinished. The text names a cycle of waits if there is one,
+// then each process, its processor, its wait and its partners.
 void throw_if_deadlocked(const Machine& machine) {
   const Blocked blocked = find_blocked(machine);
   if (blocked.empty()) return;
   const Waits waits = find_waits(blocked);
-  std::string text =
-      fmt::format("deadlock at {:.6f} s, nothing can happen any more:", machine.now().value);
+  std::string text = fmt::format("deadlock at {:.6f} s, nothing can happen any more:{}",
+                                 machine.now().value, describe_cycle(waits, blocked));
   for (const auto& processor : machine.processors())
     for (const auto& process : processor->processes())
       if (blocked.contains(process->id()))
         text += describe_wait(*process, waits.at(process->id()), blocked);
-  throw Deadlock("machine", machine.now(), text + describe_cycle(waits, blocked));
+  throw Deadlock("machine", machine.now(), text);
 }
 
 }  // namespace

@@ -53,6 +53,12 @@ TEST(Deadlock, OfALinkNamesItsEnds) {
                  });
 }
 
+// True if the report names the cycle in its second line.
+bool names_first(const std::string& report, const std::string& cycle) {
+  const auto second = report.substr(report.find('\n') + 1);
+  return second.starts_with("  the cycle: " + cycle + "\n");
+}
+
 // Processes on a ring of processors pass on a token, each taking it from its predecessor. Then all
 // wait for it again.
 void deadlock_ring(Lab& lab, int n) {
@@ -74,9 +80,9 @@ void deadlock_ring(Lab& lab, int n) {
 TEST(Deadlock, NamesTheCycleAcrossProcessors) {
   const auto report_of = [](int n) { return failure_of([n](Lab& lab) { deadlock_ring(lab, n); }); };
   const auto two = report_of(2), five = report_of(5);
-  EXPECT_NE(two.find("\n  P0 on cpu 0 waits for in on cpu 1 > cpu 0 (from P1)"
-                     "\n  P1 on cpu 1 waits for in on cpu 0 > cpu 1 (from P0)"
-                     "\n  the cycle: P0 -> P1 -> P0"),
+  EXPECT_NE(two.find("nothing can happen any more:\n  the cycle: P0 -> P1 -> P0"
+                     "\n  P0 on cpu 0 waits for in on cpu 1 > cpu 0 (from P1)"
+                     "\n  P1 on cpu 1 waits for in on cpu 0 > cpu 1 (from P0)"),
             std::string::npos)
       << two;
   for (int i = 0; i < 5; ++i) {
@@ -85,7 +91,7 @@ TEST(Deadlock, NamesTheCycleAcrossProcessors) {
                                   i, before, i, before);
     EXPECT_NE(five.find(line), std::string::npos) << line << " in: " << five;
   }
-  EXPECT_TRUE(five.ends_with("\n  the cycle: P0 -> P4 -> P3 -> P2 -> P1 -> P0")) << five;
+  EXPECT_TRUE(names_first(five, "P0 -> P4 -> P3 -> P2 -> P1 -> P0")) << five;
 }
 
 // A process outside the cycle waits too. The report names it, but not in the cycle.
@@ -99,7 +105,7 @@ TEST(Deadlock, CycleLeavesOutWhoOnlyWaitsForIt) {
   });
   EXPECT_NE(report.find("Olga on cpu 0 waits for in on soft 2 (from Alice)"), std::string::npos)
       << report;
-  EXPECT_TRUE(report.ends_with("\n  the cycle: Alice -> Bob -> Alice")) << report;
+  EXPECT_TRUE(names_first(report, "Alice -> Bob -> Alice")) << report;
 }
 
 TEST(Deadlock, FollowsTheGuardsOfAnAlt) {
@@ -123,7 +129,7 @@ TEST(Deadlock, FollowsTheGuardsOfAnAlt) {
                         "leaf 1)"),
             std::string::npos)
       << report;
-  EXPECT_TRUE(report.ends_with("\n  the cycle: hub -> leaf 0 -> hub")) << report;
+  EXPECT_TRUE(names_first(report, "hub -> leaf 0 -> hub")) << report;
 }
 
 TEST(Deadlock, SaysThatThePartnerHasEnded) {
@@ -173,7 +179,7 @@ TEST(Deadlock, OfABranchAndItsParent) {
            {"own", Priority::low, [&] { out(channel, {}); }}});
     });
   });
-  EXPECT_TRUE(report.ends_with("\n  the cycle: parent -> branch -> parent")) << report;
+  EXPECT_TRUE(names_first(report, "parent -> branch -> parent")) << report;
 }
 
 // Abandoned timers do not postpone the time of the deadlock.
