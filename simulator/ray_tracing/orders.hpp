@@ -45,8 +45,6 @@ class Orders {
       throw base::BadInput(
           user_ ? "[[order]]: found one after the picture was complete, expected it earlier"
                 : "[[order]]: found one before the first task, expected it later");
-    if (has_left())
-      throw base::BadInput("[[order]]: found one after the user had left, expected it earlier");
     const double tick_s = occam::date_of(*user_, 1).value;
     // If the user's process is ahead of the clock, it has already decided that no order comes
     // before its own time.
@@ -62,6 +60,8 @@ class Orders {
     const auto place = std::upper_bound(
         script.begin() + static_cast<std::ptrdiff_t>(next_), script.end(), order.at,
         [](machine::Seconds at, const Order& other) { return at < other.at; });
+    if (place != script.begin() && std::holds_alternative<Leave>(std::prev(place)->what))
+      throw base::BadInput("[[order]]: found one after the user had left, expected it earlier");
     script.insert(place, order);
     check(script);
     orders_.assign(script.begin(), script.end());
@@ -82,9 +82,6 @@ class Orders {
 
   /// True if the user's process is waiting for a manual order and none is pending.
   bool waits_for_manual_order() const { return waits_for_manual_order_ && next_ == orders_.size(); }
-  bool has_left() const {
-    return !orders_.empty() && std::holds_alternative<Leave>(orders_.back().what);
-  }
   /// Ends manual orders, so that the user leaves after the last pending order.
   void close() { is_open_ = false; }
 

@@ -99,10 +99,22 @@ void Session::quit() {
 
 // Saves the current picture under a generated file name.
 void Session::save() {
-  const auto saved = std::ranges::count_if(actions_, [](const UserAction& action) {
-    return !action.keys.empty() && action.keys[0].first == "save";
-  });
-  obey_order({{"save", fmt::format("live{}", saved + 1)}});
+  const auto* orders = (*file_.content)["order"].as_array();
+  const auto is_taken = [&](const std::string& name) {
+    const auto is_in_file = [&](const toml::node& order) {
+      return order.is_table() && (*order.as_table())["save"].value<std::string>() == name;
+    };
+    const auto is_action = [&](const UserAction& action) {
+      return std::ranges::any_of(action.keys, [&](const auto& key) {
+        return key.first == "save" && key.second == fmt::format("\"{}\"", name);
+      });
+    };
+    return (orders && std::any_of(orders->begin(), orders->end(), is_in_file)) ||
+           std::ranges::any_of(actions_, is_action);
+  };
+  int number = 1;
+  while (is_taken(fmt::format("live{}", number))) ++number;
+  obey_order({{"save", fmt::format("live{}", number)}});
 }
 
 void Session::select(const Command& command) {

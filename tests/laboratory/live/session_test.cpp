@@ -106,7 +106,28 @@ TEST(LiveSession, OrdersInOneMomentAfterTheOtherAreRunAgainAsTheyWere) {
   compare_dense_sessions(IIRRA + "[[stage]]\n", 302, 8);
 }
 
-// The experiment file has an order that is due long after the picture is complete.
+// The commands of one session are given again to the run of its recording.
+TEST(LiveSession, EveryControlWorksOnARecordingAsOnItsOriginal) {
+  const std::string text = FARM + "[[stage]]\n";
+  const int calls = count_calls(text);
+  for (std::uint64_t seed = 401; seed < 407; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    base::Random random(seed);
+    auto commands = random_commands(random, calls / 2);
+    commands.emplace(calls / 4, Command{{"do", "save"}});
+    commands.emplace(calls / 3, Command{{"do", "save"}});
+    const test::TemporaryFolder folder, other;
+    run_isolated([&] {
+      const auto first = watch(text, folder.path.string(), commands);
+      const auto second = watch(first.recording, other.path.string(), commands);
+      EXPECT_EQ(second.replies, first.replies) << first.recording;
+      EXPECT_EQ(std::ranges::count(second.replies, ""), std::ssize(commands));
+      EXPECT_EQ(second.result, run_alone(second.recording, other.path.string()));
+    });
+  }
+}
+
+// The file has an order long after the picture is complete.
 TEST(LiveSession, ALateOrderOfTheFileIsWaitedFor) {
   compare_session(FARM + "[[order]]\nat_s = 100\nsave = \"late\"\n", {});
 }
