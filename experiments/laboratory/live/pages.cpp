@@ -187,7 +187,8 @@ bool Page::welcome(const Json& message) {
 }
 
 void Page::reply(const Json& id, const std::string& refusal) {
-  send_json({{"reply", id}, {"refusal", refusal}});
+  constexpr std::size_t LONGEST_REPLY = 2000;
+  send_json({{"reply", id}, {"refusal", refusal.substr(0, LONGEST_REPLY)}});
 }
 
 void Page::send_frame(const Frame& frame) {

@@ -69,6 +69,8 @@ class Client : public std::enable_shared_from_this<Client> {
 
   void answer() {
     const auto& request = parser_.get();
+    if (request.count(http::field::host) > 1)
+      return refuse(http::status::bad_request, "found two hosts");
     if (!is_own(request[http::field::host]))
       return refuse(http::status::misdirected_request, "found another host");
     if (websocket::is_upgrade(request)) {
@@ -123,7 +125,7 @@ class Client : public std::enable_shared_from_this<Client> {
 class Server::Impl {
  public:
   Impl(Session& session, std::optional<std::uint16_t> port)
-      : pages_(session), acceptor_(pages_.io), end_(pages_.io) {
+      : pages_(session), acceptor_(pages_.io), end_(pages_.io), retry_(pages_.io) {
     listen(port);
     session.on_frame([this] { asio::post(pages_.io, [this] { pages_.look(); }); });
     accept();
@@ -170,16 +172,25 @@ class Server::Impl {
 
   void accept() {
     acceptor_.async_accept([this](Error error, tcp::socket socket) {
-      if (!error) keep_from_children(socket);
-      if (!error) std::make_shared<Client>(pages_, port_, std::move(socket))->read();
+      if (error) return accept_later();
+      keep_from_children(socket);
+      std::make_shared<Client>(pages_, port_, std::move(socket))->read();
       accept();
+    });
+  }
+
+  // Waits before the next attempt, since the host's lack of descriptors or memory may last.
+  void accept_later() {
+    retry_.expires_after(100ms);
+    retry_.async_wait([this](Error error) {
+      if (!error) accept();
     });
   }
 
   Pages pages_;
   std::uint16_t port_ = 0;
   tcp::acceptor acceptor_;
-  asio::steady_timer end_;
+  asio::steady_timer end_, retry_;
   std::thread thread_;
 };
 

@@ -25,6 +25,7 @@ constexpr auto FRAMES_AT_FULL_SPEED = 95ms;
 // host time by which a paced run may fall behind before its pace is reset
 constexpr double MOST_ARREARS_S = 0.25;
 constexpr std::uint64_t CALLS_BETWEEN = 1024;  // events between polls while the machine runs
+constexpr std::size_t MOST_ASKED = 1024;       // limit on queued commands that await a reply
 constexpr std::size_t MOST_TOLD_AT_END = 256;  // limit on processors kept for display after the end
 
 }  // namespace
@@ -51,6 +52,7 @@ std::shared_ptr<const Frame> Session::frame() const {
 void Session::ask(Command command, Reply reply) {
   {
     const std::lock_guard lock(mutex_);
+    if (reply && asked_.size() >= MOST_ASKED) return reply("too many commands are waiting");
     asked_.push_back({std::move(command), std::move(reply)});
     has_news_ = true;
   }

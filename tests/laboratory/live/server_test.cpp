@@ -210,6 +210,44 @@ TEST(LiveServer, APageThatReadsNothingIsShutAndHurtsNobody) {
   });
 }
 
+TEST(LiveServer, TwoHostsAreABadRequest) {
+  Served served;
+  auto socket = served.connect();
+  const auto line = "Host: " + served.host() + "\r\n";
+  asio::write(socket, asio::buffer("GET / HTTP/1.1\r\n" + line + line + "\r\n"));
+  beast::flat_buffer buffer;
+  http::response<http::string_body> response;
+  http::read(socket, buffer, response);
+  EXPECT_EQ(response.result(), http::status::bad_request);
+}
+
+double cpu_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& t) { return double(t.tv_sec) + 1e-6 * double(t.tv_usec); };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+// A client waits for a descriptor that the host does not have.
+TEST(LiveServer, IsIdleWithoutDescriptors) {
+  test::run_isolated([] {
+    Served served;
+    tcp::socket socket(served.io, tcp::v4());
+    const auto port = static_cast<std::uint16_t>(std::stoi(served.port()));
+    rlimit before{};
+    getrlimit(RLIMIT_NOFILE, &before);
+    rlimit none = before;
+    none.rlim_cur = 3;  // all descriptors in use are above
+    setrlimit(RLIMIT_NOFILE, &none);
+    socket.connect({asio::ip::address_v4::loopback(), port});
+    const double from_s = cpu_seconds();
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    EXPECT_LT(cpu_seconds() - from_s, 0.1);
+    setrlimit(RLIMIT_NOFILE, &before);
+    EXPECT_EQ(served.get("/", served.host()).result(), http::status::ok);
+  });
+}
+
 // Many silent clients neither keep new pages out nor displace an existing page.
 TEST(LiveServer, StrangersLeaveRoomForPages) {
   test::run_isolated([] {
