@@ -148,6 +148,8 @@ class Input {
   Input(const Input&) = delete;
   Input& operator=(const Input&) = delete;
 
+  bool is_pipe() const { return is_pipe_; }
+
   std::string read(std::size_t most) const {
     if (is_pipe_) most = std::min(most, MOST_FROM_PIPE);
     std::string text, part(1 << 16, '\0');
@@ -229,6 +231,9 @@ std::string read_own_text(const fs::path& path) {
   return Input(path, /*is_kept=*/false).read(SIZE_MAX);
 }
 
-void check_can_read(const fs::path& path) { const Input input(path, /*is_kept=*/true); }
+void check_can_read(const fs::path& path) {
+  const Input input(path, /*is_kept=*/true);
+  require(!input.is_pipe(), path.string(), "cannot be read: found a pipe, expected a file");
+}
 
 }  // namespace base

@@ -37,8 +37,8 @@ std::string read_text(const std::filesystem::path& path, std::size_t most = SIZE
 /// Reads a file as read_text does, for a caller that may replace it, such as a saved state.
 std::string read_own_text(const std::filesystem::path& path);
 
-/// Opens a file as read_text does, with the same errors, and remembers it. For files that a library
-/// reads.
+/// Opens a file as read_text does, with the same errors, and remembers it. Refuses pipes too. For
+/// files that a library reads.
 void check_can_read(const std::filesystem::path& path);
 
 }  // namespace base

@@ -17,6 +17,7 @@
 
 #include <gtest/gtest.h>
 #include "base/errors.hpp"
+#include "base/inputs.hpp"
 
 #include "tests/support/files.hpp"
 #include "tests/support/isolated.hpp"
@@ -221,6 +222,43 @@ TEST(WholeFile, LinksAreFollowed) {
   save_whole(folder.path / "link", "new");
   EXPECT_TRUE(fs::is_symlink(folder.path / "link"));
   EXPECT_EQ(read_text(folder.path / "a"), "new");
+}
+
+// A file that was read is not replaced under any of its names. A new file in its place may be.
+TEST(WholeFile, InputsAreNotReplaced) {
+  const TemporaryFolder folder;
+  const auto a = folder.path / "a", hard = folder.path / "hard", soft = folder.path / "soft";
+  save_whole(a, "old");
+  fs::create_hard_link(a, hard);
+  fs::create_symlink("a", soft);
+  const InputGuard guard;
+  read_own_text(a);
+  EXPECT_NO_THROW(check_can_save(a));
+  read_text(soft);
+  for (const auto& path : {a, hard, soft}) {
+    EXPECT_THROW(save_whole(path, "new"), BadInput) << path;
+    EXPECT_THROW(check_can_save(path), BadInput) << path;
+    EXPECT_EQ(read_own_text(path), "old");
+  }
+  fs::remove(a);
+  for (int i = 0; i < 100; ++i) {  // the file system may reuse inodes
+    EXPECT_NO_THROW(save_whole(folder.path / "b", std::to_string(i)));
+    EXPECT_EQ(read_own_text(folder.path / "b"), std::to_string(i));
+  }
+}
+
+TEST(WholeFile, DevicesAndSilentPipesAreNotRead) {
+  const TemporaryFolder folder;
+  const auto pipe = folder.path / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const auto refusal = [](const fs::path& path) {
+    return message_of<BadInput>([&] { read_text(path); });
+  };
+  EXPECT_EQ(refusal("/dev/zero"),
+            "/dev/zero: cannot be read: found a device, expected a file or a pipe");
+  EXPECT_EQ(refusal(pipe), pipe.string() +
+                               ": cannot be read: found an empty pipe, expected a file, or a pipe "
+                               "with a writer");
 }
 
 TEST(WholeFile, PipesAreWrittenToAndRead) {

@@ -66,7 +66,7 @@ ComparedRun load_run(const std::string& folder, const std::string& name) {
   const auto file = fs::path(folder) / "run.json";
   const Origin origin = load_origin(folder, "run.json");
   try {
-    const auto json = nlohmann::ordered_json::parse(base::read_text(file));
+    const auto json = nlohmann::ordered_json::parse(base::read_own_text(file));
     return {.folder = folder,
             .name = name,
             .command = command_line(origin.options),

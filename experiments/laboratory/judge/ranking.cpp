@@ -122,7 +122,7 @@ void save_rankings(const std::filesystem::path& folder, const Table& rankings) {
 std::optional<Table> load_rankings(const std::filesystem::path& folder) {
   const auto file = folder / RANKINGS;
   if (!std::filesystem::exists(file)) return {};
-  auto table = parse_csv(base::read_text(file), file.string());
+  auto table = parse_csv(base::read_own_text(file), file.string());
   base::require(table.columns.size() == COLUMNS && table.columns[machines] == "machines",
                 file.string(), "damaged: found other columns");
   return table;

@@ -28,7 +28,7 @@ std::string save_by_content(const std::function<void(const std::string& path)>& 
     const auto name_of_process = base::make_partial_name("image", "partial", getpid());
     const auto partial = folder / fmt::format("{}-{}", name_of_process, extension);
     save(partial.string());
-    name = hash_of(base::read_text(partial)) + extension;
+    name = hash_of(base::read_own_text(partial)) + extension;
     fs::rename(partial, folder / name);
   });
   return name;

@@ -57,6 +57,16 @@ Origin read_origin(const fs::path& results, const ordered_json& json, const Over
   return origin;
 }
 
+// Quotes a word with control characters for bash, zsh and ksh.
+std::string spell_controls(const std::string& text) {
+  std::string word = "$'";
+  for (const char c : text)
+    word += base::blank_controls({&c, 1}, '?') == std::string(1, c) && c != '\'' && c != '\\'
+                ? std::string(1, c)
+                : fmt::format("\\{:03o}", static_cast<unsigned char>(c));
+  return word + "'";
+}
+
 // Quotes a word for a shell.
 std::string spell_word(const std::string& text) {
   const auto is_plain = [](char c) {
@@ -64,6 +74,7 @@ std::string spell_word(const std::string& text) {
            std::string_view("._-/=,:+").find(c) != std::string_view::npos;
   };
   if (!text.empty() && std::ranges::all_of(text, is_plain)) return text;
+  if (base::blank_controls(text) != text) return spell_controls(text);
   std::string word = "'";
   for (const char c : text) word += c == '\'' ? std::string("'\\''") : std::string(1, c);
   return word + "'";
@@ -107,7 +118,7 @@ void check_same_experiment(const fs::path& results, const ExperimentFile& file) 
   auto source = file_in(results);
   if (!fs::is_regular_file(source)) source = results / "run.json";
   if (!fs::is_regular_file(source)) return;
-  const auto known = ordered_json::parse(base::read_text(source), nullptr, false);
+  const auto known = ordered_json::parse(base::read_own_text(source), nullptr, false);
   if (!known.is_object() || !known.contains("name")) return;
   const auto text = [&](const char* key) {
     return known.contains(key) && known[key].is_string() ? known[key].get<std::string>() : "";
@@ -124,7 +135,9 @@ void check_same_experiment(const fs::path& results, const ExperimentFile& file) 
 void save_origin(const fs::path& results, const ExperimentFile& file, const ordered_json& origin) {
   const auto path = file_in(results);
   const auto text = origin.dump(2) + "\n";
-  const auto is_there = [&] { return fs::is_regular_file(path) && base::read_own_text(path) == text; };
+  const auto is_there = [&] {
+    return fs::is_regular_file(path) && base::read_own_text(path) == text;
+  };
   if (is_there()) return;
   check_same_experiment(results, file);
   make_folders(path.parent_path());
@@ -134,11 +147,11 @@ void save_origin(const fs::path& results, const ExperimentFile& file, const orde
 }
 
 BadInput make_damaged(const fs::path& file, const nlohmann::json::exception& error) {
-  // text such as "[json.exception.parse_error.101] parse error at ..."
-  const std::string what = error.what();
-  const auto named = what.find("] ");
-  return BadInput(fmt::format("{}: damaged: {}", file.string(),
-                              named == what.npos ? what : what.substr(named + 2)));
+  const auto* parsing = dynamic_cast<const nlohmann::json::parse_error*>(&error);
+  const auto found = parsing ? fmt::format("no JSON at byte {}", parsing->byte)
+                             : std::string("JSON without members that tlab writes");
+  return BadInput(fmt::format("{}: damaged: found {}, expected a file as tlab has written it",
+                              file.string(), found));
 }
 
 Origin load_origin(const fs::path& results, const fs::path& file, const Overrides& overrides) {
@@ -147,7 +160,7 @@ Origin load_origin(const fs::path& results, const fs::path& file, const Override
     throw BadInput(fmt::format("{}: found no {}, expected a results folder of tlab run",
                                results.string(), file.string()));
   try {
-    return read_origin(results, ordered_json::parse(base::read_text(path)), overrides);
+    return read_origin(results, ordered_json::parse(base::read_own_text(path)), overrides);
   } catch (const ordered_json::exception& error) {
     throw make_damaged(path, error);
   } catch (const BadInput& error) {

@@ -57,7 +57,7 @@ std::string make_seal(std::string_view text) {
 // Reads a record; null if it is damaged or its key differs. `filter` is the callback of
 // nlohmann::json::parse.
 ordered_json read_record(const fs::path& file, const ordered_json::parser_callback_t& filter) {
-  const std::string text = base::read_text(file);
+  const std::string text = base::read_own_text(file);
   const std::size_t end = make_seal("").size();
   if (text.size() < end) return {};
   const auto sealed = std::string_view(text).substr(0, text.size() - end);

@@ -148,7 +148,7 @@ data make_results(const Report& report) {
 // Enlarges small images by an integer factor, so that every pixel is a square.
 data make_image(const Report::Image& image) {
   constexpr unsigned ENLARGED = 400;  // pixels; about the width of the page's text
-  const auto bytes = base::read_text(image.file);
+  const auto bytes = base::read_own_text(image.file);
   const bool is_webp = image.file.extension() == ".webp";
   const auto size = is_webp ? read_webp_size(bytes, image.file.string())
                             : read_png_size(bytes, image.file.string());

@@ -96,7 +96,7 @@ std::vector<SavedImage> read_images(const ordered_json& point) {
 }  // namespace
 
 Simulation load_simulation(const fs::path& folder, const ExperimentFile& file) {
-  const auto run = ordered_json::parse(base::read_text(folder / "run.json"));
+  const auto run = ordered_json::parse(base::read_own_text(folder / "run.json"));
   Simulation s;
   s.file = file;
   s.file.points.clear();

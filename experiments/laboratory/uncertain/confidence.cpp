@@ -111,7 +111,7 @@ Table make_assumptions_table(const Table& table, const Confidence& confidence) {
 }
 
 Table load_table(const std::filesystem::path& file) {
-  auto table = parse_csv(base::read_text(file), file.string());
+  auto table = parse_csv(base::read_own_text(file), file.string());
   base::require(table.find("column").has_value(), file.string(), "damaged: no column \"column\"");
   return table;
 }
