@@ -6,6 +6,7 @@
 #include <mutex>
 #include <ranges>
 #include <shared_mutex>
+#include <utility>
 
 namespace base {
 
@@ -48,6 +49,8 @@ void request_early_end() noexcept { is_ending = true; }
 
 void undo_all() {
   request_early_end();
+  // Only a program that ends for lack of memory is still in a section here.
+  if (std::exchange(depth, 0) > 0) sections.unlock_shared();
   sections.lock();
   for (const auto& undo : undos | std::views::reverse) try {
       undo();

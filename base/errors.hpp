@@ -10,10 +10,16 @@
 
 namespace base {
 
+/// The text with each zero byte as "\\x00", because what() ends at a zero byte.
+inline std::string show_zeros(std::string text) {
+  for (std::size_t at = 0; (at = text.find('\0', at)) != text.npos;) text.replace(at, 1, "\\x00");
+  return text;
+}
+
 /// Bad input, rejected on entry, before anything runs. The text names the file, line or key, the
 /// value found and the value expected.
 struct BadInput : std::runtime_error {
-  using std::runtime_error::runtime_error;
+  explicit BadInput(std::string text) : std::runtime_error(show_zeros(std::move(text))) {}
 };
 
 /// A broken invariant, which is a defect of tlab. The text holds the values found and expected.

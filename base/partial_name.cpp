@@ -46,6 +46,17 @@ std::optional<pid_t> find_maker(std::string_view partial_name, std::string_view 
   return process && *process > 0 ? process : std::nullopt;
 }
 
+std::filesystem::path find_final_path(const std::filesystem::path& path) {
+  std::filesystem::path found;
+  for (const auto& part : path) {
+    const auto name = part.string();
+    const auto end = name.rfind(".partial-");
+    const bool is_hidden = name.starts_with('.') && end != name.npos && end > 1;
+    found /= is_hidden ? name.substr(1, end - 1) : name;
+  }
+  return found;
+}
+
 bool is_dead(pid_t process) { return kill(process, 0) != 0 && errno == ESRCH; }
 
 }  // namespace base

@@ -5,6 +5,7 @@
 // 3 of "node-12".
 #include <sys/types.h>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +21,9 @@ std::string make_partial_name(std::string_view name, std::string_view kind, pid_
 /// The process id in a name of this kind made by `host`. Ignores any "-" and text after the id.
 std::optional<pid_t> find_maker(std::string_view partial_name, std::string_view kind,
                                 std::string_view host = host_name());
+
+/// The path with hidden names of this form replaced by the final ones.
+std::filesystem::path find_final_path(const std::filesystem::path& path);
 
 /// True if the process no longer exists.
 bool is_dead(pid_t process);

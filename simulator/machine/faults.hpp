@@ -14,7 +14,7 @@ namespace machine {
 /// A failure of the simulated program in `who`, a process or processor, at simulated time `when`.
 struct Fault : std::runtime_error {
   Fault(std::string who, Seconds when, const std::string& what)
-      : std::runtime_error(what), who(std::move(who)), when(when) {}
+      : std::runtime_error(base::show_zeros(what)), who(std::move(who)), when(when) {}
   std::string who;
   Seconds when;
 };

@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/message.hpp"
+#include "experiments/laboratory/host/error_text.hpp"
 #include "experiments/laboratory/points/results.hpp"
 #include "experiments/laboratory/points/view.hpp"
 #include "experiments/laboratory/report/gnuplot.hpp"
@@ -142,7 +143,7 @@ void draw(Report& page, Texts& undrawn, const Plot& plot, const std::string& dat
                           {},
                           data});
   } catch (const std::runtime_error& error) {
-    undrawn.push_back(fmt::format("{}: {}", plot.name, error.what()));
+    undrawn.push_back(fmt::format("{}: {}", plot.name, describe_error(error)));
     page.notes.push_back("not drawn: " + undrawn.back());
   }
 }

@@ -14,6 +14,7 @@
 
 #include "base/early_end.hpp"
 #include "base/errors.hpp"
+#include "experiments/laboratory/host/error_text.hpp"
 #include "simulator/machine/engine.hpp"
 #include "simulator/machine/faults.hpp"
 
@@ -46,7 +47,7 @@ void write_all(int fd, const std::string& text) {
   try {
     reply = '\0' + job(index);
   } catch (const std::exception& error) {
-    reply = static_cast<char>(exit_code_of(error)) + std::string(error.what());
+    reply = static_cast<char>(exit_code_of(error)) + describe_error(error);
   }
   write_all(fd, reply);
   _exit(0);  // ends without calling the destructors of the parent's objects
@@ -69,7 +70,7 @@ class Pool {
     // holds signals until the child has installed its handlers
     std::optional<base::HeldSignals> held(ASKS_TO_END);
     const pid_t parent = getpid(), pid = fork();
-    if (pid < 0) throw std::system_error(errno, std::generic_category(), "fork");
+    if (pid < 0) throw std::system_error(errno, std::generic_category(), "another process");
     if (pid == 0) {
       close(ends[0]);
       run_child(parent, ends[1], job, index, held);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "base/errors.hpp"
 #include "experiments/laboratory/host/interrupt.hpp"
 
 namespace laboratory {
@@ -14,12 +15,12 @@ namespace laboratory {
 /// user.
 struct Failure : std::runtime_error {
   Failure(const std::string& what, int exit_code)
-      : std::runtime_error(what), exit_code(exit_code) {}
+      : std::runtime_error(base::show_zeros(what)), exit_code(exit_code) {}
   int exit_code;
 };
 inline constexpr int EXIT_DEFECT = 1, EXIT_INPUT = 2, EXIT_HOST = 2, EXIT_FAULT = 3;
 
-/// The user interrupted the program (SIGINT, SIGTERM) before it had results.
+/// The user interrupted the program (SIGINT, SIGTERM, SIGHUP) before it had results.
 struct Interrupted : Failure {
   Interrupted() : Failure(INTERRUPTED, EXIT_INTERRUPTED) {}
 };

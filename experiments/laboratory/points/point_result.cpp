@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "base/errors.hpp"
+#include "experiments/laboratory/host/error_text.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "simulator/machine/faults.hpp"
 
@@ -153,8 +154,7 @@ std::optional<PointResult> make_failure(const std::exception& error) {
     return make_ended("out of memory", 3, what);
   if (dynamic_cast<const machine::Fault*>(&error)) return make_ended("failed", 3, what);
   if (dynamic_cast<const base::InvariantBroken*>(&error)) return make_ended("failed", 1, what);
-  if (dynamic_cast<const std::bad_alloc*>(&error))
-    return make_ended("failed", 2, "the host is out of memory");
+  if (dynamic_cast<const std::bad_alloc*>(&error)) return make_ended("failed", 2, NO_MEMORY);
   return {};
 }
 

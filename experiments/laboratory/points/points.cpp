@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/errors.hpp"
+#include "experiments/laboratory/host/error_text.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/points/origin.hpp"
@@ -53,7 +54,8 @@ PointResult run_and_save(const PointsPlan& plan, std::size_t number) {
   } catch (const std::exception& error) {
     if (const auto failure = make_failure(error)) return *failure;
     if (plan.file.sweep.empty()) throw;
-    throw Failure(fmt::format("at {}: {}", name_of(point), error.what()), exit_code_of(error));
+    throw Failure(fmt::format("at {}: {}", name_of(point), describe_error(error)),
+                  exit_code_of(error));
   }
 }
 

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "base/errors.hpp"
+#include "experiments/laboratory/host/error_text.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/points/run_point.hpp"
@@ -71,7 +72,7 @@ void run_missing(const PointsPlan& plan, Results& results) {
     for (const auto& point : plan.file.points) check_point(point.experiment);
     run_points(plan, missing_points(results), results);
   } catch (const std::runtime_error& error) {
-    complain(fmt::format("no speed-up: a single worker of the machine: {}", error.what()));
+    complain(fmt::format("no speed-up: a single worker of the machine: {}", describe_error(error)));
   }
 }
 

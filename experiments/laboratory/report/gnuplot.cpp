@@ -10,6 +10,7 @@
 #include "base/host_program.hpp"
 #include "base/share.hpp"
 #include "base/whole_file.hpp"
+#include "experiments/laboratory/host/error_text.hpp"
 #include "experiments/laboratory/report/plot_script.hpp"
 
 namespace laboratory {
@@ -94,7 +95,7 @@ std::vector<std::string> draw_plots(const std::vector<Plot>& plots, const fs::pa
     try {
       draw_plot(plots[n], folder);
     } catch (const std::exception& error) {
-      failures[n] = error.what();
+      failures[n] = describe_error(error);
     }
   };
   base::share(static_cast<int>(plots.size()), static_cast<int>(threads), draw);

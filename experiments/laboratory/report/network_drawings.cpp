@@ -10,6 +10,7 @@
 
 #include "base/share.hpp"
 #include "base/whole_file.hpp"
+#include "experiments/laboratory/host/error_text.hpp"
 #include "experiments/laboratory/host/link_files.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/results.hpp"
@@ -151,7 +152,7 @@ void draw_point(const fs::path& folder, const Simulation& s, Drawn& drawn) try {
   drawn.svg = draw(topology, *shows_of(s.file).network, make_caption(s, drawn.point), use);
   base::save_whole(folder / drawing_of(s.file.points[drawn.point]), drawn.svg);
 } catch (const std::exception& error) {
-  drawn.failure = error.what();
+  drawn.failure = describe_error(error);
 }
 
 // Calls f for each element, RunOptions::jobs at a time.
@@ -184,7 +185,7 @@ NetworkDrawings draw_networks(const fs::path& folder, const RunOptions& options,
     try {
       network.topology = make_workers(s.file.points[network.point].experiment);
     } catch (const std::exception& error) {
-      network.failure = error.what();
+      network.failure = describe_error(error);
     }
   });
   std::vector<Drawn> drawn;

@@ -1,0 +1,80 @@
+#include "experiments/laboratory/host/error_text.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <filesystem>
+#include <new>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <system_error>
+
+#include "base/early_end.hpp"
+#include "base/partial_name.hpp"
+
+namespace laboratory {
+namespace {
+
+constexpr std::size_t RESERVE = std::size_t{2} << 20;  // bytes, enough to unwind and to report
+
+std::atomic<void*> reserve = nullptr;
+pid_t main_process = 0;
+std::terminate_handler other_terminate = nullptr;
+
+void release_reserve() {
+  std::free(reserve.exchange(nullptr));
+  throw std::bad_alloc();
+}
+
+bool is_out_of_memory() {
+  try {
+    if (const auto error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    return true;
+  } catch (...) {
+  }
+  return false;
+}
+
+[[noreturn]] void terminate() {
+  constexpr int NO_RESOURCES = 2;
+  constexpr std::string_view TEXT = "tlab: the host is out of memory\n";
+  if (!is_out_of_memory()) other_terminate();
+  // Child processes have copies of the parent's clean-up actions and must not run them.
+  if (getpid() == main_process) {
+    base::undo_all();
+    if (write(STDERR_FILENO, TEXT.data(), TEXT.size()) < 0) _exit(NO_RESOURCES);
+  }
+  _exit(NO_RESOURCES);
+}
+
+}  // namespace
+
+std::string describe_error(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) || dynamic_cast<const std::length_error*>(&error))
+    return NO_MEMORY;
+  if (const auto* files = dynamic_cast<const std::filesystem::filesystem_error*>(&error)) {
+    const auto path = base::find_final_path(files->path1()).string();
+    return fmt::format("{}: {}", path.empty() ? "the current folder" : path,
+                       files->code().message());
+  }
+  const auto* system = dynamic_cast<const std::system_error*>(&error);
+  if (system && system->code() == std::errc::resource_unavailable_try_again)
+    return "the host refuses another process or thread, expected higher limits (ulimit -u, -v), or "
+           "fewer --jobs and --threads";
+  if (dynamic_cast<const nlohmann::json::exception*>(&error))
+    return "found damaged JSON, expected a file that tlab has written";
+  return error.what();
+}
+
+void secure_memory() {
+  if (main_process != 0) return;
+  main_process = getpid();
+  reserve = std::malloc(RESERVE);
+  std::set_new_handler(release_reserve);
+  other_terminate = std::set_terminate(terminate);
+}
+
+}  // namespace laboratory
