@@ -22,14 +22,14 @@ std::size_t measure_character(std::string_view text) {
   return is_control || is_later_control ? 0 : length;
 }
 
-std::string escape(std::string_view text) {
+std::string escape(std::string_view text, std::string_view kept = {}) {
   std::string shown;
   for (std::size_t at = 0, length = 0; at < text.size(); at += std::max<std::size_t>(length, 1)) {
     length = measure_character(text.substr(at));
-    if (length == 0)
+    if (length == 0 && kept.find(text[at]) == kept.npos)
       shown += fmt::format("\\x{:02x}", static_cast<unsigned char>(text[at]));
     else
-      shown += text.substr(at, length);
+      shown += text.substr(at, std::max<std::size_t>(length, 1));
   }
   return shown;
 }
@@ -59,6 +59,8 @@ std::string make_readable(std::string_view message) {
     message.remove_prefix(end + 1);
   }
 }
+
+std::string show_controls(std::string_view text) { return escape(text, "\n\t"); }
 
 std::size_t count_edits(std::string_view a, std::string_view b) {
   // Rows of the edit distance table, from a prefix of `a` to every prefix of `b`. `back` and

@@ -12,8 +12,12 @@ namespace base {
 /// are cut in the middle; the length of the cut is shown.
 std::string make_readable(std::string_view message);
 
-/// The name in `known` nearest to `name`, if at most a third of the longer one's letters, rounded
-/// up, differ. Otherwise the nearest among the names that contain `name` or are contained in it.
+/// Escapes control characters other than line ends and tabs, and bytes that are not UTF-8, as
+/// make_readable does. Cuts nothing.
+std::string show_controls(std::string_view text);
+
+/// The nearest name among `known` if at most a third of its letters, rounded up, differ. Otherwise
+/// the nearest name that contains `name` or is contained in it.
 std::optional<std::string> find_similar(std::string_view name,
                                         const std::vector<std::string>& known);
 

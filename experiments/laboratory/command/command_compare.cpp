@@ -35,14 +35,14 @@ void check_target(const CompareOptions& o) {
 void compare(const CompareOptions& o) {
   if (!o.output.empty()) check_target(o);
   const auto comparison = compare_runs(o.folders, o.columns);
-  fmt::print("{}", to_text(comparison));
+  print_out("{}", to_text(comparison));
   if (o.output.empty()) return;
   std::vector<std::string> undrawn;
   base::save_whole(
       o.output, o.output.ends_with(".html")
                     ? to_page(comparison, undrawn)
                     : to_csv(guard_formulas(list_ratios(comparison.matched, comparison.columns))));
-  fmt::print("\n{}    {}\n", o.output.ends_with(".html") ? "page " : "table", o.output);
+  print_out("\n{}    {}\n", o.output.ends_with(".html") ? "page " : "table", o.output);
   for (const auto& failure : undrawn) complain(failure);
   if (!undrawn.empty())
     throw Failure(

@@ -17,6 +17,7 @@
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/host/elapsed_time.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
+#include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/setup/open_scene.hpp"
 #include "renderer/files/obj_nff.hpp"
 #include "renderer/files/write_nff.hpp"
@@ -185,9 +186,9 @@ void convert(const std::string& source, const std::string& output) {
   for (const auto& [path, text] : texts) {
     if (text.empty()) continue;  // skips the material file of an OBJ without materials
     base::save_whole(path, text);
-    fmt::print("scene    {}\n", path);
+    print_out("scene    {}\n", path);
   }
-  if (!left_out.empty()) fmt::print("left out {}\n", left_out);
+  if (!left_out.empty()) print_out("left out {}\n", left_out);
 }
 
 }  // namespace

@@ -14,6 +14,7 @@
 #include "experiments/laboratory/guide/keys.hpp"
 #include "experiments/laboratory/guide/templates.hpp"
 #include "experiments/laboratory/host/pager.hpp"
+#include "experiments/laboratory/host/streams.hpp"
 
 namespace laboratory {
 namespace {
@@ -116,8 +117,7 @@ void add_init_command(CLI::App& app) {
       "Examples:\n  tlab init mine && cd mine && tlab run mine.toml\n  tlab init rings --from "
       "topology");
   command->callback([o] {
-    for (const auto& file : start_from_template(o->name, o->from))
-      fmt::print("{}\n", file.string());
+    for (const auto& file : start_from_template(o->name, o->from)) print_out("{}\n", file.string());
   });
 }
 

@@ -168,7 +168,7 @@ void watch_run(const LiveOptions& o) {
   const InterruptGuard guard;
   Session session(file, speed);
   const Server server(session, o.port);
-  fmt::print("{}\n", server.address());
+  print_out("{}\n", server.address());
   flush_output();
   std::optional<Doorway> doorway;
   if (!o.no_browser) open_browser(doorway.emplace(server.address()).file());
@@ -185,7 +185,7 @@ void watch_run(const LiveOptions& o) {
   }
   const auto rerun = command_line(options);
   session.say_results(fmt::format("{}; to repeat it: {}", folder.string(), rerun));
-  fmt::print("\nThe session: {}\n", rerun);
+  print_out("\nThe session: {}\n", rerun);
   flush_output();
   if (!was_cut) session.wait_for_quit();
   if (was_cut)

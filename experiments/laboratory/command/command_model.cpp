@@ -12,6 +12,7 @@
 #include "experiments/laboratory/calibrate/calibration.hpp"
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/host/elapsed_time.hpp"
+#include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/options/options.hpp"
 #include "simulator/machine/model.hpp"
 
@@ -48,7 +49,7 @@ void begin_model(const ModelOptions& o) {
   check_model_file(file);
   base::require(!fs::exists(file), file, "found an existing file, expected a new name");
   base::save_whole(file, make_model_file(o.base, file));
-  fmt::print("model    {}\n", file);
+  print_out("model    {}\n", file);
 }
 
 void fit_model(ModelOptions o) {
@@ -60,17 +61,17 @@ void fit_model(ModelOptions o) {
     const ElapsedTime elapsed_time("model --fit " + o.fit.measurements);
     return calibrate(o.fit);
   }();
-  fmt::print("{}", to_text(found));
+  print_out("{}", to_text(found));
   if (o.output.empty()) return;
   base::save_whole(o.output, to_model_file(found, o.fit, o.output));
-  fmt::print("model    {}\n", o.output);
+  print_out("model    {}\n", o.output);
 }
 
 void print_models(const ModelOptions& o) {
   const auto model = machine::load_model(o.names[0]);
-  fmt::print("{}", o.names.size() == 1
-                       ? machine::describe(model)
-                       : machine::describe_difference(model, machine::load_model(o.names[1])));
+  print_out("{}", o.names.size() == 1
+                      ? machine::describe(model)
+                      : machine::describe_difference(model, machine::load_model(o.names[1])));
 }
 
 }  // namespace

@@ -59,21 +59,21 @@ void print_check(const CheckResult& check, const Table& table, bool all, Count& 
   ++(check.verdict == Verdict::holds ? count.hold : count.fail);
   print_verdict(check, table);
   const auto most = all ? check.points.size() : MOST_SHOWN;
-  if (!check.points.empty()) fmt::print("{}", to_text(make_check_table(check, table, most)));
+  if (!check.points.empty()) print_out("{}", to_text(make_check_table(check, table, most)));
   if (check.points.size() > most)
-    fmt::print("the worst of {} points; --all shows every point\n", check.points.size());
+    print_out("the worst of {} points; --all shows every point\n", check.points.size());
   for (const auto& note : check.notes) print_note(note);
-  fmt::print("\n");
+  print_out("\n");
 }
 
 void verify_file(const Candidate& candidate, const VerifyOptions& options, bool alone,
                  Count& count) {
   if (!candidate.named &&
       !base::parse_toml(base::read_text(candidate.file), candidate.file).contains("check"))
-    return fmt::print("{}: no checks, skipped\n\n", candidate.file);
+    return print_out("{}: no checks, skipped\n\n", candidate.file);
   const ExperimentFile file =
       load_experiment(candidate.file, options.run.overrides, options.run.is_reduced);
-  if (file.checks.empty()) return fmt::print("{}: no checks, skipped\n\n", candidate.file);
+  if (file.checks.empty()) return print_out("{}: no checks, skipped\n\n", candidate.file);
   const CheckPlan plan = plan_checks(file);
   RunOptions run = options.run;
   run.file = candidate.file;
@@ -81,8 +81,8 @@ void verify_file(const Candidate& candidate, const VerifyOptions& options, bool 
     run.output = (fs::path(run.output.empty() ? "results" : run.output) / candidate.name).string();
   const Simulation s = simulate(run, file, plan);
   if (was_interrupted()) throw Interrupted();
-  fmt::print("{}: {} point(s), results {} {}\n\n", candidate.file, s.results.size(),
-             s.there == s.results.size() ? "were in" : "are now in", run.output);
+  print_out("{}: {} point(s), results {} {}\n\n", candidate.file, s.results.size(),
+            s.there == s.results.size() ? "were in" : "are now in", run.output);
   for (const auto& note : note_unknown_texts(plan, s.table)) print_note(note);
   for (const auto& check : s.checks) print_check(check, s.table, options.all, count);
   for (const auto& failure : s.undrawn) complain(failure);
@@ -103,7 +103,7 @@ void verify(const VerifyOptions& options) {
     for (const auto& candidate : candidates[i]) verify_file(candidate, options, alone, count);
     if (count.all() == before) without.push_back(options.paths[i]);
   }
-  fmt::print("{} check(s) hold, {} do not\n", count.hold, count.fail);
+  print_out("{} check(s) hold, {} do not\n", count.hold, count.fail);
   if (count.fail > 0)
     throw Failure(fmt::format("{} of {} check(s) do not hold", count.fail, count.all()),
                   EXIT_DEFECT);

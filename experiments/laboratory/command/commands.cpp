@@ -1,6 +1,7 @@
 #include "experiments/laboratory/command/commands.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
@@ -21,6 +22,7 @@
 #include "experiments/laboratory/command/run.hpp"
 #include "experiments/laboratory/guide/keys.hpp"
 #include "experiments/laboratory/host/elapsed_time.hpp"
+#include "experiments/laboratory/host/error_text.hpp"
 #include "experiments/laboratory/host/interrupt.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/streams.hpp"
@@ -95,7 +97,7 @@ void add_topology_command(CLI::App& app) {
                  : topologies::to_metrics(topology, topologies::find_routes(topology, o->routes));
     }();
     if (o->output.empty())
-      fmt::print("{}", text);
+      isatty(STDOUT_FILENO) == 1 ? print_out("{}", text) : fmt::print("{}", text);
     else
       base::save_whole(o->output, text);
   });
@@ -133,7 +135,7 @@ void add_columns_command(CLI::App& app) {
                   "found {}, expected a program (tlab list programs)", o->program);
     for (const auto& program : programs::all_programs())
       if (o->program.empty() || o->program == program.name)
-        fmt::print("{}\n", o->markdown ? columns_in_markdown(program) : describe_columns(program));
+        print_out("{}\n", o->markdown ? columns_in_markdown(program) : describe_columns(program));
   });
 }
 
@@ -192,7 +194,7 @@ int do_command(CLI::App& app, int argc, char** argv) {
   } catch (const CLI::ParseError& error) {  // CLI11 reports --help by an exception too
     std::ostringstream out, problems;
     const bool is_help = app.exit(error, out, problems) == 0;
-    fmt::print("{}", out.str());
+    print_out("{}", out.str());
     print_on_error(base::make_readable(problems.str()));
     return is_help ? 0 : EXIT_INPUT;
   }
@@ -208,6 +210,7 @@ bool is_broken_pipe(const std::exception& error) {
 
 int run_tlab(int argc, char** argv) try {
   secure_streams();
+  secure_memory();
   const InterruptWatch watch;
   const base::InputGuard inputs;
   try {
@@ -221,12 +224,11 @@ int run_tlab(int argc, char** argv) try {
     wait_for_error_stream();  // a signal may end the program during this wait
     const base::Undivided last_words;
     if (is_broken_pipe(error)) std::signal(SIGPIPE, SIG_DFL), std::raise(SIGPIPE);
-    const bool is_memory = dynamic_cast<const std::bad_alloc*>(&error);
-    complain(is_memory ? "the host is out of memory" : error.what());
+    complain(describe_error(error));
     return exit_code_of(error);
   }
-} catch (const std::exception& error) {  // thrown by secure_streams() or the InterruptWatch
-  complain(error.what());
+} catch (const std::exception& error) {  // thrown by code around the command
+  complain(describe_error(error));
   return exit_code_of(error);
 }
 

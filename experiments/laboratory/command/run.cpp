@@ -32,22 +32,22 @@ constexpr std::size_t MOST_NOTES = 20;
 
 void print_profile(const Simulation& s) {
   const auto column = s.table.find("rays");
-  fmt::print("\nhost CPU time, microseconds per simulated ray beyond the kernel:\n");
+  print_out("\nhost CPU time, microseconds per simulated ray beyond the kernel:\n");
   for (std::size_t i = 0; i < s.results.size(); ++i) {
     const auto& host = s.results[i].host;
     const auto& row = s.table.rows[s.table.row_of(i)];
     const double rays = column ? as_number(row[*column]).value_or(0) : 0;
     if (rays == 0 || !host.kernel_s) continue;
-    fmt::print("  {:<40}: {:6.2f} us (kernel {:.2f} us), {:.1f} events\n",
-               name_of(s.file.points[i]), (host.run_s - *host.kernel_s) / rays * 1e6,
-               *host.kernel_s / rays * 1e6, static_cast<double>(host.events) / rays);
+    print_out("  {:<40}: {:6.2f} us (kernel {:.2f} us), {:.1f} events\n", name_of(s.file.points[i]),
+              (host.run_s - *host.kernel_s) / rays * 1e6, *host.kernel_s / rays * 1e6,
+              static_cast<double>(host.events) / rays);
   }
 }
 
 void print_notes(const Simulation& s) {
   const auto notes = notes_of(s.file, s.results);
   for (const auto& note : notes | std::views::take(MOST_NOTES)) print_note(note);
-  if (notes.size() > MOST_NOTES) fmt::print("...\n");
+  if (notes.size() > MOST_NOTES) print_out("...\n");
 }
 
 // Lists the final image of each run, without the intermediate images.
@@ -60,32 +60,32 @@ std::set<std::string> list_images(const Simulation& s) {
 }
 
 void print_paths(const fs::path& output, const std::set<std::string>& images) {
-  fmt::print("  report   {}\n", (output / "report.html").string());
-  fmt::print("  table    {}\n", (output / "results.csv").string());
+  print_out("  report   {}\n", (output / "report.html").string());
+  print_out("  table    {}\n", (output / "results.csv").string());
   for (const char* table : {"intervals.csv", "assumptions.csv", "rankings.csv"})
-    if (fs::exists(output / table)) fmt::print("  table    {}\n", (output / table).string());
-  for (const auto& image : images) fmt::print("  image    {}\n", (output / image).string());
-  if (fs::exists(output / "plots")) fmt::print("  plots    {}\n", (output / "plots").string());
+    if (fs::exists(output / table)) print_out("  table    {}\n", (output / table).string());
+  for (const auto& image : images) print_out("  image    {}\n", (output / image).string());
+  if (fs::exists(output / "plots")) print_out("  plots    {}\n", (output / "plots").string());
 }
 
 void print_films(const FilmOptions& films) {
   for (const auto& film : {films.picture, films.network})
-    if (!film.empty()) fmt::print("  film     {}\n", describe_files(film, films.frames));
+    if (!film.empty()) print_out("  film     {}\n", describe_files(film, films.frames));
 }
 
 void print_summary(const RunOptions& options, const Simulation& s) {
   const auto output = results_folder(options);
   const auto view = choose_view(s.file, s.table);
-  fmt::print("{}\n{}\n", paint(title_of(s.file), Tone::heading),
-             to_text(s.table, view, output_width()));
+  print_out("{}\n{}\n", paint(title_of(s.file), Tone::heading),
+            to_text(s.table, view, output_width()));
   for (const auto& sentence : view.unknown) print_note(sentence);
   print_notes(s);
   if (const auto sure = load_confidence(output))
     for (const auto& sentence :
          describe_confidence(*sure, fit_columns(s.table, view, output_width())))
-      fmt::print("{}\n", sentence);
+      print_out("{}\n", sentence);
   if (const auto rankings = load_rankings(output))
-    for (const auto& sentence : tell_rankings(*rankings)) fmt::print("{}\n", sentence);
+    for (const auto& sentence : tell_rankings(*rankings)) print_out("{}\n", sentence);
   if (s.file.uncertain.machines > 0 && !fs::exists(output / "intervals.csv"))
     print_note(fmt::format("no intervals: fewer than {} machines have completed all points",
                            LEAST_MACHINES));
@@ -95,13 +95,13 @@ void print_summary(const RunOptions& options, const Simulation& s) {
                     s.left_out, s.file.uncertain.machines));
   if (options.profile && s.table.find("rays")) print_profile(s);
   for (const auto& [model, speed] : s.host_speeds)
-    fmt::print(
+    print_out(
         "\ntimed: {:.4g} cycles a second of host CPU, spread {:.1f} % between rays, blocks "
         "and radiosity, {} repeats each\n",
         speed.cycles_per_host_s, 100 * speed.spread, speed.repeats);
-  if (s.there > 0) fmt::print("{} of {} points were already recorded.\n", s.there, s.asked);
-  fmt::print("Ended: {}, in {:.1f} s. {}esults in {}:\n", s.ended, s.wall_s,
-             s.complete ? "R" : "Incomplete r", output.string());
+  if (s.there > 0) print_out("{} of {} points were already recorded.\n", s.there, s.asked);
+  print_out("Ended: {}, in {:.1f} s. {}esults in {}:\n", s.ended, s.wall_s,
+            s.complete ? "R" : "Incomplete r", output.string());
   print_paths(output, list_images(s));
   print_films(options.films);
 }
@@ -114,7 +114,7 @@ void print_verdict(const CheckResult& check, const Table& table) {
                                                       : Tone::caution;
   const auto line = summarize(check, table);
   const auto word = std::string_view(line).substr(0, line.find_first_of(" "));
-  fmt::print("{}{}\n", paint(word, tone), line.substr(word.size()));
+  print_out("{}{}\n", paint(word, tone), line.substr(word.size()));
 }
 
 namespace {
@@ -128,7 +128,7 @@ void judge(const RunOptions& options, const CheckPlan& plan, const Simulation& s
     throw Failure(
         fmt::format("interrupted; the results so far are in {}, marked incomplete", output),
         EXIT_INTERRUPTED);
-  if (!s.checks.empty()) fmt::print("\n");
+  if (!s.checks.empty()) print_out("\n");
   for (const auto& note : note_unknown_texts(plan, s.table)) print_note(note);
   for (const auto& check : s.checks) print_verdict(check, s.table);
   throw_failures(s.file, s.results,
@@ -191,7 +191,7 @@ void judge_chosen(const PointsPlan& plan, const std::vector<std::size_t>& number
                                  (plan.results / records_folder()).string());
   if (was_interrupted()) throw Failure("interrupted; " + where, EXIT_INTERRUPTED);
   throw_failures(chosen, found, where);
-  fmt::print("{}\n", where);
+  print_out("{}\n", where);
   print_films(plan.options.films);
 }
 
@@ -207,8 +207,8 @@ void list_points(const RunOptions& options) {
   const PointsPlan plan(options, file);
   const Results results = find_points(plan, all_points(file));
   for (std::size_t i = 0; i < results.size(); ++i)
-    fmt::print("{}\t{}\t{}\t{}\n", i, plan.keys[i], name_of(file.points[i]),
-               results[i].is_there() ? "there" : "missing");
+    print_out("{}\t{}\t{}\t{}\n", i, plan.keys[i], name_of(file.points[i]),
+              results[i].is_there() ? "there" : "missing");
 }
 
 void run_chosen_points(const RunOptions& options) {

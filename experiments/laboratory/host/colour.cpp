@@ -5,6 +5,8 @@
 
 #include <cstdlib>
 
+#include "experiments/laboratory/host/streams.hpp"
+
 namespace laboratory {
 namespace {
 
@@ -29,14 +31,15 @@ fmt::text_style style_of(Tone tone) {
 
 }  // namespace
 
-std::string paint(std::string_view text, Tone tone, std::FILE* stream) {
+Painted paint(std::string_view text, Tone tone, std::FILE* stream) {
   const bool has_colour = isatty(fileno(stream)) == 1 && find_setting("NO_COLOR").empty() &&
                           find_setting("TERM") != "dumb";
-  return has_colour ? fmt::format(style_of(tone), "{}", text) : std::string(text);
+  auto shown = base::show_controls(text);
+  return {has_colour ? fmt::format(style_of(tone), "{}", shown) : std::move(shown)};
 }
 
 void print_note(std::string_view text) {
-  fmt::print("{} {}\n", paint("note:", Tone::caution), text);
+  print_out("{} {}\n", paint("note:", Tone::caution), text);
 }
 
 }  // namespace laboratory

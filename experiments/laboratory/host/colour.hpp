@@ -8,9 +8,14 @@ namespace laboratory {
 
 enum class Tone { good, bad, caution, heading };
 
+/// A text with visible control characters and perhaps a colour.
+struct Painted {
+  std::string text;
+};
+
 /// Colours the text if `stream` is a terminal, TERM is not "dumb", and NO_COLOR is unset or empty
 /// (https://no-color.org).
-std::string paint(std::string_view text, Tone tone, std::FILE* stream = stdout);
+Painted paint(std::string_view text, Tone tone, std::FILE* stream = stdout);
 
 /// Prints "note: TEXT" and an end of line on standard output.
 void print_note(std::string_view text);

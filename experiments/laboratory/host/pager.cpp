@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "base/host_program.hpp"
+#include "base/message.hpp"
 
 namespace laboratory {
 namespace {
@@ -27,7 +28,8 @@ bool is_shown_by(const std::string& pager, const std::string& text) try {
 
 }  // namespace
 
-void print_paged(const std::string& text) {
+void print_paged(const std::string& given_text) {
+  const auto text = base::show_controls(given_text);
   if (isatty(STDOUT_FILENO)) {
     const char* given = std::getenv("PAGER");
     setenv("LESS", "FRX", 0);  // less exits at once if the text fits, and leaves it on the screen

@@ -47,7 +47,7 @@ void print_behind(std::string_view head, std::string_view text) {
 void print_line(std::string_view text) { print_behind("", text); }
 
 void complain(std::string_view text) {
-  print_behind(paint("tlab:", Tone::bad, stderr) + " ", text);
+  print_behind(paint("tlab:", Tone::bad, stderr).text + " ", text);
 }
 
 std::size_t output_width() {

@@ -1,13 +1,41 @@
 #pragma once
 // Standard input, output and error, whether terminal, file, pipe or closed.
+#include <fmt/format.h>
+
 #include <cstddef>
+#include <string>
 #include <string_view>
+#include <tuple>
+#include <type_traits>
+
+#include "base/message.hpp"
+#include "experiments/laboratory/host/colour.hpp"
 
 namespace laboratory {
 
 /// Makes writing to a full, closed or unread stream an error instead of ending the program.
 /// Reserves the descriptors of closed streams, so that files opened later do not take them.
 void secure_streams();
+
+/// A value for print_out(): texts with visible control characters, other values as they are.
+template <class T>
+auto make_printable(const T& value) {
+  if constexpr (std::is_same_v<T, Painted>)
+    return value.text;
+  else if constexpr (std::is_convertible_v<const T&, std::string_view>)
+    return base::show_controls(value);
+  else
+    return value;
+}
+
+/// Formats values and prints them on standard output. Control characters in texts other than line
+/// ends and tabs become visible, so that nothing from a file controls the terminal.
+template <class... Args>
+void print_out(fmt::string_view format, const Args&... args) {
+  const auto shown = std::make_tuple(make_printable(args)...);
+  std::apply([&](const auto&... all) { fmt::vprint(format, fmt::make_format_args(all...)); },
+             shown);
+}
 
 /// Waits while standard error is a full pipe.
 void wait_for_error_stream();

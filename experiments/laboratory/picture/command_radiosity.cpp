@@ -168,7 +168,7 @@ void print_balance(const Outcome& made) {
   const auto where = made.is_closed ? fmt::format("{:.2f} % on backs of faces, {:.2f} % lost",
                                                   100 * backs, 100 * lost)
                                     : fmt::format("{:.2f} % escaped or in mirrors", 100 * escaped);
-  fmt::print(
+  print_out(
       "of the emitted power {:.2f} % absorbed, {:.2f} % unsent, {}; {:.2f} % reflected (counted at "
       "every reflection)\n",
       100 * absorbed, 100 * unsent, where, 100 * reflected);
@@ -208,14 +208,13 @@ void run(RadiosityOptions& o) {
   else
     radiosity::save_png(o.output, made.picture, o.display);
   if (!o.stats.empty()) save_stats(o, made);
-  fmt::print("{} patches, {} vertices, {} shots, {:.3g} % unshot", made.patches, made.vertices,
-             made.solution.shots, 100 * made.solution.unshot);
+  print_out("{} patches, {} vertices, {} shots, {:.3g} % unshot", made.patches, made.vertices,
+            made.solution.shots, 100 * made.solution.unshot);
   if (o.adapt.error > 0)
-    fmt::print(", halved {} times to an error of about {:.2g} %", made.rounds, 100 * made.error);
-  if (made.left_out > 0) fmt::print(", {} of {} creases left out", made.left_out, made.creases);
-  if (!is_exr(o))
-    fmt::print("; exposure {:.4g}, gamma {:.4g}", o.display.exposure, o.display.gamma);
-  fmt::print("\n");
+    print_out(", halved {} times to an error of about {:.2g} %", made.rounds, 100 * made.error);
+  if (made.left_out > 0) print_out(", {} of {} creases left out", made.left_out, made.creases);
+  if (!is_exr(o)) print_out("; exposure {:.4g}, gamma {:.4g}", o.display.exposure, o.display.gamma);
+  print_out("\n");
   print_balance(made);
   warn_of_error(o, made);
 }

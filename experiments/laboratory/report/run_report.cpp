@@ -9,6 +9,7 @@
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/file/values.hpp"
+#include "experiments/laboratory/host/error_text.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/link_files.hpp"
 #include "experiments/laboratory/host/results_folder.hpp"
@@ -283,7 +284,7 @@ void add_plots(Report& report, Texts& undrawn, const fs::path& folder, const Tab
     if (failures[i].empty())
       report.plots.push_back(
           {fmt::format("{}: {} over {}", e.plot.title, e.plot.y_label, e.plot.x_label),
-           base::read_text(folder / (e.plot.name + ".svg")),
+           base::read_own_text(folder / (e.plot.name + ".svg")),
            {"", e.notes, {e.differences, e.fits, e.optima}},
            make_plot_data(e.plot, table)});
     else
@@ -335,7 +336,7 @@ void add_confidence(Report& report, Texts& undrawn, const fs::path& folder) {
       base::save_whole(folder / "plots/tornado.png", drawing.png);
       report.plots.push_back({"Influence of assumptions on " + column, drawing.svg});
     } catch (const std::runtime_error& error) {
-      undrawn.push_back(fmt::format("tornado: {}", error.what()));
+      undrawn.push_back(fmt::format("tornado: {}", describe_error(error)));
     }
     return;
   }
@@ -418,7 +419,7 @@ void report_results(const std::string& results, const Texts& columns) {
     throw make_damaged(fs::path(results) / "run.json", error);
   }
   folder.commit();
-  fmt::print("report   {}\n", (fs::path(results) / "report.html").string());
+  print_out("report   {}\n", (fs::path(results) / "report.html").string());
   for (const auto& failure : undrawn) complain(failure);
   throw_undrawn(undrawn.size(), results);
 }

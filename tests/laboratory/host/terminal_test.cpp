@@ -32,6 +32,42 @@ TEST(Terminal, ARenderingShowsHowFarItIs) {
   EXPECT_EQ(folder.names(), std::vector<std::string>{"i.png"});
 }
 
+// Titles, names and arguments cannot control the terminal.
+TEST(Terminal, NothingFromAFileReachesItUnescaped) {
+  const TemporaryFolder folder;
+  const std::string hostile = "a\x1b]0;owned\x07\x1b[31mb\xc2\x9b";
+  write_file(
+      folder.path / (hostile + ".toml"),
+      "title = \"t\\u001b]0;owned\\u0007\\u001b[31m\\u009b\"\n[image]\nwidth = 12\nheight = "
+      "8\n[sweep]\nobjects = [5]\n[[check]]\nname = \"c\\u001b[31m\"\nof = \"rays\"\nat_least "
+      "= 1e9\n");
+  for (const std::vector<std::string>& arguments :
+       {std::vector<std::string>{"run", hostile + ".toml"},
+        {"init", hostile},
+        {"list", "experiments", "."},
+        {"render", hostile, "-o", "x.png"},
+        {"model", hostile},
+        {"topology", hostile},
+        {hostile},
+        {"help", hostile}}) {
+    auto text = on_terminal([&] {
+      std::filesystem::current_path(folder.path);
+      setenv("NO_COLOR", "1", 1);
+      setenv("PAGER", "cat", 1);
+      auto words = arguments;
+      words.insert(words.begin(), "tlab");
+      std::vector<char*> argv;
+      for (auto& word : words) argv.push_back(word.data());
+      run_tlab(static_cast<int>(argv.size()), argv.data());
+    });
+    const std::string own = "\r\x1b[K";  // erases the line of the progress bar
+    for (std::size_t at; (at = text.find(own)) != text.npos;) text.erase(at, own.size());
+    EXPECT_FALSE(text.empty());
+    for (const char* control : {"\x1b", "\x07", "\xc2\x9b"})
+      EXPECT_FALSE(contains(text, control)) << arguments[0] << ": " << text;
+  }
+}
+
 // Earlier output precedes the pager's text. Without a pager the text is still shown.
 TEST(Terminal, APagerShowsTheTextInItsTurn) {
   for (const char* pager : {"cat", "exit 1"}) {
