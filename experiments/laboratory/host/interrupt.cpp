@@ -2,10 +2,12 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cerrno>
+#include <cstdint>
 #include <cstdio>
 #include <system_error>
 
@@ -28,8 +30,32 @@ void send(char what) {
   }
 }
 
-void count_or_end(int) {
+// The last counted signal, its sender and its time.
+std::atomic<int> last_signal = 0;
+std::atomic<pid_t> last_sender = 0;
+std::atomic<std::int64_t> last_ns = 0;
+static_assert(std::atomic<std::int64_t>::is_always_lock_free);
+
+// True if a signal repeats the last one and asks for nothing more. `timeout` sends each signal to
+// its child and to its group. A terminal that closes cannot be asked twice.
+bool is_repeated(int signal, const siginfo_t& info) {
+  constexpr std::int64_t AT_ONCE_NS = 100'000'000;
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  const auto now_ns = std::int64_t{now.tv_sec} * 1'000'000'000 + now.tv_nsec;
+  const pid_t sender = info.si_code == SI_USER ? info.si_pid : 0;
+  const bool is_same = interrupts > 0 && last_signal == signal;
+  const bool is_at_once = sender != 0 && sender == last_sender && now_ns - last_ns < AT_ONCE_NS;
+  if (is_same && (signal == SIGHUP || is_at_once)) return true;
+  last_signal = signal;
+  last_sender = sender;
+  last_ns = now_ns;
+  return false;
+}
+
+void count_or_end(int signal, siginfo_t* info, void*) {
   const int error = errno;
+  if (is_repeated(signal, *info)) return;
   const int count = ++interrupts;
   if (watched == getpid() && (guards == 0 || count > 1)) {
     base::request_early_end();
@@ -43,10 +69,11 @@ void count_or_end(int) {
 Handlers begin_to_count() {
   Handlers old{};
   for (std::size_t i = 0; i < std::size(ASKS_TO_END); ++i) {
-    struct sigaction now {};
-    sigaction(ASKS_TO_END[i], nullptr, &now);
-    old[i] = now.sa_handler;
-    if (now.sa_handler != SIG_IGN) std::signal(ASKS_TO_END[i], &count_or_end);
+    struct sigaction counts {};
+    counts.sa_sigaction = &count_or_end;
+    counts.sa_flags = SA_SIGINFO | SA_RESTART;
+    sigaction(ASKS_TO_END[i], nullptr, &old[i]);
+    if (old[i].sa_handler != SIG_IGN) sigaction(ASKS_TO_END[i], &counts, nullptr);
   }
   return old;
 }
@@ -105,7 +132,8 @@ InterruptGuard::InterruptGuard() {
 }
 
 InterruptGuard::~InterruptGuard() {
-  for (std::size_t i = 0; i < std::size(ASKS_TO_END); ++i) std::signal(ASKS_TO_END[i], old_[i]);
+  for (std::size_t i = 0; i < std::size(ASKS_TO_END); ++i)
+    sigaction(ASKS_TO_END[i], &old_[i], nullptr);
   --guards;
 }
 

@@ -1,6 +1,6 @@
 #pragma once
-// Handling of interrupts by the user: Ctrl-C, SIGINT and SIGTERM. Signals ignored at program start,
-// as under nohup or in background jobs of scripts, stay ignored.
+// Handling of interrupts by the user: Ctrl-C, the end of the terminal, SIGINT, SIGTERM and SIGHUP.
+// Signals ignored at program start, as under nohup or in background jobs of scripts, stay ignored.
 
 #include <array>
 #include <csignal>
@@ -9,11 +9,11 @@
 
 namespace laboratory {
 
-inline constexpr int ASKS_TO_END[] = {SIGINT, SIGTERM};
+inline constexpr int ASKS_TO_END[] = {SIGINT, SIGTERM, SIGHUP};
 inline constexpr int EXIT_INTERRUPTED = 130;
 inline constexpr const char* INTERRUPTED = "interrupted; only completed work is kept";
 
-using Handlers = std::array<void (*)(int), std::size(ASKS_TO_END)>;
+using Handlers = std::array<struct sigaction, std::size(ASKS_TO_END)>;
 
 /// While this object lives, an interrupt ends the program at any instant. The program undoes
 /// partial work (base/early_end.hpp), prints INTERRUPTED on standard error and exits with
@@ -30,7 +30,9 @@ class InterruptWatch {
   std::thread waits_;
 };
 
-/// While this object lives, interrupts are counted from 0. The first one does not end the program.
+/// While this object lives, interrupts are counted from 0 and the first one does not end the
+/// program. A signal counts once if the same sender repeats it within 0.1 s, as `timeout` does, and
+/// so does every repeated SIGHUP.
 class InterruptGuard {
  public:
   InterruptGuard();

@@ -2,8 +2,12 @@
 // running programs behind.
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <pty.h>
 #include <signal.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
+
+#include <sstream>
 
 #include "base/text.hpp"
 #include "tests/laboratory/support/sweep.hpp"
@@ -65,7 +69,7 @@ struct Interrupt : Sweep {
 };
 
 TEST_F(Interrupt, PlotsAreNotWaitedFor) {
-  for (const int signal : {SIGINT, SIGTERM}) {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     const auto ended = interrupt_drawing(signal, {"run", "e.toml", "-o", "r"});
     EXPECT_EQ(ended.exit_code, 130);
     EXPECT_EQ(ended.err, SENTENCE);
@@ -207,6 +211,7 @@ TEST_F(Interrupt, TheSecondOneEndsAtOnce) {
   usleep(300'000);  // waits until the other point has begun
   kill(tlab, SIGINT);
   EXPECT_TRUE(comes_true([&] { return fs::exists(started); }));
+  usleep(150'000);  // a signal that follows at once would count once
   kill(tlab, SIGINT);
   const auto ended = wait_for_tlab(folder.path, tlab);
   EXPECT_EQ(ended.exit_code, 130);
@@ -214,6 +219,97 @@ TEST_F(Interrupt, TheSecondOneEndsAtOnce) {
   EXPECT_TRUE(visible("r").empty());
   EXPECT_EQ(records("r").size(), 1u);
   EXPECT_EQ(folder.names(), (Arguments{"bin", "e.toml", "r"}));
+}
+
+// `timeout` sends its signal to tlab and to tlab's group.
+TEST_F(Sweep, ASignalThatComesTwiceAtOnceCountsOnce) {
+  write_file(folder.path / "e.toml",
+             "[image]\nwidth = 12\n[sweep]\n\"image.height\" = [8, 50000]\n"
+             "[machine]\ndatabase_memory_bytes = 1000000000\n");
+  for (const int signal : {SIGTERM, SIGHUP}) {
+    const pid_t tlab = start_tlab(folder.path, {"run", "e.toml", "-o", "r", "--jobs", "2"});
+    EXPECT_TRUE(comes_true([&] { return records("r").size() == 1; }));
+    kill(tlab, signal);
+    usleep(5'000);
+    kill(tlab, signal);
+    const auto ended = wait_for_tlab(folder.path, tlab);
+    EXPECT_EQ(ended.exit_code, 130);
+    EXPECT_TRUE(contains(ended.err, "the results so far are in r")) << ended.err;
+    EXPECT_TRUE(visible("r").contains("results.csv"));
+    fs::remove_all(folder.path / "r");
+  }
+}
+
+// The terminal of a live session closes.
+TEST_F(Sweep, AClosedTerminalKeepsTheRecordingOfASession) {
+  write_file(folder.path / "l.toml", "[image]\nwidth = 12\nheight = 8\n[scene]\nobjects = 5\n");
+  std::fflush(nullptr);
+  int terminal = -1;
+  const pid_t pid = forkpty(&terminal, nullptr, nullptr, nullptr);
+  if (pid == 0) {
+    fs::current_path(folder.path);
+    std::signal(SIGHUP, SIG_DFL);
+    std::string words[] = {"tlab", "live", "l.toml", "--no-browser", "--speed", "1e-9"};
+    std::vector<char*> argv;
+    for (auto& word : words) argv.push_back(word.data());
+    _exit(run_tlab(static_cast<int>(argv.size()), argv.data()));
+  }
+  std::string text;
+  char bytes[4096];
+  while (!contains(text, "token=")) {
+    const auto size = ::read(terminal, bytes, sizeof bytes);
+    ASSERT_GT(size, 0) << text;
+    text.append(bytes, static_cast<std::size_t>(size));
+  }
+  usleep(200'000);
+  close(terminal);
+  int status = 0;
+  waitpid(pid, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status));
+  EXPECT_TRUE(fs::exists(folder.path / "results/l-live.toml"));
+}
+
+// Signals that the program handles according to the system.
+bool handles(pid_t process, int signal) {
+  const auto text = read_file("/proc/" + std::to_string(process) + "/status");
+  const auto at = text.find("SigCgt:");
+  if (at == text.npos) return false;
+  return (std::stoull(text.substr(at + 7), nullptr, 16) >> (signal - 1) & 1) != 0;
+}
+
+// Ticks of 10 ms of the CPU that a process has used.
+long used_ticks(pid_t process) {
+  const auto text = read_file("/proc/" + std::to_string(process) + "/stat");
+  std::istringstream fields(text.substr(text.rfind(')') + 2));
+  std::string skipped;
+  for (int i = 0; i < 11; ++i) fields >> skipped;
+  long user = 0, system = 0;
+  fields >> user >> system;
+  return user + system;
+}
+
+// The time is CPU time, which does not depend on the host's load.
+TEST_F(Sweep, SignalsAreHandledFromTheStart) {
+  for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
+    const pid_t pid = fork();
+    if (pid == 0) {
+      for (const int asked : {SIGINT, SIGTERM, SIGHUP}) std::signal(asked, SIG_DFL);
+      fs::current_path(folder.path);
+      if (!freopen(".err", "w", stderr) || !freopen("/dev/null", "w", stdout)) _exit(99);
+      const auto tlab = ::test::in_build("tlab");
+      execl(tlab.c_str(), "tlab", "run", "e.toml", "-o", "r", static_cast<char*>(nullptr));
+      _exit(99);
+    }
+    EXPECT_TRUE(comes_true([&] { return handles(pid, signal); }));
+    EXPECT_LE(used_ticks(pid), 5);
+    kill(pid, signal);
+    int status = 0;
+    waitpid(pid, &status, 0);
+    EXPECT_TRUE(WIFEXITED(status)) << signal;
+    EXPECT_EQ(WEXITSTATUS(status), 130);
+    EXPECT_EQ(read_file(folder.path / ".err"), SENTENCE);
+    EXPECT_FALSE(fs::exists(folder.path / "r"));
+  }
 }
 
 // A signal to the process of a simulation alone is not the user's request to end the run.

@@ -5,14 +5,6 @@
 namespace laboratory {
 namespace {
 
-// Runs a shell line with $TLAB as the program. Returns the exit code.
-int run_line(const std::filesystem::path& folder, const std::string& line) {
-  const auto command =
-      "cd '" + folder.string() + "' && TLAB='" + ::test::in_build("tlab") + "' && " + line;
-  const int status = std::system(command.c_str());
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
-
 TEST_F(Sweep, OutputThatCannotBeWrittenIsAnError) {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full";
   const auto told = folder.path / "told";

@@ -6,11 +6,13 @@
 
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
 #include "experiments/laboratory/command/commands.hpp"
 #include "tests/laboratory/support/support.hpp"
+#include "tests/support/places.hpp"
 
 namespace laboratory {
 
@@ -29,7 +31,7 @@ inline pid_t start_tlab(const std::filesystem::path& folder, std::vector<std::st
   if (pid != 0) return pid;
   std::vector<char*> argv;
   for (auto& a : arguments) argv.push_back(a.data());
-  for (const int asked : {SIGINT, SIGTERM}) std::signal(asked, handler);
+  for (const int asked : {SIGINT, SIGTERM, SIGHUP}) std::signal(asked, handler);
   std::filesystem::current_path(folder);
   if (!freopen(".out", "w", stdout) || !freopen(".err", "w", stderr)) _exit(99);
   const int code = run_tlab(static_cast<int>(argv.size()), argv.data());
@@ -46,6 +48,15 @@ inline Outcome wait_for_tlab(const std::filesystem::path& folder, pid_t pid) {
   std::filesystem::remove(out);
   std::filesystem::remove(err);
   return outcome;
+}
+
+/// Runs a shell line in `folder` with $TLAB as the built program. Returns the exit code, as a shell
+/// counts it.
+inline int run_line(const std::filesystem::path& folder, const std::string& line) {
+  const auto command =
+      "cd '" + folder.string() + "' && export TLAB='" + ::test::in_build("tlab") + "' && " + line;
+  const int status = std::system(command.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
 inline Outcome tlab(const std::filesystem::path& folder, std::vector<std::string> arguments) {
