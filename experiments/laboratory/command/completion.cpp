@@ -10,6 +10,7 @@
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
+#include "experiments/laboratory/host/streams.hpp"
 
 namespace laboratory {
 namespace {
@@ -51,24 +52,28 @@ std::string for_bash(const std::vector<const CLI::App*>& commands) {
       for (const auto& name : option_names(*option)) own.push_back(name);
     options += fmt::format("      {}) words=\"{}\" ;;\n", command->get_name(), fmt::join(own, " "));
     if (const auto list = names_of(*command); !list.empty())
-      words += fmt::format("      {}) words=$({} 2>/dev/null) ;;\n", command->get_name(), list);
+      words += fmt::format("      {}) mapfile -t known < <({} 2>/dev/null) ;;\n",
+                           command->get_name(), list);
   }
   return fmt::format(R"script(# bash completion of tlab; made by: tlab completion bash
 _tlab() {{
-  local word=${{COMP_WORDS[COMP_CWORD]}} words=
+  local word=${{COMP_WORDS[COMP_CWORD]}} words= known=() name
+  COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
-    COMPREPLY=($(compgen -W "{}" -- "$word"))
-    return
-  fi
-  if [[ $word == -* ]]; then
+    words="{}"
+  elif [[ $word == -* ]]; then
     case ${{COMP_WORDS[1]}} in
 {}    esac
-    COMPREPLY=($(compgen -W "$words" -- "$word"))
   else
     case ${{COMP_WORDS[1]}} in
 {}    esac
-    mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word"; compgen -f -- "$word")
+    mapfile -t COMPREPLY < <(compgen -f -- "$word")
   fi
+  # No expansion of names: they may hold characters that are special to the shell.
+  [ -n "$words" ] && read -r -a known <<< "$words"
+  for name in "${{known[@]}}"; do
+    [[ $name == "$word"* ]] && COMPREPLY+=("$name")
+  done
 }}
 complete -o filenames -F _tlab tlab
 )script",
@@ -155,7 +160,7 @@ void add_completion_command(CLI::App& app) {
   command->footer(
       "Examples:\n  tlab completion bash > ~/.local/share/bash-completion/completions/tlab\n"
       "  tlab completion fish > ~/.config/fish/completions/tlab.fish");
-  command->callback([&app, shell] { fmt::print("{}", make_completion(app, *shell)); });
+  command->callback([&app, shell] { print_out("{}", make_completion(app, *shell)); });
 }
 
 }  // namespace laboratory

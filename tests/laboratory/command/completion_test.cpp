@@ -67,5 +67,32 @@ TEST(Completion, BashOffersWhatBeginsSo) {
   EXPECT_EQ(complete(folder.path, "tlab merge a"), "a b.toml") << "one name";
 }
 
+// A name is text, even if it looks like a command. The names come from a stand-in for tlab.
+TEST(Completion, NoNameIsExecuted) {
+  const TemporaryFolder folder;
+  const auto names = folder.path / "names", owned = folder.path / "owned";
+  write_file(names, "$(touch owned)\n`touch owned`\n$HOME\nplain name\n*\n");
+  write_file(folder.path / "tlab", "#!/bin/sh\ncat '" + names.string() + "'\n");
+  std::filesystem::permissions(folder.path / "tlab", std::filesystem::perms::owner_all);
+  std::ofstream(folder.path / "tlab.bash") << "PATH=$PWD:$PATH\n" << script_for("bash");
+  const auto offered = complete(folder.path, "tlab run ''");
+  EXPECT_TRUE(contains(offered, "$(touch owned)\n`touch owned`\n$HOME\nplain name\n*")) << offered;
+  EXPECT_EQ(complete(folder.path, "tlab run '$('"), "$(touch owned)");
+  EXPECT_FALSE(std::filesystem::exists(owned));
+  const auto run = [&](const std::string& shell, const std::string& script) {
+    std::ofstream(folder.path / ("tlab." + shell)) << script_for(shell);
+    std::ofstream(folder.path / "try") << script;
+    const auto command = "cd '" + folder.path.string() + "' && PATH=$PWD:$PATH " + shell + " try";
+    if (std::system(("command -v " + shell + " > /dev/null 2>&1").c_str()) != 0) return;
+    EXPECT_EQ(std::system(command.c_str()), 0) << shell;
+    EXPECT_TRUE(contains(read_file(folder.path / "offered"), "$(touch owned)")) << shell;
+    EXPECT_FALSE(std::filesystem::exists(owned)) << shell;
+  };
+  run("fish", "source tlab.fish\ncomplete -C 'tlab run ' > offered\n");
+  run("zsh",
+      "compdef() { :; }\n_files() { :; }\ncompadd() { shift; print -rl -- \"$@\" > offered; }\n"
+      "source ./tlab.zsh\n_tlab_names experiments\n");
+}
+
 }  // namespace
 }  // namespace laboratory
