@@ -10,14 +10,13 @@
 namespace laboratory {
 namespace {
 
-// A time after the start of the program.
+// A time from the start of the program.
 base::Field<RunOptions> seconds_field(const std::string& name, double RunOptions::*member,
                                       const std::string& help) {
-  constexpr auto LEAST = std::numeric_limits<double>::denorm_min();
   auto field =
-      base::Declare<RunOptions>::number(name, member, LEAST, std::numeric_limits<double>::max(), "",
+      base::Declare<RunOptions>::number(name, member, 0, std::numeric_limits<double>::max(), "",
                                         "simulated seconds from the start of the program " + help);
-  field.domain.expected = "a number of seconds above 0";
+  field.domain.expected = "a number of seconds from 0";
   return field;
 }
 
@@ -46,7 +45,7 @@ void read_film(const std::string& text, RunOptions& options) {
 
 void read_films(const std::vector<std::string>& texts, RunOptions& options) {
   for (const auto& text : texts) read_film(text, options);
-  const auto& [picture, network, frames] = options.films;
+  const auto &picture = options.films.picture, &network = options.films.network;
   check_apart("--animate", picture, {network, options.trace, options.timeline});
   check_apart("--animate", network, {options.trace, options.timeline});
 }
@@ -116,6 +115,8 @@ void add_run_command(CLI::App& app) {
           MAX_FRAMES, "", "number of frames of a film")},
       *o);
   command->get_option("--frames")->needs(animate);
+  command->add_flag("--yes", o->films.is_confirmed, "draw films even if that takes minutes")
+      ->needs(animate);
   command->footer(
       "Examples:\n  tlab run experiments/farm.toml --jobs 2\n  tlab run e.toml --set "
       "network.topology=mesh --set 'sweep.workers=[4,9,16]' -o results/mesh\n  tlab run e.toml "

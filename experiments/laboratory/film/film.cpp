@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "base/whole_file.hpp"
+#include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
 #include "simulator/observe/timeline.hpp"
 
@@ -111,7 +112,15 @@ void Film::begin(const machine::Machine& machine, const observe::ControlPanel& v
     snapshot_times.growth = SNAPSHOTS_A_FRAME * options_.frames;
     recorder_.emplace(snapshot_times);
   }
-  if (!options_.network.empty()) drawing_.emplace(machine, network_, view.network);
+  if (options_.network.empty()) return;
+  drawing_.emplace(machine, network_, view.network);
+  Clock clock;
+  const Busy idle{std::vector<double>(machine.processors().size()),
+                  std::vector<double>(machine.links().size())};
+  const Frame frame{drawing_->draw("", idle, {0, 1}, {0, 1}), 1};
+  if (is_webp(options_.network)) renderer::make_webp({&frame, 1});
+  announce_cost("--animate", static_cast<std::size_t>(options_.frames), clock.lap(),
+                options_.is_confirmed);
 }
 
 snapshots::Snapshot Film::look() const { return {.rgb8 = *picture_->rgb8()}; }

@@ -44,7 +44,8 @@ class Film : public observe::RunObserver {
   /// topology of the program, if a film shows it.
   Film(const FilmOptions& options, const topologies::Topology& network, double from_s);
 
-  /// Throws BadInput if the picture is too large for a film with that many frames.
+  /// Throws BadInput if the picture is too large for a film with that many frames, or if drawing
+  /// them takes minutes and the user has not confirmed it.
   void begin(const machine::Machine& machine, const observe::ControlPanel& view) override;
   void before_change(double now_s) override;
   void end(double now_s) override;

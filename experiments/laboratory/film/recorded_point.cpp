@@ -3,6 +3,7 @@
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/film/film.hpp"
+#include "experiments/laboratory/host/error_text.hpp"
 #include "experiments/laboratory/host/link_files.hpp"
 #include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/points/run_point.hpp"
@@ -73,8 +74,8 @@ void check_recordings(const RunOptions& options, const ExperimentFile& file, std
     check_single("--animate", points);
     check_place("--animate", first, results_folder(options));
   }
-  require(options.from_s < options.until_s, "--from", "found {}, expected a time before --until {}",
-          options.from_s, options.until_s);
+  require(options.from_s == 0 || options.from_s < options.until_s, "--from",
+          "found {}, expected a time before --until {}", options.from_s, options.until_s);
   if (points == 1) try {
       check_films(options.films, file.points[0].experiment);
     } catch (const base::BadInput& error) {
@@ -100,8 +101,8 @@ PointResult run_recorded_point(const Point& point, const RunOptions& options,
   } catch (const machine::Fault&) {
     try {
       save_recordings(point, options, trace, film);
-    } catch (const std::exception& error) {  // only printed: the fault is rethrown
-      complain(fmt::format("no trace or chart of the run so far: {}", error.what()));
+    } catch (const std::exception& error) {  // the exception to report is the fault
+      complain(fmt::format("no trace or chart of the run so far: {}", describe_error(error)));
     }
     throw;
   }

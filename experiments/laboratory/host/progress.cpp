@@ -3,11 +3,23 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "base/errors.hpp"
 #include "experiments/laboratory/host/streams.hpp"
 
 namespace laboratory {
 
 using std::chrono::steady_clock;
+
+void announce_cost(const std::string& option, std::size_t count, double seconds_each,
+                   bool is_confirmed) {
+  constexpr double SHORT_S = 20, LONG_S = 180;
+  const double all_s = seconds_each * static_cast<double>(count);
+  if (all_s < SHORT_S) return;
+  const auto cost = fmt::format("{} frames take about {:.0f} {}", count,
+                                all_s < LONG_S ? all_s : all_s / 60, all_s < LONG_S ? "s" : "min");
+  base::require(all_s < LONG_S || is_confirmed, option, "{}, expected fewer or --yes", cost);
+  print_line(fmt::format("tlab: {}: {}", option, cost));
+}
 
 Progress::Progress(std::string what, std::size_t there)
     : what_(std::move(what)),

@@ -20,6 +20,11 @@ class Clock {
   std::chrono::steady_clock::time_point last_ = std::chrono::steady_clock::now();
 };
 
+/// Prints on standard error how long `count` frames of an option will take, if that is 20 s or
+/// more. Throws BadInput for more than 3 minutes unless the user has confirmed it with --yes.
+void announce_cost(const std::string& option, std::size_t count, double seconds_each,
+                   bool is_confirmed);
+
 class Progress {
  public:
   /// Draws on standard error if that is a terminal. The first `there` items were done before the

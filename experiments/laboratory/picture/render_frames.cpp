@@ -3,8 +3,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "base/text.hpp"
 #include "base/inputs.hpp"
+#include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/progress.hpp"
@@ -70,6 +70,8 @@ void add_frames_options(CLI::App& command, FramesOptions& o) {
       ->check(CLI::Range(1.0, 1000.0))
       ->capture_default_str()
       ->needs(frames);
+  command.add_flag("--yes", o.is_confirmed, "render the frames even if that takes minutes")
+      ->needs(frames);
   for (const char* name : {"--progressive", "--preview", "--stats", "--samples-map", "--order",
                            "--budget", "--state", "--resume", "--key-images"})
     frames->excludes(command.get_option(name));
@@ -88,20 +90,25 @@ void render_frames(const FramesOptions& o, const RenderTask& task) {
     base::check_can_save(output);
   }
   base::check_can_save(name_of(range.first));
-  open_scene(task.scene, range.first);
-  for (int frame = range.first + 1; frame <= range.last; ++frame)
-    renderer::load_scene(task.scene, frame);
-  for (int frame = range.first; frame <= range.last; ++frame) base::check_no_input(name_of(frame));
-  base::check_no_input(output);
-
   const InterruptGuard guard;  // holds interrupts until all files are written
+  const auto render_frame = [&](const renderer::Scene& scene) {
+    return renderer::render(scene, task.params, task.threads,
+                            [](int, int) { return !was_interrupted(); });
+  };
+  Clock clock;
+  auto image = render_frame(open_scene(task.scene, range.first));
+  if (!was_interrupted()) announce_cost("--frames", range.count(), clock.lap(), o.is_confirmed);
+  base::check_no_input(output);
+  for (int frame = range.first; frame <= range.last && !was_interrupted(); ++frame) {
+    base::check_no_input(name_of(frame));
+    if (frame > range.first) renderer::load_scene(task.scene, frame);
+  }
+
   Progress bar("rendering");
   std::vector<renderer::Frame> animation;
   std::size_t frames_done = 0;
   for (int frame = range.first; frame <= range.last; ++frame) {
-    const auto scene = renderer::load_scene(task.scene, frame);
-    const auto image = renderer::render(scene, task.params, task.threads,
-                                        [](int, int) { return !was_interrupted(); });
+    if (frame > range.first) image = render_frame(renderer::load_scene(task.scene, frame));
     if (was_interrupted()) break;
     renderer::save_png(name_of(frame), image.samples);
     if (is_animation)

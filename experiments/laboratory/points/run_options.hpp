@@ -13,6 +13,7 @@ struct FilmOptions {
   /// film files (.webp), or .png for frames NAME-0001.png ...; "": no film
   std::string picture, network;
   int frames = 100;
+  bool is_confirmed = false;  ///< --yes: draw the films even if that takes long
 
   bool is_asked() const { return !picture.empty() || !network.empty(); }
 };

@@ -146,7 +146,7 @@ TEST(ExperimentsTrace, MistakesAreNamed) {
             std::string::npos);
   EXPECT_NE(told({"-o", "r", "--trace", "no/such/folder/t.json"}).find("no/such/folder/t.json"),
             std::string::npos);
-  told({"--until", "0"});
+  told({"--until", "-1"});
   told({"--until", "soon"});
   EXPECT_EQ(folder.names(), std::vector<std::string>{});
 }
