@@ -1,0 +1,59 @@
+// Results and drawings are the same in every environment.
+#include "tests/laboratory/support/sweep.hpp"
+
+namespace laboratory {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The bytes of all visible files, except those of the report, which names the command line.
+std::map<std::string, std::string> results_of(const Sweep& sweep, const std::string& name) {
+  auto files = sweep.visible(name);
+  files.erase("report.html");
+  return files;
+}
+
+TEST_F(Sweep, ResultsAndDrawingsDoNotDependOnTheEnvironment) {
+  if (!is_gnuplot_installed()) GTEST_SKIP() << "no gnuplot";
+  write_file(folder.path / "e.toml",
+             "[image]\nwidth = 12\nheight = 8\n[sweep]\nobjects = [9]\nworkers = [1, 2]\n");
+  fs::create_directory(folder.path / "inside");
+  ASSERT_EQ(run_line(folder.path, "$TLAB run e.toml -o r > out 2>&1"), 0)
+      << read_file(folder.path / "out");
+  const auto expected = results_of(*this, "r");
+  ASSERT_TRUE(expected.contains("plots/time_s.svg"));
+  for (const char* line :
+       {"LANG=pt_PT.UTF-8 $TLAB run e.toml", "LC_CTYPE=UTF-8 LC_NUMERIC=de_DE $TLAB run e.toml",
+        "LC_ALL=no-such-locale LANGUAGE=de $TLAB run e.toml",
+        "TZ=Mars/Phobos TMPDIR=/no-such-folder $TLAB run e.toml",
+        "umask 077 && env -u HOME -u LANG $TLAB run e.toml",
+        "env -i PATH=\"$PATH\" $TLAB run e.toml", "cd inside && $TLAB run ../e.toml"}) {
+    const auto output = (folder.path / "other").string();
+    EXPECT_EQ(run_line(folder.path, "(" + std::string(line) + " -o " + output + ") > out 2>&1"), 0)
+        << line << "\n"
+        << read_file(folder.path / "out");
+    EXPECT_TRUE(results_of(*this, "other") == expected) << line;
+    fs::remove_all(output);
+  }
+}
+
+// Too few descriptors, and a folder that has been removed, are named as such.
+TEST_F(Sweep, ErrorsOfTheHostAreNamed) {
+  EXPECT_EQ(run_line(folder.path, "(ulimit -n 9; $TLAB run e.toml -o r) > out 2> told"), 2);
+  EXPECT_TRUE(contains(read_file(folder.path / "told"), "Too many open files"))
+      << read_file(folder.path / "told");
+  for (const char* arguments :
+       {"run /e.toml -o r", "init x", "compare a b", "list experiments",
+        "render spheres:5 -o x.png", "topology ring:4 -o x.svg", "report r", "merge r"}) {
+    const auto line = "mkdir gone && cd gone && rmdir ../gone && $TLAB " + std::string(arguments) +
+                      " > ../out 2> ../told";
+    EXPECT_EQ(run_line(folder.path, line), 2) << arguments;
+    const auto told = read_file(folder.path / "told");
+    for (const char* foreign : {"filesystem error", "[", ".partial-", "std::"})
+      EXPECT_FALSE(contains(told, foreign)) << arguments << ": " << told;
+    EXPECT_TRUE(told.starts_with("tlab: ")) << arguments << ": " << told;
+  }
+}
+
+}  // namespace
+}  // namespace laboratory
