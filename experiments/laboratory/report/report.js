@@ -55,8 +55,8 @@
 
   // ---- Lines and symbols of series ----
 
-  // Symbols of Look: disc, square, triangle, diamond, triangle down, pentagon, cross, plus, star; and
-  // a ring for marks
+  // Symbols of Look: disc, square, triangle, diamond, triangle down, pentagon, cross, plus, star,
+  // and a ring for marks
   const SYMBOLS = [
     "M-4,0A4,4 0 1 1 4,0A4,4 0 1 1 -4,0Z", "M-4,-4H4V4H-4Z", "M0,-5L4.33,2.5H-4.33Z",
     "M0,-5L5,0L0,5L-5,0Z", "M0,5L-4.33,-2.5H4.33Z",
