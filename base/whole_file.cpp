@@ -9,11 +9,14 @@
 #include <atomic>
 #include <cerrno>
 #include <fstream>
+#include <mutex>
+#include <optional>
+#include <set>
 #include <system_error>
+#include <tuple>
 
 #include "base/early_end.hpp"
 #include "base/errors.hpp"
-#include "base/inputs.hpp"
 #include "base/partial_name.hpp"
 
 namespace base {
@@ -23,6 +26,16 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t MOST_FROM_PIPE = std::size_t{1} << 28;  // limit on bytes read from a pipe
+
+// Device, inode and time of the last modification.
+using Identity = std::tuple<dev_t, ino_t, time_t, long>;
+
+std::mutex inputs_mutex;
+std::optional<std::set<Identity>> inputs;  // none without an InputGuard
+
+Identity identify(const struct stat& file) {
+  return {file.st_dev, file.st_ino, file.st_mtim.tv_sec, file.st_mtim.tv_nsec};
+}
 
 using Write = std::function<void(std::ostream&)>;
 
@@ -194,6 +207,29 @@ Write write_bytes(std::string_view bytes) {
 }
 
 }  // namespace
+
+InputGuard::InputGuard() {
+  const std::lock_guard lock(inputs_mutex);
+  inputs.emplace();
+}
+
+InputGuard::~InputGuard() {
+  const std::lock_guard lock(inputs_mutex);
+  inputs.reset();
+}
+
+void note_input(const struct stat& file) {
+  const std::lock_guard lock(inputs_mutex);
+  if (inputs) inputs->insert(identify(file));
+}
+
+void check_no_input(const std::filesystem::path& path) {
+  struct stat file {};
+  if (stat(path.c_str(), &file) != 0) return;
+  const std::lock_guard lock(inputs_mutex);
+  require(!inputs || !inputs->contains(identify(file)), path.string(),
+          "cannot be written: the command reads this file, expected another name");
+}
 
 void save_whole(const fs::path& path, const Write& write) {
   std::error_code ignored;

@@ -17,7 +17,6 @@
 
 #include <gtest/gtest.h>
 #include "base/errors.hpp"
-#include "base/inputs.hpp"
 
 #include "tests/support/files.hpp"
 #include "tests/support/isolated.hpp"

@@ -13,7 +13,6 @@
 #include "experiments/laboratory/guide/catalogue.hpp"
 #include "experiments/laboratory/guide/keys.hpp"
 #include "experiments/laboratory/guide/templates.hpp"
-#include "experiments/laboratory/host/pager.hpp"
 #include "experiments/laboratory/host/streams.hpp"
 
 namespace laboratory {

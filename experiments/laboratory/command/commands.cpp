@@ -13,7 +13,6 @@
 
 #include "base/early_end.hpp"
 #include "base/errors.hpp"
-#include "base/inputs.hpp"
 #include "base/message.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"

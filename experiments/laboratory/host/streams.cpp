@@ -9,12 +9,31 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
 #include <system_error>
 
+#include "base/host_program.hpp"
 #include "base/message.hpp"
 #include "experiments/laboratory/host/colour.hpp"
 
 namespace laboratory {
+namespace {
+
+bool is_shown_by(const std::string& pager, const std::string& text) try {
+  std::fflush(stdout);
+  base::run_program({.name = "sh",
+                     .arguments = {"-c", pager},
+                     .input = text,
+                     .purpose = "help",
+                     .remedy = "",
+                     .shows_output = true});
+  return true;
+} catch (const std::runtime_error&) {
+  return false;
+}
+
+}  // namespace
 
 void secure_streams() {
   for (const int ends_the_program : {SIGPIPE, SIGXFSZ}) std::signal(ends_the_program, SIG_IGN);
@@ -62,6 +81,16 @@ void flush_output() {
   if (std::fflush(stdout) != 0 || std::ferror(stdout))
     throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(),
                             "cannot write standard output");
+}
+
+void print_paged(const std::string& given_text) {
+  const auto text = base::show_controls(given_text);
+  if (isatty(STDOUT_FILENO)) {
+    const char* given = std::getenv("PAGER");
+    setenv("LESS", "FRX", 0);  // less exits at once if the text fits, and leaves it on the screen
+    if (is_shown_by(given && *given ? given : "less", text)) return;
+  }
+  fmt::print("{}", text);
 }
 
 }  // namespace laboratory

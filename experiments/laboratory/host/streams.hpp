@@ -56,4 +56,8 @@ std::size_t output_width();
 /// Throws std::system_error if buffered output cannot be written.
 void flush_output();
 
+/// Prints a text, on a terminal through the pager named in PAGER. The default is "less", set to
+/// print short texts directly. Prints without a pager if that fails.
+void print_paged(const std::string& text);
+
 }  // namespace laboratory

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <filesystem>
 
-#include "base/inputs.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/jobs.hpp"

@@ -118,7 +118,7 @@ TEST_F(Convert, WhatIsWrongIsRefusedAndNothingIsLeft) {
       {"a.nff", "A.OBJ", "found another ending, expected .nff, .obj or .room"},
       {"flat.obj", "b.nff", "flat.obj:5: found"},
       {"far.off", "b.obj", "found a vertex at 1e+20 0 0, expected coordinates up to 1e+15"},
-      {"a.nff", "own.obj", "own.mtl: found this file without own.obj"},
+      {"a.nff", "own.obj", "own.mtl: found this file, but no own.obj that names it"},
       {"a.nff", "d.obj", "d.obj"},
       {"bad.ply", "b.obj", "bad.ply: "},
       {"none.nff", "b.obj", "none.nff: cannot be read"},

@@ -1,7 +1,7 @@
 // Output for terminals only: progress bars, and long texts in a pager.
 #include "tests/laboratory/support/terminal.hpp"
-#include "experiments/laboratory/host/pager.hpp"
 #include "experiments/laboratory/host/progress.hpp"
+#include "experiments/laboratory/host/streams.hpp"
 #include "tests/laboratory/support/tlab.hpp"
 
 namespace laboratory {

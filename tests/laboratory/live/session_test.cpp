@@ -106,7 +106,8 @@ TEST(LiveSession, OrdersInOneMomentAfterTheOtherAreRunAgainAsTheyWere) {
   compare_dense_sessions(IIRRA + "[[stage]]\n", 302, 8);
 }
 
-// The commands of one session are given again to the run of its recording.
+// The commands of one session are given again to the run of its recording. None of them has a name
+// for what it saves, which the recording has already.
 TEST(LiveSession, EveryControlWorksOnARecordingAsOnItsOriginal) {
   const std::string text = FARM + "[[stage]]\n";
   const int calls = count_calls(text);
@@ -114,6 +115,9 @@ TEST(LiveSession, EveryControlWorksOnARecordingAsOnItsOriginal) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     base::Random random(seed);
     auto commands = random_commands(random, calls / 2);
+    std::erase_if(commands, [](const auto& at) {
+      return at.second.contains("order") && at.second.at("order").contains("save");
+    });
     commands.emplace(calls / 4, Command{{"do", "save"}});
     commands.emplace(calls / 3, Command{{"do", "save"}});
     const test::TemporaryFolder folder, other;
