@@ -58,7 +58,7 @@ TEST_F(Sweep, MessagesAreInOurWords) {
   }
   // A zero byte does not cut a message.
   write_file(folder.path / "z.toml",
-             "title = \"a\"\n[sweep]\nobjects = [3]\n[scene]\nsource = "
+             "title = \"a\"\n[sweep]\nworkers = [1]\n[scene]\nsource = "
              "\"a\\u0000b.nff\"\n");
   const auto told = tlab(folder.path, {"run", "z.toml", "-o", "z"});
   EXPECT_EQ(told.exit_code, 2);
