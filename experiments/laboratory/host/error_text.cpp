@@ -9,6 +9,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string_view>
 #include <system_error>
 
 #include "base/early_end.hpp"
@@ -40,12 +41,12 @@ bool is_out_of_memory() {
 
 [[noreturn]] void terminate() {
   constexpr int NO_RESOURCES = 2;
-  constexpr std::string_view TEXT = "tlab: the host is out of memory\n";
   if (!is_out_of_memory()) other_terminate();
   // Child processes have copies of the parent's clean-up actions and must not run them.
   if (getpid() == main_process) {
     base::undo_all();
-    if (write(STDERR_FILENO, TEXT.data(), TEXT.size()) < 0) _exit(NO_RESOURCES);
+    for (const std::string_view part : {"tlab: ", NO_MEMORY, "\n"})
+      if (write(STDERR_FILENO, part.data(), part.size()) < 0) break;
   }
   _exit(NO_RESOURCES);
 }
