@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <map>
 
 #include "base/message.hpp"
 
@@ -88,22 +89,25 @@ std::string blank_controls(std::string_view text, char instead) {
 }
 
 std::string escape_xml(std::string_view text) {
+  constexpr std::string_view REPLACEMENT = "\xef\xbf\xbd";
+  static const std::map<std::string_view, std::string_view> ESCAPES{
+      {"&", "&amp;"},
+      {"<", "&lt;"},
+      {">", "&gt;"},
+      {"\"", "&quot;"},
+      {"'", "&#39;"},
+      {"\xef\xbf\xbe", REPLACEMENT},
+      {"\xef\xbf\xbf", REPLACEMENT}};  // XML excludes U+FFFE, U+FFFF
   std::string escaped;
-  for (const char c : text) {
-    if (c == '&')
-      escaped += "&amp;";
-    else if (c == '<')
-      escaped += "&lt;";
-    else if (c == '>')
-      escaped += "&gt;";
-    else if (c == '"')
-      escaped += "&quot;";
-    else if (c == '\'')
-      escaped += "&#39;";
-    else if (is_control(static_cast<unsigned char>(c)) && c != '\n' && c != '\t' && c != '\x7f')
-      escaped += "\xef\xbf\xbd";
-    else
-      escaped += c;
+  while (!text.empty()) {
+    const auto length = measure_utf8(text);
+    const auto character = text.substr(0, std::max<std::size_t>(length, 1));
+    text.remove_prefix(character.size());
+    const char c = character[0];
+    const bool is_invalid = length == 0 || (is_control(static_cast<unsigned char>(c)) &&
+                                            c != '\n' && c != '\t' && c != '\x7f');
+    const auto found = ESCAPES.find(character);
+    escaped += is_invalid ? REPLACEMENT : found != ESCAPES.end() ? found->second : character;
   }
   return escaped;
 }

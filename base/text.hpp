@@ -47,7 +47,8 @@ bool is_utf8(std::string_view text);
 std::string blank_controls(std::string_view text, char instead = ' ');
 
 /// Escapes a text for elements and quoted attributes of XML and HTML. Control characters other than
-/// line ends, tabs and DEL become U+FFFD, because XML cannot hold them.
+/// line ends, tabs and DEL, and bytes that are not UTF-8, become U+FFFD, because XML cannot hold
+/// them.
 std::string escape_xml(std::string_view text);
 
 /// The first sentence of the comment at the start of a file, from lines with # or //; "" without a

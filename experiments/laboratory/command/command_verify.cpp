@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
+#include <ranges>
 
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
@@ -13,6 +15,7 @@
 #include "experiments/laboratory/host/colour.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/streams.hpp"
+#include "experiments/laboratory/judge/test_report.hpp"
 #include "experiments/laboratory/options/options.hpp"
 
 namespace laboratory {
@@ -26,7 +29,8 @@ struct VerifyOptions {
   std::vector<std::string> paths;  // experiment files, or folders of them
   // options of each run; `output` is the results folder, or its parent if there are several files
   RunOptions run;
-  bool all = false;  // show every point of a check instead of only the worst ones
+  bool all = false;        // show every point of a check instead of only the worst ones
+  std::string junit, tap;  // files for CI systems; none if empty
 };
 
 struct Candidate {
@@ -49,16 +53,23 @@ std::vector<Candidate> find_candidates(const std::string& path) {
   return candidates;
 }
 
-struct Count {
-  std::size_t hold = 0, fail = 0;
+struct Verified {
+  std::vector<TestCase> cases = {};  // one for each check, in order
   std::size_t undrawn = 0;
-  std::size_t all() const { return hold + fail; }
+
+  std::size_t count_holding() const {
+    return static_cast<std::size_t>(
+        std::ranges::count(cases, TestOutcome::passed, &TestCase::outcome));
+  }
 };
 
-void print_check(const CheckResult& check, const Table& table, bool all, Count& count) {
-  ++(check.verdict == Verdict::holds ? count.hold : count.fail);
+void save_reports(const VerifyOptions& options, const Verified& verified) {
+  if (!options.junit.empty()) base::save_whole(options.junit, make_junit(verified.cases));
+  if (!options.tap.empty()) base::save_whole(options.tap, make_tap(verified.cases));
+}
+
+void print_check(const CheckResult& check, const Table& table, std::size_t most) {
   print_verdict(check, table);
-  const auto most = all ? check.points.size() : MOST_SHOWN;
   if (!check.points.empty()) print_out("{}", to_text(make_check_table(check, table, most)));
   if (check.points.size() > most)
     print_out("the worst of {} points; --all shows every point\n", check.points.size());
@@ -67,7 +78,7 @@ void print_check(const CheckResult& check, const Table& table, bool all, Count& 
 }
 
 void verify_file(const Candidate& candidate, const VerifyOptions& options, bool alone,
-                 Count& count) {
+                 Verified& verified) {
   if (!candidate.named &&
       !base::parse_toml(base::read_text(candidate.file), candidate.file).contains("check"))
     return print_out("{}: no checks, skipped\n\n", candidate.file);
@@ -84,10 +95,28 @@ void verify_file(const Candidate& candidate, const VerifyOptions& options, bool 
   print_out("{}: {} point(s), results {} {}\n\n", candidate.file, s.results.size(),
             s.there == s.results.size() ? "were in" : "are now in", run.output);
   for (const auto& note : note_unknown_texts(plan, s.table)) print_note(note);
-  for (const auto& check : s.checks) print_check(check, s.table, options.all, count);
+  const auto most = options.all ? std::numeric_limits<std::size_t>::max() : MOST_SHOWN;
+  for (const auto& check : s.checks) {
+    print_check(check, s.table, most);
+    verified.cases.push_back(make_test_case(candidate.file, check, s.table, most));
+  }
   for (const auto& failure : s.undrawn) complain(failure);
-  count.undrawn += s.undrawn.size();
+  verified.undrawn += s.undrawn.size();
   throw_failures(s.file, s.results, "the other results are in " + run.output);
+}
+
+// Verifies an experiment. If it cannot be run, saves the reports with what is known, for CI.
+void verify_and_report(const Candidate& candidate, const VerifyOptions& options, bool alone,
+                       Verified& verified) {
+  try {
+    verify_file(candidate, options, alone, verified);
+  } catch (const Interrupted&) {
+    throw;
+  } catch (const std::exception& error) {
+    verified.cases.push_back({candidate.file, "run", TestOutcome::error, error.what(), ""});
+    save_reports(options, verified);
+    throw;
+  }
 }
 
 // Runs the experiments and prints every check with its points. Then throws Failure unless all
@@ -95,24 +124,29 @@ void verify_file(const Candidate& candidate, const VerifyOptions& options, bool 
 void verify(const VerifyOptions& options) {
   std::vector<std::vector<Candidate>> candidates;
   for (const auto& path : options.paths) candidates.push_back(find_candidates(path));
+  for (const auto& candidate : candidates | std::views::join) base::check_can_read(candidate.file);
+  check_can_save_all({options.junit, options.tap});
   const bool alone = candidates.size() == 1 && candidates[0][0].named;
-  Count count;
+  Verified verified;
   std::vector<std::string> without;  // files and folders without checks
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const auto before = count.all();
-    for (const auto& candidate : candidates[i]) verify_file(candidate, options, alone, count);
-    if (count.all() == before) without.push_back(options.paths[i]);
+    const auto before = verified.cases.size();
+    for (const auto& candidate : candidates[i])
+      verify_and_report(candidate, options, alone, verified);
+    if (verified.cases.size() == before) without.push_back(options.paths[i]);
   }
-  print_out("{} check(s) hold, {} do not\n", count.hold, count.fail);
-  if (count.fail > 0)
-    throw Failure(fmt::format("{} of {} check(s) do not hold", count.fail, count.all()),
+  save_reports(options, verified);
+  const auto hold = verified.count_holding(), fail = verified.cases.size() - hold;
+  print_out("{} check(s) hold, {} do not\n", hold, fail);
+  if (fail > 0)
+    throw Failure(fmt::format("{} of {} check(s) do not hold", fail, verified.cases.size()),
                   EXIT_DEFECT);
   if (!without.empty())
     throw Failure(
         fmt::format("{}: found no [[check]], expected at least one", fmt::join(without, ", ")),
         EXIT_DEFECT);
-  if (count.undrawn > 0)
-    throw Failure(fmt::format("{} drawing(s) failed", count.undrawn), EXIT_HOST);
+  if (verified.undrawn > 0)
+    throw Failure(fmt::format("{} drawing(s) failed", verified.undrawn), EXIT_HOST);
 }
 
 }  // namespace
@@ -127,10 +161,15 @@ void add_verify_command(CLI::App& app) {
                   "results folder of a single file, or folder for all results [results]",
                   "key.path=value: replaces a key of each experiment");
   command->add_flag("--all", o->all, "show every point instead of only the worst");
+  command->add_option("--junit", o->junit, "write a case for each check as JUnit XML");
+  command->add_option("--tap", o->tap, "write a case for each check in the Test Anything Protocol");
   command->footer(
       "Examples:\n  tlab verify experiments/farm.toml\n  tlab verify experiments/thesis -o "
       "results/thesis");
-  command->callback([o] { verify(*o); });
+  command->callback([o] {
+    check_apart("--tap", o->tap, {o->junit});
+    verify(*o);
+  });
 }
 
 }  // namespace laboratory

@@ -1,0 +1,34 @@
+#pragma once
+// Outcomes of checks in the two formats that CI systems read: JUnit XML and TAP.
+#include <string>
+#include <vector>
+
+#include "experiments/laboratory/judge/check_results.hpp"
+
+namespace laboratory {
+
+/// skipped: no completed point for the check. error: the experiment could not be run.
+enum class TestOutcome { passed, failed, skipped, error };
+
+/// One check of one experiment.
+struct TestCase {
+  std::string suite;  ///< path of the experiment file
+  std::string name;   ///< of the check
+  TestOutcome outcome = TestOutcome::passed;
+  std::string summary;  ///< one line
+  std::string details;  ///< lines with the found and the expected value of each point; may be empty
+};
+
+/// Describes a check of the experiment file `suite`. The details have all points, worst first if
+/// there are more than `most`.
+TestCase make_test_case(const std::string& suite, const CheckResult& check, const Table& table,
+                        std::size_t most);
+
+/// Formats the cases as the XML that JUnit's Ant task introduced: one <testsuite> for each
+/// experiment, in the order of the cases. Contains no times, so that equal results are equal bytes.
+std::string make_junit(const std::vector<TestCase>& cases);
+
+/// Formats the cases as version 13 of the Test Anything Protocol, with details in YAML.
+std::string make_tap(const std::vector<TestCase>& cases);
+
+}  // namespace laboratory
