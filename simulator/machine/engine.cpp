@@ -4,15 +4,10 @@
 
 namespace machine {
 
-Engine::Engine(EngineParams params) {
-  const bool is_direct = params.links == Links::direct;
-  if (is_direct && params.processes == Processes::actors)
-    throw base::InvariantBroken(
-        "found actors with the direct engine, expected them with SimGrid only");
-  can_wait_ = is_direct;
-  needs_stacks_ = params.processes == Processes::actors;
-  carrier_ = is_direct ? make_direct(events_) : make_simgrid(events_, params.processes);
-}
+Engine::Engine(MakeCarrier make, Processes processes)
+    : can_wait_(make == &make_direct),
+      needs_stacks_(processes == Processes::actors),
+      carrier_(make(events_, processes)) {}
 
 void Engine::set_pace(Pace& pace) {
   if (!can_wait_)

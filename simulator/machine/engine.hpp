@@ -33,7 +33,7 @@ class Engine {
   using End = Events::End;
 
   /// Throws InvariantBroken for actors without SimGrid.
-  explicit Engine(EngineParams params = {});
+  Engine(MakeCarrier make, Processes processes);
 
   /// See Carrier.
   void add_processor(const std::string& name) { carrier_->add_processor(name); }

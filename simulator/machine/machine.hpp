@@ -31,8 +31,9 @@ struct Failure {
 
 class Machine {
  public:
-  explicit Machine(const Model& model, Code code = Code::bare, EngineParams engine = {})
-      : model_(std::make_shared<const Model>(model)), code_(code), parts_(std::move(engine)) {}
+  /// `parts` is made from EngineParams.
+  explicit Machine(const Model& model, Code code = Code::bare, Parts parts = {})
+      : model_(std::make_shared<const Model>(model)), code_(code), parts_(std::move(parts)) {}
 
   /// Adds a processor. `memory` is in bytes, `role` as in Processor::role(). A null `model` stands
   /// for the machine's model.

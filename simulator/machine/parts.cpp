@@ -30,8 +30,10 @@ Parts::Parts(EngineParams params) : part_of_(std::exchange(params.parts, {})) {
   if (!part_of_.empty() && std::ranges::min(part_of_) < 0)
     throw base::InvariantBroken(
         fmt::format("found part {}, expected 0 or more", std::ranges::min(part_of_)));
-  for (int part = 0; part < parts; ++part) engines_.push_back(std::make_unique<Engine>(params));
-  if (!is_one()) between_ = std::make_unique<Engine>(params);
+  const MakeCarrier make = params.links == Links::direct ? &make_direct : &make_simgrid;
+  for (int part = 0; part < parts; ++part)
+    engines_.push_back(std::make_unique<Engine>(make, params.processes));
+  if (!is_one()) between_ = std::make_unique<Engine>(make, params.processes);
 }
 
 Engine& Parts::add_processor(const std::string& name, const Engine* beside) {

@@ -20,7 +20,7 @@ class Processor;
 
 class Parts {
  public:
-  explicit Parts(EngineParams params);
+  Parts(EngineParams params = {});
 
   /// Adds a processor and returns its engine: `beside` if given, otherwise the engine of the part
   /// that EngineParams::parts names.

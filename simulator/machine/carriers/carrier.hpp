@@ -60,8 +60,10 @@ std::unique_ptr<Carrier> make_simgrid(Events& events, Processes processes);
 
 /// Makes a carrier without SimGrid, with the link model of make_simgrid(). It computes the end of a
 /// message from the two rates, with one event per message. A host process may have any number of
-/// these carriers; simulated processes run on fibers.
-std::unique_ptr<Carrier> make_direct(Events& events);
+/// these carriers; simulated processes run on fibers. Throws InvariantBroken for actors.
+std::unique_ptr<Carrier> make_direct(Events& events, Processes processes);
+
+using MakeCarrier = std::unique_ptr<Carrier> (*)(Events& events, Processes processes);
 
 /// Version of the linked SimGrid, such as "3.32".
 std::string simgrid_version();

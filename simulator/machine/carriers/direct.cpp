@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "base/errors.hpp"
 #include "simulator/machine/carriers/carrier.hpp"
 #include "simulator/machine/carriers/forecast.hpp"
 
@@ -78,6 +79,11 @@ class Direct final : public Carrier {
 
 }  // namespace
 
-std::unique_ptr<Carrier> make_direct(Events& events) { return std::make_unique<Direct>(events); }
+std::unique_ptr<Carrier> make_direct(Events& events, Processes processes) {
+  if (processes == Processes::actors)
+    throw base::InvariantBroken(
+        "found actors with the direct engine, expected them with SimGrid only");
+  return std::make_unique<Direct>(events);
+}
 
 }  // namespace machine
