@@ -6,11 +6,16 @@
 
 namespace base {
 
-double detail::number_of(const Scalar& value) {
+namespace {
+
+// The value of a numeric scalar, converted to double.
+double number_of(const Scalar& value) {
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? 1 : 0;
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return static_cast<double>(*whole);
   return std::get<double>(value);
 }
+
+}  // namespace
 
 std::string to_text(const Scalar& value) {
   if (const auto* text = std::get_if<std::string>(&value)) return *text;
@@ -22,7 +27,7 @@ std::string to_text(const Scalar& value) {
     return fmt::format("{}", *rows);
   if (const auto* source = std::get_if<Source>(&value))
     return source->text.empty() ? "none" : source->text;
-  return value.index() == 0 ? "none" : fmt::format("{}", detail::number_of(value));
+  return value.index() == 0 ? "none" : fmt::format("{}", number_of(value));
 }
 
 std::string Domain::describe() const {
@@ -51,11 +56,11 @@ bool Domain::allows(const Scalar& value) const {
   switch (kind) {
     case Kind::flag:
       return std::holds_alternative<bool>(value) ||
-             (is_number && (detail::number_of(value) == 0 || detail::number_of(value) == 1));
+             (is_number && (number_of(value) == 0 || number_of(value) == 1));
     case Kind::whole:
     case Kind::number: {
       if (!is_number) return false;
-      const double number = detail::number_of(value);
+      const double number = number_of(value);
       return number >= low && number <= high &&
              (kind == Kind::number || number == std::floor(number));
     }

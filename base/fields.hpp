@@ -70,21 +70,26 @@ struct Domain {
   bool allows(const Scalar& value) const;
 };
 
-/// One parameter: a member of P, or part of a member.
+/// One parameter: the member of a P, found by `place`, with functions that convert its value.
 template <class P>
 struct Field {
   std::string name;  ///< key in experiment files, name of the option and of the column
   std::string unit;  ///< such as "bytes"; "" without a unit
   std::string help;
   Domain domain;
-  /// Sets the parameter. Returns false to refuse a value inside the domain.
-  std::function<bool(P&, const Scalar&)> set;
-  std::function<Scalar(const P&)> get;
+  /// The address of the member, for `write`. Creates an optional structure that contains it.
+  std::function<void*(P&)> place;
+  /// The address of the member, for `read`.
+  std::function<const void*(const P&)> find;
+  /// Sets the member to a value of the domain. Returns false to refuse the value.
+  std::function<bool(void* member, const Scalar&)> write;
+  std::function<Scalar(const void* member)> read;
 
+  Scalar get(const P& params) const { return read(find(params)); }
   /// Sets the parameter and returns "". For a refused value, changes nothing and returns a
   /// description of the expected values.
   std::string assign(P& params, const Scalar& value) const {
-    return domain.allows(value) && set(params, value) ? "" : domain.describe();
+    return domain.allows(value) && write(place(params), value) ? "" : domain.describe();
   }
 };
 template <class P>
@@ -106,24 +111,30 @@ constexpr bool is_optional = requires(T t) {
   t.has_value();
 };
 
-/// The value of a numeric scalar, converted to double.
-double number_of(const Scalar& value);
+/// The number or text in a member that may be an optional or a quantity. Creates the optional.
+template <class T>
+auto& plain(T& member) {
+  if constexpr (is_optional<T>)
+    return plain(member.emplace());
+  else if constexpr (is_quantity<T>)
+    return plain(member.value);
+  else
+    return member;
+}
 
 template <class T>
-void store(T& member, const Scalar& value) {
-  if constexpr (is_optional<T>)
-    store(member.emplace(), value);
-  else if constexpr (is_quantity<T>)
-    store(member.value, value);
-  else if constexpr (std::same_as<T, bool>)
-    member = number_of(value) != 0;
-  else if constexpr (std::is_arithmetic_v<T>)
-    member =
-        std::holds_alternative<std::int64_t>(value)
-            ? static_cast<T>(std::get<std::int64_t>(value))
-            : static_cast<T>(std::integral<T> ? std::round(number_of(value)) : number_of(value));
+bool store(void* member, const Scalar& value) {
+  auto& target = plain(*static_cast<T*>(member));
+  using Target = std::remove_reference_t<decltype(target)>;
+  if constexpr (!std::is_arithmetic_v<Target>)
+    target = std::get<Target>(value);
+  else if (const auto* whole = std::get_if<std::int64_t>(&value))
+    target = static_cast<Target>(*whole);
+  else if (const auto* number = std::get_if<double>(&value))
+    target = static_cast<Target>(std::integral<Target> ? std::round(*number) : *number);
   else
-    member = std::get<T>(value);
+    target = static_cast<Target>(std::get<bool>(value));
+  return true;
 }
 
 template <class T>
@@ -140,18 +151,29 @@ Scalar load(const T& member) {
     return member;
 }
 
+/// The type of the member that `access` finds in a P.
 template <class P, class Access>
+using Member = std::remove_reference_t<std::invoke_result_t<Access, P&>>;
+
+template <class P, class Access, class Write, class Read>
 Field<P> make_field(const std::string& name, Access access, Domain domain, const std::string& unit,
-                    const std::string& help) {
+                    const std::string& help, Write write, Read read) {
   return {name,
           unit,
           help,
           std::move(domain),
-          [access](P& p, const Scalar& value) {
-            store(std::invoke(access, p), value);
-            return true;
-          },
-          [access](const P& p) { return load(std::invoke(access, p)); }};
+          [access](P& p) { return &std::invoke(access, p); },
+          [access](const P& p) { return &std::invoke(access, p); },
+          write,
+          read};
+}
+
+template <class P, class Access>
+Field<P> make_field(const std::string& name, Access access, Domain domain, const std::string& unit,
+                    const std::string& help) {
+  using T = Member<P, Access>;
+  return make_field<P>(name, access, std::move(domain), unit, help, &store<T>,
+                       [](const void* member) { return load(*static_cast<const T*>(member)); });
 }
 
 }  // namespace detail
@@ -198,20 +220,28 @@ struct Declare {
                          const std::string& help) {
     Domain domain{Domain::Kind::choice};
     for (const auto& [key, value] : names) domain.choices.push_back(key);
-    return {name,
-            "",
-            help,
-            domain,
-            [access, names](P& p, const Scalar& value) {
-              for (const auto& [key, meaning] : names)
-                if (key == std::get<std::string>(value)) std::invoke(access, p) = meaning;
-              return true;
-            },
-            [access, names](const P& p) {
-              for (const auto& [key, meaning] : names)
-                if (meaning == std::invoke(access, p)) return Scalar(key);
-              throw InvariantBroken("a choice without a name");
-            }};
+    using T = detail::Member<P, Access>;
+    return detail::make_field<P>(
+        name, access, domain, "", help,
+        [names](void* member, const Scalar& value) {
+          for (const auto& [key, meaning] : names)
+            if (key == std::get<std::string>(value)) *static_cast<T*>(member) = meaning;
+          return true;
+        },
+        [names](const void* member) {
+          for (const auto& [key, meaning] : names)
+            if (meaning == *static_cast<const T*>(member)) return Scalar(key);
+          throw InvariantBroken("a choice without a name");
+        });
+  }
+  /// A field that the functions `set(P&, value)` and `get(const P&)` convert.
+  template <class Set, class Get>
+  static Field<P> custom(const std::string& name, const Domain& domain, const std::string& unit,
+                         const std::string& help, Set set, Get get) {
+    return detail::make_field<P>(
+        name, std::identity(), domain, unit, help,
+        [set](void* p, const Scalar& value) { return set(*static_cast<P*>(p), value); },
+        [get](const void* p) -> Scalar { return get(*static_cast<const P*>(p)); });
   }
 };
 
@@ -222,8 +252,10 @@ Field<P> lift(const Field<Inner>& field, Access access) {
           field.unit,
           field.help,
           field.domain,
-          [field, access](P& p, const Scalar& v) { return field.set(std::invoke(access, p), v); },
-          [field, access](const P& p) { return field.get(std::invoke(access, p)); }};
+          [place = field.place, access](P& p) { return place(std::invoke(access, p)); },
+          [find = field.find, access](const P& p) { return find(std::invoke(access, p)); },
+          field.write,
+          field.read};
 }
 /// Lifts all fields and prefixes their names with `prefix`.
 template <class P, class Inner, class Access>
@@ -244,10 +276,14 @@ Fields<P> lift_optional(const Fields<Inner>& fields, std::optional<Inner> P::*in
   Fields<P> all;
   for (const auto& field : fields)
     all.push_back({prefix + field.name, field.unit, field.help, field.domain,
-                   [field, inner](P& p, const Scalar& v) {
-                     return field.set(p.*inner ? *(p.*inner) : (p.*inner).emplace(), v);
+                   [place = field.place, inner](P& p) {
+                     return place(p.*inner ? *(p.*inner) : (p.*inner).emplace());
                    },
-                   [field, inner](const P& p) { return field.get((p.*inner).value_or(Inner{})); }});
+                   [find = field.find, inner](const P& p) {
+                     static const Inner standard{};
+                     return find(p.*inner ? *(p.*inner) : standard);
+                   },
+                   field.write, field.read});
   return all;
 }
 

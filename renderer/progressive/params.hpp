@@ -45,8 +45,9 @@ template <class P, class Access>
 base::Field<P> side_field(const std::string& name, Access access, const std::string& help) {
   auto field = base::Declare<P>::whole(name, access, 1, MAX_SIDE, "pixels", help);
   field.domain.expected = EXPECTED_SIDE;
-  field.set = [access, set = field.set](P& p, const base::Scalar& value) {
-    return set(p, value) && is_side(std::invoke(access, p));
+  using Side = base::detail::Member<P, Access>;
+  field.write = [write = field.write](void* side, const base::Scalar& value) {
+    return write(side, value) && is_side(*static_cast<const Side*>(side));
   };
   return field;
 }

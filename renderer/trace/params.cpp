@@ -37,12 +37,10 @@ base::Scalar get_sides(const Area& area) {
 }  // namespace
 
 base::Field<Area> area_field() {
-  return {"area",
-          "pixels",
-          "area of interest, [x, y, width, height]; 0 x 0: the whole image",
-          {.kind = base::Domain::Kind::list, .expected = "[x, y, width, height] in pixels"},
-          &set_area,
-          &get_sides};
+  return base::Declare<Area>::custom(
+      "area", {.kind = base::Domain::Kind::list, .expected = "[x, y, width, height] in pixels"},
+      "pixels", "area of interest, [x, y, width, height]; 0 x 0: the whole image", &set_area,
+      &get_sides);
 }
 
 base::Fields<Params> sampling_fields() {

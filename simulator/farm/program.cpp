@@ -27,15 +27,14 @@ bool set_task(std::optional<Block>& task, const base::Scalar& value) {
 }
 
 base::Field<Params> task_field() {
-  return {
+  return base::Declare<Params>::custom(
       "task",
-      "",
-      "task of a worker: ray, or a block of pixels such as block:8x8",
       {.kind = base::Domain::Kind::text, .expected = "ray, or a block of pixels such as block:8x8"},
+      "", "task of a worker: ray, or a block of pixels such as block:8x8",
       [](Params& p, const base::Scalar& value) { return set_task(p.block, value); },
-      [](const Params& p) -> base::Scalar {
+      [](const Params& p) {
         return p.block ? fmt::format("block:{}x{}", p.block->width, p.block->height) : "ray";
-      }};
+      });
 }
 
 base::Fields<Params> memory_fields() {

@@ -33,12 +33,10 @@ Field field(const char* key, const char* unit, Section Model::*section, Value Se
 
 // An entry that is not a member of Model: only formulas of other entries use it.
 Field shared(const char* key, const char* unit, double low = 0, double high = LARGEST) {
-  return {key,
-          unit,
-          "",
-          {base::Domain::Kind::number, low, high},
-          [](Model&, const base::Scalar&) { return true; },
-          {}};
+  return base::Declare<Model>::custom(
+      key, {base::Domain::Kind::number, low, high}, unit, "",
+      [](const Model&, const base::Scalar&) { return true; },
+      [](const Model&) { return base::Scalar(); });
 }
 
 const std::vector<Field>& fields() {

@@ -39,7 +39,8 @@ base::Field<P> weights_field(double W::*const (&of)[N], Member member, const std
     for (const auto weight : of) all.push_back((*weights).*weight);
     return all;
   };
-  return {"weights", "", help, {.kind = base::Domain::Kind::list, .expected = expected}, set, get};
+  return base::Declare<P>::custom(
+      "weights", {.kind = base::Domain::Kind::list, .expected = expected}, "", help, set, get);
 }
 
 /// The fields for limits of a ray's influence factor and level.

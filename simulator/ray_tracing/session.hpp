@@ -91,12 +91,11 @@ base::Fields<OrderRecord<Limits>> order_fields(const base::Fields<Limits>& limit
           D::flag("leave", &Record::leave,
                   "true: the user leaves and the rest is computed without limits; default: after "
                   "the last order"),
-          {"save",
-           "",
-           "saves the current picture, with this text in the file's name",
-           {.kind = base::Domain::Kind::text, .expected = "up to 40 letters, digits and dashes"},
-           set_save,
-           [](const Record& r) -> base::Scalar { return r.save; }}},
+          D::custom(
+              "save",
+              {.kind = base::Domain::Kind::text, .expected = "up to 40 letters, digits and dashes"},
+              "", "saves the current picture, with this text in the file's name", set_save,
+              [](const Record& r) { return r.save; })},
       {base::lift_optional<Record>(limit_fields, &Record::limits)});
 }
 

@@ -19,17 +19,16 @@ bool set_show_at(snapshots::Schedule& snapshot_times, const base::Scalar& value)
 base::Fields<snapshots::Schedule> snapshot_fields() {
   using snapshots::Schedule;
   using D = base::Declare<Schedule>;
-  return {{"show_at_s",
-           "s",
-           "times from the first task at which pictures are saved",
-           {.kind = base::Domain::Kind::list, .expected = "increasing times in s, 0 or more"},
-           &set_show_at,
-           [](const Schedule& snapshot_times) -> base::Scalar { return snapshot_times.at_s; }},
-          D::number("show_every_s", &Schedule::every_s, 0, 1e9, "s",
-                    "also at each multiple of this time, at most a thousand times; 0: never"),
-          D::whole("growth", &Schedule::growth, 0, 1000, "",
-                   "smallest number of intermediate pictures compared with the final one, for "
-                   "growth.csv and the animation; 0: none")};
+  return {
+      D::custom("show_at_s",
+                {.kind = base::Domain::Kind::list, .expected = "increasing times in s, 0 or more"},
+                "s", "times from the first task at which pictures are saved", &set_show_at,
+                [](const Schedule& snapshot_times) { return snapshot_times.at_s; }),
+      D::number("show_every_s", &Schedule::every_s, 0, 1e9, "s",
+                "also at each multiple of this time, at most a thousand times; 0: never"),
+      D::whole("growth", &Schedule::growth, 0, 1000, "",
+               "smallest number of intermediate pictures compared with the final one, for "
+               "growth.csv and the animation; 0: none")};
 }
 
 void check_snapshots(const std::string& section, const snapshots::Schedule& snapshot_times,

@@ -22,7 +22,8 @@ const std::string THESIS = "experiments/thesis";
 
 void expect_same_points(const ExperimentFile& found, const ExperimentFile& expected) {
   expect_same("the experiment", resolve(found), resolve(expected));
-  expect_same("settings", found.settings, expected.settings);
+  expect_same("settings", laboratory::spell_keys(found.keys),
+              laboratory::spell_keys(expected.keys));
   expect_same("the number of points", found.points.size(), expected.points.size());
   for (std::size_t i = 0; i < found.points.size(); ++i)
     expect_same("a point", name_of(found.points[i]), name_of(expected.points[i]));
@@ -30,11 +31,13 @@ void expect_same_points(const ExperimentFile& found, const ExperimentFile& expec
 
 void read_experiment(const std::string& text, const laboratory::Overrides& overrides) {
   const auto path = place_of(THESIS + "/fuzz.toml"), folder = place_of(THESIS);
-  const auto file = laboratory::read_experiment(text, path, folder, overrides);
+  const auto file = laboratory::load_experiment({text, path, folder}, overrides);
   expect(!file.points.empty(), "an experiment has points");
   expect_same_points(
       read_again("the experiment",
-                 [&] { return laboratory::read_experiment(resolve(file), path, folder, {}); }),
+                 [&] {
+                   return laboratory::load_experiment({resolve(file), path, folder}, {});
+                 }),
       file);
 }
 
@@ -112,7 +115,7 @@ constexpr std::string_view WITH_REFERENCE =
 
 void read_reference(const std::string& text) {
   static const auto file =
-      laboratory::read_experiment(std::string(WITH_REFERENCE), "reference.toml", "", {});
+      laboratory::load_experiment({std::string(WITH_REFERENCE), "reference.toml", ""}, {});
   static const auto table = make_table(file, two_results());
   base::save_whole("reference.csv", text);
   const auto plan = laboratory::plan_checks(file);

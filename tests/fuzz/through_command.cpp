@@ -372,7 +372,7 @@ std::vector<Way> list_ways(const std::string& tlab) {
 // Computes once what every child process would compute: the program's hash and tables of keys.
 void prepare_children() {
   laboratory::records_folder();
-  laboratory::read_experiment("program.name = \"message\"", "e.toml", ".", {});
+  laboratory::load_experiment({"program.name = \"message\"", "e.toml", "."}, {});
 }
 
 }  // namespace

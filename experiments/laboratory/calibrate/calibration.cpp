@@ -40,7 +40,7 @@ ExperimentFile read_task(const CalibrationTask& task, const toml::table& sweep) 
                                {"machine.model", make_node(model)},
                                {"sweep", std::make_shared<toml::table>(sweep)}};
   if (!task.experiment.empty()) return load_experiment(task.experiment, overrides);
-  return read_experiment("[program]\nname = \"message\"\n", task.measurements, "", overrides);
+  return load_experiment({"[program]\nname = \"message\"\n", task.measurements, ""}, overrides);
 }
 
 // Throws if the experiment overrides entries of the model, because the fitted model file would not

@@ -101,8 +101,8 @@ std::string default_of(const ExperimentFile& file, const std::string& key) {
 }
 
 std::string value_of(const ExperimentFile& file, const std::string& key) {
-  if (const auto given = file.settings.find(key); given != file.settings.end())
-    return unquote(given->second);
+  if (const auto given = file.keys.find(key); given != file.keys.end())
+    return unquote(base::to_toml(*given->second));
   Texts values;
   for (const auto& point : file.points)
     for (const auto& at : point.at)
@@ -225,7 +225,7 @@ Table find_differing_settings(const std::vector<ComparedRun>& runs) {
   for (const auto& run : runs) {
     const auto& file = run.simulation.file;
     for (const auto& axis : file.axes()) keys.insert(axis.key);
-    for (const auto& [key, value] : file.settings) keys.insert(key);
+    for (const auto& [key, value] : spell_keys(file.keys)) keys.insert(key);
     for (const auto& [path, hash] : run.inputs) paths.insert(path);
   }
   for (const auto& key : keys)

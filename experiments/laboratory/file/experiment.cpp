@@ -58,7 +58,7 @@ void take_reduced(toml::table& file, bool is_reduced, const std::string& path) {
 }
 
 // Collects the numeric keys of the file. Values of axes override those of the file.
-std::map<std::string, double, std::less<>> find_numbers(const toml::table& file,
+std::map<std::string, double, std::less<>> find_numbers(const Keys& keys,
                                                         const std::vector<Coordinate>& at) {
   std::map<std::string, double, std::less<>> numbers;
   auto add = [&](const std::string& key, const toml::node& node) {
@@ -68,7 +68,7 @@ std::map<std::string, double, std::less<>> find_numbers(const toml::table& file,
     else
       numbers.erase(key);
   };
-  for_each_key(file, add);
+  for (const auto& [key, node] : keys) add(key, *node);
   for (const auto& [axis, key, value] : at) add(key, *value);
   return numbers;
 }
@@ -80,15 +80,6 @@ void check_not_shadowed(const Override& override, const std::vector<Coupled>& ax
       base::require(axis.key != override.key, "--set " + override.text(),
                     "found {}, which is an axis of [sweep], expected --set 'sweep.{}=[...]'",
                     axis.key, fmt::join(coupled | std::views::transform(&Axis::name), ", "));
-}
-
-// Collects the keys of the file that change a point's computation.
-std::map<std::string, std::string> find_settings(const toml::table& file) {
-  std::map<std::string, std::string> settings;
-  for_each_key(file, [&](const std::string& key, const toml::node& node) {
-    if (key != "title" && key != "question") settings[key] = to_toml(node);
-  });
-  return settings;
 }
 
 }  // namespace
@@ -130,16 +121,45 @@ Override parse_override(const std::string& text) {
   return {key, Node(parsed, parsed->get("value")), text};
 }
 
-ExperimentFile load_experiment(const std::string& path, const Overrides& overrides,
-                               bool is_reduced) {
-  return read_experiment(base::read_text(path), path,
-                         std::filesystem::path(path).parent_path().string(), overrides, is_reduced);
+Keys list_keys(const std::shared_ptr<const toml::table>& file) {
+  static constexpr std::array<std::string_view, 8> NOT_OF_A_POINT = {
+      "sweep", "let", "check", "plot", "best", "baseline", "report", "uncertain"};
+  Keys keys;
+  for (auto&& [section, content] : *file) {
+    const std::string name(section.str());
+    if (std::ranges::find(NOT_OF_A_POINT, name) != NOT_OF_A_POINT.end()) continue;
+    if (!content.is_table()) {
+      keys[name] = Node(file, &content);
+      continue;
+    }
+    for (auto&& [key, node] : *content.as_table()) {
+      const auto dotted = fmt::format("{}.{}", name, key.str());
+      if (name != "model" || !node.is_table()) {
+        keys[dotted] = Node(file, &node);
+        continue;
+      }
+      for (auto&& [entry, value] : *node.as_table())
+        keys[fmt::format("{}.{}", dotted, entry.str())] = Node(file, &value);
+    }
+  }
+  return keys;
 }
 
-ExperimentFile read_experiment(const std::string& text, const std::string& path,
-                               const std::string& folder, const Overrides& overrides,
+std::map<std::string, std::string> spell_keys(const Keys& keys) {
+  std::map<std::string, std::string> spelled;
+  for (const auto& [key, node] : keys)
+    if (key != "title" && key != "question") spelled[key] = to_toml(*node);
+  return spelled;
+}
+
+ExperimentSource::ExperimentSource(const std::string& path)
+    : path(path), folder(std::filesystem::path(path).parent_path().string()) {}
+
+ExperimentFile load_experiment(const ExperimentSource& source, const Overrides& overrides,
                                bool is_reduced) {
-  for (const auto& name : {path, folder})
+  const auto& path = source.path;
+  const auto text = source.text ? *source.text : base::read_text(path);
+  for (const auto& name : {path, source.folder})
     base::require(base::is_utf8(name), name,
                   "found a name that is not UTF-8, expected UTF-8 for run.json");
   const auto content = std::make_shared<toml::table>(base::parse_toml(text, path));
@@ -155,19 +175,19 @@ ExperimentFile read_experiment(const std::string& text, const std::string& path,
 
   ExperimentFile experiment;
   experiment.path = path;
-  experiment.folder = folder;
+  experiment.folder = source.folder;
   experiment.content = content;
   experiment.sweep = read_axes(content, order, path);
   const auto in_play = programs_in_play(file, experiment.sweep, path);
   name_axes(experiment.sweep, in_play, path);
   for (const auto& override : overrides) check_not_shadowed(override, experiment.sweep);
   read_judgement(file, experiment);
-  experiment.settings = find_settings(file);
+  experiment.keys = list_keys(content);
   const auto points = count_points(experiment.sweep, path);
   for (std::size_t i = 0; i < points; ++i) {
     auto at = find_coordinates(experiment.sweep, i);
-    auto settings = bind_settings(file, at, in_play, path, folder);
-    auto numbers = find_numbers(file, at);
+    auto settings = bind_settings(experiment, at, in_play);
+    auto numbers = find_numbers(experiment.keys, at);
     experiment.points.push_back({std::move(at), std::move(settings), std::move(numbers)});
   }
   return experiment;

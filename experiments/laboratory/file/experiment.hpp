@@ -59,14 +59,19 @@ struct Experiment {
   std::string tree;
   /// links of the single tree; none: breadth-first tree of the root
   topologies::TreeLinks tree_links;
-  std::vector<FaultSpec> faults;                   ///< faults from [[fault]]
-  bool is_timed = false;                           ///< true if the key run.cost is "timed"
-  machine::Links links = machine::Links::simgrid;  ///< link engine, from the key run.engine
-  /// process engine, from the key run.processes
-  machine::Processes processes = machine::Processes::fibers;
+  std::vector<FaultSpec> faults;  ///< faults from [[fault]]
+  bool is_timed = false;          ///< true if the key run.cost is "timed"
+  machine::EngineParams engine;   ///< from the keys run.engine and run.processes
   /// host speed for timed costs, cycles per host second, once it is known
   std::optional<double> cycles_per_host_s = {};
 };
+
+/// The keys of a file that concern single points, by their dotted names, with their values.
+using Keys = std::map<std::string, Node>;
+/// Lists them. Omits [sweep], [let], [[check]] and the tables for the report.
+Keys list_keys(const std::shared_ptr<const toml::table>& file);
+/// The values as spelled in TOML, without keys that do not change results.
+std::map<std::string, std::string> spell_keys(const Keys& keys);
 
 /// The files that a point reads, such as scene, network and routes, without the machine model.
 std::vector<std::string> files_of(const Experiment& experiment);
@@ -133,8 +138,7 @@ struct ExperimentFile {
   std::vector<Coupled> sweep;                  ///< the axes of [sweep]
   /// all points, the last axis varying fastest; a file without a sweep has one point
   std::vector<Point> points;
-  /// Keys of the file that change a point's computation, with their values as spelled in TOML.
-  std::map<std::string, std::string> settings;
+  Keys keys;
   std::vector<Definition> definitions;  ///< names of [let] with their expressions
   std::vector<Check> checks;            ///< checks, from [[check]]
   std::vector<PlotSpec> plots;          ///< plots, from [[plot]]
@@ -164,15 +168,21 @@ Override parse_override(const std::string& text);
 /// Formats the content of a file as TOML, with the axes in the order of the sweep.
 std::string resolve(const ExperimentFile& file);
 
-/// Reads and checks a file. Applies the values of [reduced] if `is_reduced`, then `overrides`.
-/// Paths in the file are relative to its folder. Throws BadInput with the file, the line or key,
-/// the value found, and the nearest valid key.
-ExperimentFile load_experiment(const std::string& path, const Overrides& overrides,
-                               bool is_reduced = false);
+/// An experiment file, or a text in its place.
+struct ExperimentSource {
+  ExperimentSource(const std::string& path);
+  /// Paths in the text are relative to `folder`.
+  ExperimentSource(std::string text, std::string path, std::string folder)
+      : path(std::move(path)), folder(std::move(folder)), text(std::move(text)) {}
 
-/// Reads a text as if it were the content of the file `path`, with paths relative to `folder`.
-ExperimentFile read_experiment(const std::string& text, const std::string& path,
-                               const std::string& folder, const Overrides& overrides,
+  std::string path, folder;
+  std::optional<std::string> text;  ///< replaces the content of the file
+};
+
+/// Reads and checks an experiment. Applies the values of [reduced] if `is_reduced`, then
+/// `overrides`. Throws BadInput with the file, the line or key, the value found, and the nearest
+/// valid key.
+ExperimentFile load_experiment(const ExperimentSource& source, const Overrides& overrides,
                                bool is_reduced = false);
 
 }  // namespace laboratory

@@ -51,14 +51,12 @@ bool set_tree_links(Experiment& e, const base::Scalar& value) {
 base::Field<Experiment> program_field() {
   base::Domain names{base::Domain::Kind::choice};
   for (const auto& program : programs::all_programs()) names.choices.push_back(program.name);
-  return {"program.name",
-          "",
-          "one of the programs below; as an axis of [sweep]: program",
-          names,
-          [](Experiment&, const base::Scalar&) { return true; },
-          [](const Experiment& e) -> base::Scalar {
-            return (e.program ? *e.program : programs::all_programs().front()).name;
-          }};
+  return base::Declare<Experiment>::custom(
+      "program.name", names, "", "one of the programs below; as an axis of [sweep]: program",
+      [](Experiment&, const base::Scalar&) { return true; },
+      [](const Experiment& e) {
+        return (e.program ? *e.program : programs::all_programs().front()).name;
+      });
 }
 
 // The keys that do not depend on the program.
@@ -86,30 +84,29 @@ const base::Fields<Experiment>& common_fields() {
           "tree, line, ring, ... of `workers` processors; or with sizes, as tree:7; or a file"),
       D::whole("network.workers", &E::workers, 1, topologies::MAX_PROCESSORS, "",
                "worker processors"),
-      {"network.switches", "",
-       "C004 link switches: a number for every link, or for some links [[a, b, n], ...]", switches,
-       set_switches, [](const E& e) -> base::Scalar { return std::int64_t{e.switches}; }},
-      {"network.routes",
-       "",
-       "xy: dimension-order routing on meshes, tori and hypercubes; or a CSV file with the columns "
-       "from,to,path; default: shortest routes",
-       {base::Domain::Kind::file},
-       set_routes,
-       std::mem_fn(&E::routes)},
+      D::custom("network.switches", switches, "",
+                "C004 link switches: a number for every link, or for some links [[a, b, n], ...]",
+                set_switches, [](const E& e) { return std::int64_t{e.switches}; }),
+      D::custom("network.routes", {base::Domain::Kind::file}, "",
+                "xy: dimension-order routing on meshes, tori and hypercubes; or a CSV file with "
+                "the columns from,to,path; default: shortest routes",
+                set_routes, std::mem_fn(&E::routes)),
       D::one_of("network.tree", &E::tree, {"per_root", "single"},
                 "spanning trees for messages to all: per_root, breadth first from each sender; or "
                 "single, one tree for all"),
-      {"network.tree_links", "", "links of the single tree, [[a, b], ...]", tree_links,
-       set_tree_links, [](const E&) { return base::Scalar(); }},
+      D::custom("network.tree_links", tree_links, "", "links of the single tree, [[a, b], ...]",
+                set_tree_links, [](const E&) { return base::Scalar(); }),
       D::choice("run.cost", &E::is_timed, COSTS,
                 "counted: operations times their cycles; timed: scaled host time, which charges "
                 "single rays 10 to 18 % more than blocks"),
-      D::choice("run.engine", &E::links, ENGINES,
-                "engine that simulates links: simgrid; or direct, which gives the same results "
-                "except for rounding and is much faster for large machines"),
-      D::choice("run.processes", &E::processes, PROCESSES,
-                "implementation of processes: fibers; or actors of SimGrid, which give the same "
-                "results in more host time"),
+      D::choice(
+          "run.engine", [](auto& e) -> auto& { return e.engine.links; }, ENGINES,
+          "engine that simulates links: simgrid; or direct, which gives the same results "
+          "except for rounding and is much faster for large machines"),
+      D::choice(
+          "run.processes", [](auto& e) -> auto& { return e.engine.processes; }, PROCESSES,
+          "implementation of processes: fibers; or actors of SimGrid, which give the same "
+          "results in more host time"),
   };
   return all;
 }
@@ -169,9 +166,10 @@ const programs::Program* read_program(const Place& at) {
 // Reads the tables of a list such as [[stage]]. Each becomes a record.
 void bind_list(Experiment& experiment, const programs::RecordList& list, const Place& at) {
   list.clear(experiment.params);
-  for (const auto* table : tables_of(at)) {
+  check_tables(at);
+  for (const auto& table : *at.node.as_array()) {
     auto record = list.make_record();
-    assign_all(record, list.fields, *table, at);
+    assign_all(record, list.fields, *table.as_table(), at);
     try {
       list.append(experiment.params, record);
     } catch (const BadInput& error) {
@@ -239,19 +237,28 @@ std::vector<std::string> common_keys() {
   refuse_key(at, known);
 }
 
-void bind_setting(Experiment& experiment, const Programs& in_play, const Place& at) {
-  if (at.key.starts_with("model.")) return bind_model_entry(experiment, at);
-  if (const auto* field = find_by(common_fields(), &base::Field<Experiment>::name, at.key)) {
-    check_used(in_play, at);
-    return assign(experiment, *field, at);
-  }
+// The member of an experiment or of its program's parameters that a key sets.
+struct Member {
+  void* place;
+  const base::Domain& domain;
+  const std::function<bool(void*, const base::Scalar&)>& write;
+};
+
+std::optional<Member> find_member(Experiment& e, const std::string& key) {
+  if (const auto* field = find_by(common_fields(), &base::Field<Experiment>::name, key))
+    return Member{field->place(e), field->domain, field->write};
+  if (const auto* parameter = find_parameter(*e.program, key))
+    return Member{parameter->place(e.params), parameter->domain, parameter->write};
+  return std::nullopt;
+}
+
+// Reads a section such as [[fault]], or a list of the program such as [[stage]].
+void bind_tables(Experiment& experiment, const Programs& in_play, const Place& at) {
   if (const auto* section = find_by(sections(), &Section::key, at.key)) {
     check_used(in_play, at);
     if (!section->read) at.refuse("no axis of this name");
     return section->read(experiment, at);
   }
-  if (const auto* parameter = find_parameter(*experiment.program, at.key))
-    return assign(experiment.params, *parameter, at);
   if (const auto* list = find_list(*experiment.program, at.key))
     return bind_list(experiment, *list, at);
   const bool is_others =
@@ -341,23 +348,32 @@ Axis name_axis(const std::string& name, const Programs& in_play, const std::stri
                              base::suggest(name, known_here, "the nearest valid one is")));
 }
 
-Experiment bind_settings(const toml::table& file, const std::vector<Coordinate>& at,
-                         const Programs& in_play, const std::string& origin,
-                         const std::string& folder) {
+Experiment bind_settings(const ExperimentFile& file, const std::vector<Coordinate>& at,
+                         const Programs& in_play) {
   Experiment experiment;
   experiment.program = in_play[0];
-  for (const auto& [axis, key, value] : at)
-    if (key == "program.name") experiment.program = read_program({origin, key, folder, *value});
-  experiment.params = experiment.program->defaults;
-  for_each_key(file, [&](const std::string& key, const toml::node& node) {
-    bind_setting(experiment, in_play, {origin, key, folder, node});
-  });
+  std::vector<Place> places;
+  for (const auto& [key, node] : file.keys) places.push_back({file.path, key, file.folder, *node});
   for (const auto& [axis, key, value] : std::views::reverse(at))
-    bind_setting(experiment, in_play, {origin, key, folder, *value});
+    places.push_back({file.path, key, file.folder, *value});
+  for (const auto& [axis, key, value] : at)
+    if (key == "program.name") experiment.program = read_program({file.path, key, "", *value});
+  experiment.params = experiment.program->defaults;
+  for (const auto& place : places) {
+    if (place.key.starts_with("model.")) {
+      bind_model_entry(experiment, place);
+    } else if (const auto member = find_member(experiment, place.key)) {
+      check_used(in_play, place);
+      if (!member->write(member->place, read_value(place, member->domain)))
+        place.refuse(member->domain.describe());
+    } else {
+      bind_tables(experiment, in_play, place);
+    }
+  }
   base::require(
-      experiment.links == machine::Links::simgrid ||
-          experiment.processes == machine::Processes::fibers,
-      origin + ": run.processes",
+      experiment.engine.links == machine::Links::simgrid ||
+          experiment.engine.processes == machine::Processes::fibers,
+      file.path + ": run.processes",
       "found actors with run.engine = \"direct\", expected fibers: only SimGrid has actors");
   return experiment;
 }

@@ -15,12 +15,11 @@ Programs programs_in_play(const toml::table& file, const std::vector<Coupled>& s
 /// Lists the programs that use a feature, for an error message: "farm, iirra".
 std::string list_users(bool programs::Uses::*of);
 
-/// Sets every field named in `file`, then the fields of the axes to their values in `at`. Paths are
-/// relative to `folder`. Ignores keys of the other programs in `in_play`. Throws for an unknown
-/// key, with the nearest valid one, and for a value of the wrong kind.
-Experiment bind_settings(const toml::table& file, const std::vector<Coordinate>& at,
-                         const Programs& in_play, const std::string& origin,
-                         const std::string& folder);
+/// Sets the fields of all `file.keys`, then those of the axes to their values in `at`. Ignores keys
+/// of the other programs in `in_play`. Throws for an unknown key, with the nearest valid one, and
+/// for a value of the wrong kind.
+Experiment bind_settings(const ExperimentFile& file, const std::vector<Coordinate>& at,
+                         const Programs& in_play);
 
 /// Throws for a file parameter that names a missing file, or is empty although required.
 void check_files(const Experiment& experiment);

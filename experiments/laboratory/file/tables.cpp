@@ -34,8 +34,8 @@ const base::Fields<FaultSpec>& fault_fields() {
   Domain ends{Domain::Kind::list};
   ends.expected = "two processors that a link joins, [a, b]";
   static const base::Fields<FaultSpec> all = {
-      {"link", "", "[a, b]: the link between these processors fails", ends, set_link,
-       no_value<FaultSpec>},
+      D::custom("link", ends, "", "[a, b]: the link between these processors fails", set_link,
+                no_value<FaultSpec>),
       D::whole(
           "processor", [](auto& spec) -> auto& { return spec.fault.a; }, 0, LAST_PROCESSOR, "",
           "or number of the processor that stops, with its links"),
@@ -79,13 +79,15 @@ void check_complete(const OtherProcessor& other, const toml::table& table) {
 template <class Record>
 std::vector<Record> read_records(const Place& list, const base::Fields<Record>& fields) {
   std::vector<Record> records;
-  for (const auto* table : tables_of(list, true)) {
+  check_tables(list, true);
+  for (const auto& node : *list.node.as_array()) {
+    const auto& table = *node.as_table();
     Record& record = records.emplace_back();
-    Place at = list.inside(list.key, *table);
+    Place at = list.inside(list.key, table);
     at.owner = fmt::format("[[{}]] {}: ", list.key, records.size());
     record.place = fmt::format("{}: [[{}]] {}", at.where(), list.key, records.size());
-    assign_all(record, fields, *table, at);
-    check_complete(record, *table);
+    assign_all(record, fields, table, at);
+    check_complete(record, table);
   }
   return records;
 }
@@ -120,7 +122,8 @@ const base::Fields<Check>& check_fields() {
                     "or the lowest allowed value: a number or an expression as in `formula`"),
       D::expression("at_most", &C::at_most,
                     "or the highest allowed value: a number or an expression"),
-      {"between", "", "or both bounds, [lowest, highest]", between, set_between, no_value<C>},
+      D::custom("between", between, "", "or both bounds, [lowest, highest]", set_between,
+                no_value<C>),
       D::text("where", &C::where, "an expression: selects the points where it is not 0"),
       D::flag("may_be_empty", &C::may_be_empty,
               "true: the check holds if no point is selected; false: it fails"),
@@ -312,20 +315,28 @@ template <class Spec>
 std::vector<Spec> read_all(const Place& at, const base::Fields<Spec>& fields) {
   std::vector<Spec> specs;
   std::set<std::string> names;
-  for (const auto* table : tables_of(at, true)) {
+  check_tables(at, true);
+  for (const auto& node : *at.node.as_array()) {
+    const auto& table = *node.as_table();
     Spec& spec = specs.emplace_back();
-    const auto here = at.inside(at.key, *table);
-    assign_all(spec, fields, *table, here);
+    const Place here{at.origin, at.key, at.folder, table};
+    assign_all(spec, fields, table, here);
     spec.place = fmt::format("{}: {} \"{}\"", here.where(), at.key, spec.name);
     require(!spec.name.empty(), spec.place, "\"name\" is missing");
     if constexpr (requires { spec.keys; })
       require(spec.reference.path.empty() == spec.keys.empty(), spec.place,
               "expected keys (columns of results and reference) with a reference, and only then");
-    check_complete(spec, *table);
+    check_complete(spec, table);
     require(names.insert(spec.name).second || at.key == "check", spec.place,
             "found this name twice, expected different names");
   }
   return specs;
+}
+
+template <class Spec>
+void read_section(Spec& spec, const base::Fields<Spec>& fields, const Place& at) {
+  if (!at.node.is_table()) at.refuse("a section");
+  assign_all(spec, fields, *at.node.as_table(), at);
 }
 
 }  // namespace
@@ -337,23 +348,19 @@ std::vector<OtherProcessor> read_others(const Place& at) {
 }
 
 void read_judgement(const toml::table& file, ExperimentFile& into) {
-  const auto with = [&](const std::string& key, const auto& read_it) {
-    if (const auto* node = file.get(key)) read_it(Place{into.path, key, into.folder, *node});
-  };
-  with("let", [&](const Place& at) { into.definitions = read_definitions(at); });
-  with("check", [&](const Place& at) { into.checks = read_all(at, check_fields()); });
-  with("plot", [&](const Place& at) { into.plots = read_all(at, plot_fields()); });
-  with("best", [&](const Place& at) { into.bests = read_all(at, best_fields()); });
-  with("baseline", [&](const Place& at) { into.baselines = read_all(at, baseline_fields()); });
-  with("report", [&](const Place& at) {
-    if (!at.node.is_table()) at.refuse("a section");
-    assign_all(into.report, report_fields(), *at.node.as_table(), at);
-  });
-  with("uncertain", [&](const Place& at) {
-    if (!at.node.is_table()) at.refuse("a section");
-    assign_all(into.uncertain, uncertain_fields(), *at.node.as_table(), at);
-    if (into.uncertain.machines == 0) at.refuse("machines = N, the number of machines to draw");
-  });
+  for (auto&& [name, node] : file) {
+    const Place at{into.path, std::string(name.str()), into.folder, node};
+    if (at.key == "let") into.definitions = read_definitions(at);
+    if (at.key == "check") into.checks = read_all(at, check_fields());
+    if (at.key == "plot") into.plots = read_all(at, plot_fields());
+    if (at.key == "best") into.bests = read_all(at, best_fields());
+    if (at.key == "baseline") into.baselines = read_all(at, baseline_fields());
+    if (at.key == "report") read_section(into.report, report_fields(), at);
+    if (at.key == "uncertain") {
+      read_section(into.uncertain, uncertain_fields(), at);
+      if (into.uncertain.machines == 0) at.refuse("machines = N, the number of machines to draw");
+    }
+  }
   for (auto& check : into.checks)
     if (check.column.empty()) check.column = check.of;
   for (auto& plot : into.plots) {

@@ -19,6 +19,24 @@ void Place::refuse(const std::string& expected) const {
 
 namespace {
 
+// The text of a number; no value if it is infinite or not a number.
+std::optional<std::string> find_number_text(const toml::node& node) {
+  const auto number = node.value<double>();
+  if (!node.is_number() || !std::isfinite(*number)) return std::nullopt;
+  return fmt::format("{}", *number);
+}
+
+// A list of texts; if `are_expressions`, numbers become texts. No value for other lists.
+base::Scalar read_texts(const toml::array& list, bool are_expressions) {
+  std::vector<std::string> texts;
+  for (const auto& entry : list) {
+    const auto number = are_expressions ? find_number_text(entry) : std::nullopt;
+    if (const auto text = number ? number : entry.value_exact<std::string>())
+      texts.push_back(*text);
+  }
+  return texts.size() == list.size() ? base::Scalar(texts) : base::Scalar();
+}
+
 // A list of numbers, or of lists of numbers; no value for other lists.
 base::Scalar read_list(const toml::array& list) {
   std::vector<double> numbers;
@@ -41,38 +59,34 @@ base::Source make_source(const std::string& text, const std::string& folder, boo
   return {text, (std::filesystem::path(folder) / path).string()};
 }
 
-// Reads a text. If `is_expression`, also accepts a number and formats it.
-std::optional<std::string> find_text(const toml::node& node, bool is_expression) {
-  const auto number = is_expression && node.is_number() ? node.value<double>() : std::nullopt;
-  return number && std::isfinite(*number) ? fmt::format("{}", *number)
-                                          : node.value_exact<std::string>();
-}
-
-base::Scalar read_scalar(const Place& at, const base::Domain& domain) {
-  using Kind = base::Domain::Kind;
-  const auto& node = at.node;
-  const bool are_expressions = domain.kind == Kind::expressions;
-  if (const auto text = find_text(node, domain.kind == Kind::expression)) {
-    if (domain.kind == Kind::texts) return std::vector{*text};
-    if (domain.kind == Kind::source || domain.kind == Kind::file)
-      return make_source(*text, at.folder, domain.kind == Kind::source);
-    return *text;
-  }
-  if (const auto whole = node.value_exact<std::int64_t>()) return *whole;
-  if (const auto number = node.value_exact<double>()) return *number;
-  if (const auto flag = node.value_exact<bool>()) return *flag;
-  if (!node.is_array()) return {};
-  if (domain.kind != Kind::texts && !are_expressions) return read_list(*node.as_array());
-  std::vector<std::string> texts;
-  for (const auto& entry : *node.as_array())
-    if (const auto text = find_text(entry, are_expressions)) texts.push_back(*text);
-  return texts.size() == node.as_array()->size() ? base::Scalar(texts) : base::Scalar();
-}
-
 }  // namespace
 
 base::Scalar read_value(const Place& at, const base::Domain& domain) {
-  auto value = read_scalar(at, domain);
+  using Kind = base::Domain::Kind;
+  const auto& node = at.node;
+  base::Scalar value;
+  if (const auto text = node.value_exact<std::string>()) {
+    const bool is_source = domain.kind == Kind::source;
+    if (is_source || domain.kind == Kind::file)
+      value = make_source(*text, at.folder, is_source);
+    else if (domain.kind == Kind::texts)
+      value = std::vector{*text};
+    else
+      value = *text;
+  } else if (const auto* list = node.as_array()) {
+    const bool are_expressions = domain.kind == Kind::expressions;
+    const bool are_texts = are_expressions || domain.kind == Kind::texts;
+    value = are_texts ? read_texts(*list, are_expressions) : read_list(*list);
+  } else if (const auto number = find_number_text(node);
+             number && domain.kind == Kind::expression) {
+    value = *number;
+  } else if (const auto whole = node.value_exact<std::int64_t>()) {
+    value = *whole;
+  } else if (const auto real = node.value_exact<double>()) {
+    value = *real;
+  } else if (const auto flag = node.value_exact<bool>()) {
+    value = *flag;
+  }
   if (domain.allows(value)) return value;
   const auto* text = std::get_if<std::string>(&value);
   at.refuse(domain.describe() +
@@ -83,13 +97,10 @@ std::string read_expression(const Place& at) {
   return std::get<std::string>(read_value(at, {base::Domain::Kind::expression}));
 }
 
-std::vector<const toml::table*> tables_of(const Place& at, bool may_be_empty) {
+void check_tables(const Place& at, bool may_be_empty) {
   const auto* list = at.node.as_array();
-  std::vector<const toml::table*> tables;
-  if (list && list->empty() && may_be_empty) return tables;
+  if (list && list->empty() && may_be_empty) return;
   if (!list || !list->is_array_of_tables()) at.refuse(fmt::format("one or more [[{}]]", at.key));
-  for (const auto& node : *list) tables.push_back(node.as_table());
-  return tables;
 }
 
 void refuse_key(const Place& at, const std::vector<std::string>& known) {
@@ -98,29 +109,6 @@ void refuse_key(const Place& at, const std::vector<std::string>& known) {
   const auto& near = same_end != known.end() ? std::vector{*same_end} : known;
   base::refuse(at.where(), "unknown key \"{}\"{}", at.key,
                base::suggest(at.key, near, "the nearest valid key is"));
-}
-
-void for_each_key(const toml::table& file,
-                  const std::function<void(const std::string& key, const toml::node&)>& visit) {
-  static constexpr std::array<std::string_view, 8> NOT_OF_A_POINT = {
-      "sweep", "let", "check", "plot", "best", "baseline", "report", "uncertain"};
-  for (auto&& [section, content] : file) {
-    const std::string name(section.str());
-    if (std::ranges::find(NOT_OF_A_POINT, name) != NOT_OF_A_POINT.end()) continue;
-    if (!content.is_table()) {
-      visit(name, content);
-      continue;
-    }
-    for (auto&& [key, node] : *content.as_table()) {
-      const auto dotted = fmt::format("{}.{}", name, key.str());
-      if (name != "model" || !node.is_table()) {
-        visit(dotted, node);
-        continue;
-      }
-      for (auto&& [entry, value] : *node.as_table())
-        visit(fmt::format("{}.{}", dotted, entry.str()), value);
-    }
-  }
 }
 
 std::string spell_text(const std::string& text) {

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <optional>
 #include <ranges>
 #include <string>
@@ -64,39 +63,29 @@ std::optional<std::vector<std::array<int, N>>> find_rows(const base::Scalar& val
   }
   return all;
 }
-/// The tables of [[key]]. Throws BadInput for an empty list unless `may_be_empty`.
-std::vector<const toml::table*> tables_of(const Place& at, bool may_be_empty = false);
+/// Throws BadInput unless the value is [[key]], a list of tables. An empty list is an error unless
+/// `may_be_empty`.
+void check_tables(const Place& at, bool may_be_empty = false);
 
 /// Throws BadInput for an unknown key, with the nearest valid one. For `section.KEY`, it prefers a
 /// key that ends in KEY.
 [[noreturn]] void refuse_key(const Place& at, const std::vector<std::string>& known);
-
-/// Sets the field of a key. Throws BadInput for a value that the field refuses.
-template <class P>
-void assign(P& params, const base::Field<P>& field, const Place& at) {
-  if (!field.set(params, read_value(at, field.domain))) at.refuse(field.domain.describe());
-}
 
 /// Sets the fields named in a table. Throws BadInput for an unknown key.
 template <class P>
 void assign_all(P& params, const base::Fields<P>& fields, const toml::table& table,
                 const Place& at) {
   for (auto&& [key, node] : table) {
-    const auto its = at.inside(key.str(), node);
+    const Place its{at.origin, std::string(key.str()), at.folder, node, at.owner};
     const auto field = std::ranges::find(fields, its.key, &base::Field<P>::name);
-    if (field != fields.end()) {
-      assign(params, *field, its);
-      continue;
+    if (field == fields.end()) {
+      std::vector<std::string> known;
+      for (const auto& f : fields) known.push_back(f.name);
+      refuse_key(its, known);
     }
-    std::vector<std::string> known;
-    for (const auto& f : fields) known.push_back(f.name);
-    refuse_key(its, known);
+    if (!field->write(field->place(params), read_value(its, field->domain)))
+      its.refuse(field->domain.describe());
   }
 }
-
-/// Visits every key of a point by its dotted name, sorted by name. Skips [sweep], [let], [[check]]
-/// and the tables for the report.
-void for_each_key(const toml::table& file,
-                  const std::function<void(const std::string& key, const toml::node&)>& visit);
 
 }  // namespace laboratory

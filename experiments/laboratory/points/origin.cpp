@@ -52,8 +52,8 @@ Origin read_origin(const fs::path& results, const ordered_json& json, const Over
   options.is_reduced = json.value("reduced", false);
   if (json.at("until_s").is_number()) options.until_s = json["until_s"].get<double>();
   const auto folder = find_folder(results, options.file, json.at("folder").get<std::string>());
-  origin.file = read_experiment(json.at("experiment").get<std::string>(), options.file,
-                                folder.string(), more);
+  origin.file = load_experiment(
+      {json.at("experiment").get<std::string>(), options.file, folder.string()}, more);
   return origin;
 }
 

@@ -93,10 +93,11 @@ std::vector<std::string> make_keys(const ExperimentFile& file, double until_s) {
   };
   std::vector<std::string> keys;
   for (const auto& [at, experiment, numbers] : file.points) {
-    auto settings = file.settings;
-    for (const auto& [axis, key, value] : at) settings[key] = base::to_toml(*value);
+    auto settings = file.keys;
+    for (const auto& [axis, key, value] : at) settings[key] = value;
     std::string text = fmt::format("{}\nuntil {}\n", program_id(), until_s);
-    for (const auto& [key, value] : settings) text += fmt::format("{} = {}\n", key, value);
+    for (const auto& [key, value] : spell_keys(settings))
+      text += fmt::format("{} = {}\n", key, value);
     for_each_model(experiment, [&](const ModelSpec& spec) {
       auto& model = models[model_key(spec)];
       if (model.empty()) try {

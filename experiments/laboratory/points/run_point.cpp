@@ -27,31 +27,25 @@ double process_cpu_s() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-Setup make_setup_without_network(const Experiment& experiment, const machine::Model& model) {
-  Setup setup{model, topologies::make_line(1)};
-  setup.engine = {experiment.links, experiment.processes};
+// Makes the surroundings of a program without its network.
+Setup make_setup(const Experiment& experiment, const machine::Model& model) {
+  Setup setup{.model = model, .topology = topologies::make_line(1), .engine = experiment.engine};
   setup.cycles_per_host_s = experiment.cycles_per_host_s;
   if (experiment.is_timed && !setup.cycles_per_host_s) setup.cycles_per_host_s = 1;
   return setup;
 }
 
-Setup make_setup(const Experiment& experiment, const machine::Model& model,
-                 const RunOptions& options, observe::RunMonitor& monitor) {
-  auto setup = make_setup_without_network(experiment, model);
-  setup.monitor = &monitor;
-  setup.profile = options.profile;
+void add_network(Setup& setup, const Experiment& experiment, unsigned threads) {
   const auto& uses = experiment.program->uses;
   if (uses.network) setup.topology = make_workers(experiment);
-  if (options.threads > 1)
-    setup.engine.parts =
-        topologies::make_partition(setup.topology, static_cast<int>(options.threads));
+  if (threads > 1)
+    setup.engine.parts = topologies::make_partition(setup.topology, static_cast<int>(threads));
   if (uses.routes) {
     setup.routes = find_routes(experiment, setup.topology);
     setup.tree = find_tree(experiment, setup.topology);
   }
   setup.faults = find_faults(experiment, setup.topology);
-  if (uses.others) setup.others = find_others(experiment, setup.topology, model);
-  return setup;
+  if (uses.others) setup.others = find_others(experiment, setup.topology, setup.model);
 }
 
 // Describes a point before its run. The caller passes the network, since making it may take
@@ -141,7 +135,10 @@ PointResult run(const Experiment& experiment, const fs::path& images, const RunO
                 observe::RunMonitor& monitor) {
   const double start_s = process_cpu_s();
   const auto model = make_model(experiment.model);
-  const auto setup = make_setup(experiment, model, options, monitor);
+  auto setup = make_setup(experiment, model);
+  setup.monitor = &monitor;
+  setup.profile = options.profile;
+  add_network(setup, experiment, options.threads);
   auto result = describe(experiment, setup.topology);
   const double run_start_s = process_cpu_s();
   try {
@@ -181,7 +178,7 @@ void check_point(const Experiment& experiment) {
     find_others(experiment, make_workers(experiment), model);
   }
   if (!experiment.program->check) return;
-  auto setup = make_setup_without_network(experiment, model);
+  auto setup = make_setup(experiment, model);
   // Makes the network only for programs that check it, since that is slow.
   if (experiment.program->services > 0 || !experiment.faults.empty())
     setup.topology = make_workers(experiment);
@@ -197,7 +194,7 @@ void check_threads(const RunOptions& options, const Experiment& experiment) {
   require(experiment.program->uses.threads, "--threads",
           "found {} with the program {}, which supports only one, expected one of {}",
           options.threads, experiment.program->name, list_users(&programs::Uses::threads));
-  refuse_if(experiment.links != machine::Links::direct, "run.engine = \"simgrid\"",
+  refuse_if(experiment.engine.links != machine::Links::direct, "run.engine = \"simgrid\"",
             "run.engine = \"direct\", because SimGrid uses one thread");
   refuse_if(!experiment.faults.empty(), "[[fault]]", "one");
   refuse_if(make_model(experiment.model).channel.least_to_link().value <= 0,

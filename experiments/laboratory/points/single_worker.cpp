@@ -46,9 +46,9 @@ ExperimentFile without_network(const ExperimentFile& file) {
   for (auto& coupled : single.sweep)
     std::erase_if(coupled, [](const Axis& axis) { return is_of_network(axis.key); });
   std::erase_if(single.sweep, [](const Coupled& coupled) { return coupled.empty(); });
-  std::erase_if(single.settings, [](const auto& setting) { return is_of_network(setting.first); });
-  single.settings["network.topology"] = "\"line\"";
-  single.settings["network.workers"] = "1";
+  std::erase_if(single.keys, [](const auto& setting) { return is_of_network(setting.first); });
+  single.keys["network.topology"] = make_node("line");
+  single.keys["network.workers"] = make_node(std::int64_t{1});
   return single;
 }
 

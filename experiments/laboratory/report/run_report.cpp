@@ -132,7 +132,7 @@ std::string make_settings(const ExperimentFile& file) {
   std::vector<std::string> lines;
   const auto add = [&](const std::string& key, const std::string& value) {
     const bool is_given =
-        file.settings.contains(key) ||
+        file.keys.contains(key) ||
         std::ranges::any_of(file.axes(), [&](const Axis& axis) { return axis.key == key; });
     if (!is_given) append(lines, {fmt::format("# {} = {}", key, value)});
   };

@@ -156,8 +156,7 @@ ExperimentFile spread(const ExperimentFile& file) {
       };
       draw(point.experiment.model);
       // the engine "direct" takes half the time, and its results are equal up to rounding
-      point.experiment.links = machine::Links::direct;
-      point.experiment.processes = machine::Processes::fibers;
+      point.experiment.engine = {.links = machine::Links::direct};
       for (auto& other : point.experiment.others) draw(other.model);
       point.at.push_back({"machine", "uncertain.machine", number});
       all.points.push_back(std::move(point));

@@ -21,7 +21,7 @@ sweep.workers = [2]
 
 ExperimentFile read_reduced(const std::string& text, const std::vector<std::string>& overrides,
                             bool is_reduced) {
-  return read_experiment(text, "e.toml", "", parse_overrides(overrides), is_reduced);
+  return load_experiment({text, "e.toml", ""}, parse_overrides(overrides), is_reduced);
 }
 
 TEST(Reduced, ReplacesValuesOnlyIfAsked) {

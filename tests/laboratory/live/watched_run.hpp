@@ -51,7 +51,7 @@ inline std::string text_of(PointResult result) {
 }
 
 inline ExperimentFile read(const std::string& text, const std::string& folder) {
-  return read_experiment(text, "e.toml", folder, {{"run.engine", make_node("direct")}});
+  return load_experiment({text, "e.toml", folder}, {{"run.engine", make_node("direct")}});
 }
 
 // The same point, run by tlab run.

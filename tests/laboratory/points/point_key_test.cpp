@@ -38,9 +38,10 @@ TEST(ExperimentsPointKey, DependsOnWhatAPointDoes) {
 TEST(ExperimentsPointKey, DependsOnWhatFilesHold) {
   const TemporaryFolder folder;
   const auto key = [&] {
-    return make_keys(read_experiment("[network]\ntopology = \"net.dot\"\n", "e.toml",
-                                     folder.path.string(), {}),
-                     1)
+    return make_keys(
+               load_experiment(
+                   {"[network]\ntopology = \"net.dot\"\n", "e.toml", folder.path.string()}, {}),
+               1)
         .at(0);
   };
   std::ofstream(folder.path / "net.dot") << "graph { a--b }";
@@ -56,8 +57,9 @@ TEST(ExperimentsPointKey, DependsOnWhatTheModelFileOfAProcessorHolds) {
     std::ofstream(folder.path / "mine.toml")
         << "name = \"mine\"\nbase = \"t805-25\"\n[cpu]\nclock = { value = " << clock
         << ", unit = \"Hz\", provenance = \"datasheet\", source = \"a label\" }\n";
-    return make_keys(read_experiment("[[processor]]\nnumber = 1\nmodel = \"mine.toml\"\n", "e.toml",
-                                     folder.path.string(), {}),
+    return make_keys(load_experiment({"[[processor]]\nnumber = 1\nmodel = \"mine.toml\"\n",
+                                      "e.toml", folder.path.string()},
+                                     {}),
                      1)
         .at(0);
   };

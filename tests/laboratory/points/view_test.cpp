@@ -18,9 +18,10 @@ const Table OF_RADIOSITY = {.columns = {"refine", "processors", "mean", "sends",
                                      {3, 4, "simpson", "mean", 2.5, 20, {}, 0.6, "done"}}};
 
 ExperimentFile read(const std::string& more) {
-  return read_experiment(
-      "[program]\nname = \"radiosity\"\nscene = \"w.room\"\n[sweep]\nrefine = [2, 3]\n" + more,
-      "e.toml", "", {});
+  return load_experiment(
+      {"[program]\nname = \"radiosity\"\nscene = \"w.room\"\n[sweep]\nrefine = [2, 3]\n" + more,
+       "e.toml", ""},
+      {});
 }
 
 using Texts = std::vector<std::string>;

@@ -108,9 +108,10 @@ router = { value = 6, unit = "1", provenance = "calibrated", source = "x", low =
 }
 
 TEST(Draw, SpreadsTheFileOverTheMachines) {
-  const auto file = read_experiment(
-      "[network]\nworkers = 2\n[sweep]\nobjects = [10, 20]\n[uncertain]\nmachines = 3\n", "e.toml",
-      "", {});
+  const auto file = load_experiment(
+      {"[network]\nworkers = 2\n[sweep]\nobjects = [10, 20]\n[uncertain]\nmachines = 3\n", "e.toml",
+       ""},
+      {});
   const auto all = spread(file);
   ASSERT_EQ(all.points.size(), 8u);
   EXPECT_EQ(name_of(all.points[1]), "objects = 20");
