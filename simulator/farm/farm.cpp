@@ -52,9 +52,8 @@ FrameBuffer make_picture(const Params& params) {
 }
 
 // Cost of a kernel that runs on the coordinator or the display.
-kernels::KernelCost central_cost(const char* name, const machine::Model& model,
-                                 const Params& params) {
-  return {name, {model, &kernels::central_costs}, params.cycles_per_host_s};
+kernels::KernelCost central_cost(const char* name, const Setup& setup) {
+  return {name, {setup.model, &kernels::central_costs}, setup.cycles_per_host_s};
 }
 
 // Bytes of scene data on the display: surfaces with textures, and lights (4.3.6.6). A preview needs
@@ -107,8 +106,8 @@ std::string describe_phase(const Progress& progress) {
 class Centre {
  public:
   /// `tasks` is the cost of the workers' tasks.
-  Centre(machine::Machine& machine, const renderer::Scene& scene, const Params& params,
-         const kernels::KernelCost& tasks);
+  Centre(machine::Machine& machine, const Setup& setup, const renderer::Scene& scene,
+         const Params& params, const kernels::KernelCost& tasks);
   Centre(const Centre&) = delete;
 
   machine::Processor& coordinator() { return on_.coordinator; }
@@ -212,21 +211,21 @@ class Centre {
   Channel<Answer> into_visualisation_;
 };
 
-Centre::Centre(machine::Machine& machine, const renderer::Scene& scene, const Params& params,
-               const kernels::KernelCost& tasks)
+Centre::Centre(machine::Machine& machine, const Setup& setup, const renderer::Scene& scene,
+               const Params& params, const kernels::KernelCost& tasks)
     : machine_(machine),
       params_(params),
       scene_(scene),
       bytes_(kernels::record_bytes(machine.model())),
       message_(kernels::message_costs(machine.model())),
       on_(add_central_processors(machine, params)),
-      shading_(central_cost("shading", machine.model(), params)),
+      shading_(central_cost("shading", setup)),
       rays_{RayStores(make_cells(params), params.stages[0], params.weights),
             machine::OperationCosts(machine.model(), "central", DatabaseWork::NAMES), bytes_,
             message_},
-      orders_(params.script, !params.block && observe::has_controller(params.monitor)),
+      orders_(params.script, !params.block && observe::has_controller(setup.monitor)),
       progress_(machine),
-      visualisation_(make_visualisation(machine.model(), scene, params, progress_,
+      visualisation_(make_visualisation(setup, scene, params, progress_,
                                         [&tasks] { return tasks.charged(); })),
       from_interaction_("coordinator.from.interaction"),
       into_database_("database.from.coord", machine.link(on_.coordinator, on_.database),
@@ -293,40 +292,38 @@ void load_scene(Processor& worker, const renderer::Scene& scene, bool shades) {
     memory.allocate(kernels::texture_bytes(model, scene), "the scene's textures", worker.now());
 }
 
-Kernel make_kernel(const machine::Model& model, const renderer::Scene& scene,
-                   const Params& params) {
-  const auto& host = params.cycles_per_host_s;
+Kernel make_kernel(const Setup& setup, const renderer::Scene& scene, const Params& params) {
+  const auto& [model, host] = std::tie(setup.model, setup.cycles_per_host_s);
   return {scene,
           params.image,
-          kernels::KernelCost("ray", {model, &kernels::intersection_costs}, host, params.profile),
-          kernels::KernelCost("block", {model, &kernels::tree_costs}, host, params.profile),
+          kernels::KernelCost("ray", {model, &kernels::intersection_costs}, host, setup.profile),
+          kernels::KernelCost("block", {model, &kernels::tree_costs}, host, setup.profile),
           kernels::record_bytes(model),
           {model, &kernels::message_costs}};
 }
 
 }  // namespace
 
-Result run_farm(const machine::Model& model, const topologies::Topology& topology,
-                const renderer::Scene& scene, const Params& params) {
+Result run_farm(const Setup& setup, const renderer::Scene& scene, const Params& params) {
   check(params);
-  Machine machine(model, machine::Code::compiled, params.engine);
+  Machine machine(setup.model, machine::Code::compiled, setup.engine);
   Wires wires;
-  Kernel kernel = make_kernel(model, scene, params);
-  Centre centre(machine, scene, params, params.block ? kernel.block : kernel.ray);
-  const Workers workers = wire_workers(wires, machine, topology, centre.coordinator(), params);
+  Kernel kernel = make_kernel(setup, scene, params);
+  Centre centre(machine, setup, scene, params, params.block ? kernel.block : kernel.ray);
+  const Workers workers = wire_workers(wires, machine, centre.coordinator(), setup, params);
   for (std::size_t id = 0; id < workers.processors.size(); ++id) {
     load_scene(*workers.processors[id], scene, params.block.has_value());
     start_worker(wires, workers, id, kernel);
   }
   centre.start(wires, workers);
   programs::plan_faults(
-      machine, params.faults, [&](int id) -> auto& {
+      machine, setup.faults, [&](int id) -> auto& {
         return *workers.processors.at(static_cast<std::size_t>(id));
       });
 
   Result result =
-      centre.take_result(observe::run(machine, params.monitor, make_view(centre, workers)));
-  add_workers(result, topology, workers.topology, kernel.done);
+      centre.take_result(observe::run(machine, setup.monitor, make_view(centre, workers)));
+  add_workers(result, setup.topology, workers.topology, kernel.done);
   result.mean_depth = workers.mean_depth;
   result.events = machine.events();
   result.kernel_host_s = kernel.ray.profile_s() + kernel.block.profile_s();
@@ -356,23 +353,22 @@ std::string worker_name(const topologies::Topology& workers, int id) {
 }
 
 Processor& add_worker(Machine& machine, const topologies::Topology& workers, int id,
-                      const Params& params) {
+                      const Setup& setup, const Params& params) {
   ray_tracing::check_label(workers, id);
-  const auto& model = programs::model_of(params.others, id, machine.model());
-  return add_processor(machine, worker_name(workers, id), worker_memory(model, params),
-                       Role::worker, programs::find_model(params.others, id));
+  return add_processor(machine, worker_name(workers, id), worker_memory(setup.model_of(id), params),
+                       Role::worker, programs::find_model(setup.others, id));
 }
 
-Visualisation make_visualisation(const machine::Model& model, const renderer::Scene& scene,
+Visualisation make_visualisation(const Setup& setup, const renderer::Scene& scene,
                                  const Params& params, Progress& progress,
                                  std::function<machine::Cycles()> charged) {
   return {scene,
           params.image,
-          central_cost("display", model, params),
-          kernels::message_costs(model),
+          central_cost("display", setup),
+          kernels::message_costs(setup.model),
           make_picture(params),
-          params.cycles_per_host_s ? make_picture(params) : FrameBuffer(),
-          snapshots::Recorder(params.snapshot_times, params.monitor),
+          setup.cycles_per_host_s ? make_picture(params) : FrameBuffer(),
+          snapshots::Recorder(params.snapshot_times, setup.monitor),
           progress,
           std::move(charged)};
 }

@@ -14,11 +14,10 @@
 
 namespace farm {
 
+using programs::Setup;
 using ray_tracing::Role;
 
-/// The ray database is always charged by counts. The farm does not reroute messages after a fault:
-/// it waits for lost workers for ever.
-struct Params : ray_tracing::RunParams {
+struct Params {
   renderer::Params image;  ///< size, shading and shading limits
   std::vector<Limits> stages =
       std::vector<Limits>(1);  ///< successive limits of the interactive phase
@@ -40,7 +39,6 @@ struct Params : ray_tracing::RunParams {
   /// thesis's measurements.
   std::uint32_t scene_message = 0;
   std::optional<std::uint64_t> worker_memory, database_memory;  ///< in bytes; default: the model's
-  bool profile = false;  ///< measure the host time of kernels
 };
 
 struct Result : ray_tracing::Rendering {
@@ -53,21 +51,21 @@ struct Result : ray_tracing::Rendering {
   topologies::Topology topology;    ///< the workers' topology as wired
   double mean_depth = 0;            ///< mean distance of workers from the coordinator, in links
   machine::Cycles kernel_cycles{};  ///< cycles charged for the workers' tasks
-  double kernel_host_s = 0;         ///< measured only with Params::profile
+  double kernel_host_s = 0;         ///< measured only with Setup::profile
 };
 
 /// Throws base::BadInput that names the field, the value found and the values expected.
 void check(const Params& params);
 
-/// Runs the farm. Throws base::BadInput if the root has no port for the coordinator, and
-/// machine::Fault.
-Result run_farm(const machine::Model& model, const topologies::Topology& workers,
-                const renderer::Scene& scene, const Params& params);
+/// Runs the farm; `setup.topology` joins the workers. The ray database is always charged by counts.
+/// The farm does not reroute messages after a fault: it waits for lost workers for ever. Throws
+/// base::BadInput if the root has no port for the coordinator, and machine::Fault.
+Result run_farm(const Setup& setup, const renderer::Scene& scene, const Params& params);
 
 // Parts shared by both kinds of farm.
 
 /// `charged` returns the cycles charged for the workers' tasks.
-Visualisation make_visualisation(const machine::Model& model, const renderer::Scene& scene,
+Visualisation make_visualisation(const Setup& setup, const renderer::Scene& scene,
                                  const Params& params, Progress& progress,
                                  std::function<machine::Cycles()> charged);
 /// A live view with the picture and its number of rays.
@@ -82,7 +80,7 @@ machine::Processor& add_processor(machine::Machine& machine, const std::string& 
 std::string worker_name(const topologies::Topology& workers, int id);
 /// Adds a worker's processor.
 machine::Processor& add_worker(machine::Machine& machine, const topologies::Topology& workers,
-                               int id, const Params& params);
+                               int id, const Setup& setup, const Params& params);
 /// Allocates memory for the image on the display.
 void allocate_image(machine::Processor& display, const renderer::Params& image);
 /// Measurements of the coordination process and the display, even if the run was cut short.

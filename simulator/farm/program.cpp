@@ -99,12 +99,6 @@ base::Fields<Limits> limit_fields() {
                                            "replaces farm.weights while these limits apply")}});
 }
 
-Params make_params(const Setup& setup, const ProgramParams& params) {
-  Params farm = machine_params(setup, params);
-  farm.profile = setup.profile;
-  return farm;
-}
-
 void check_program(const Setup& setup, const ProgramParams& params) {
   check(params.machine);
   if (params.data) check_task(params.machine);
@@ -117,16 +111,14 @@ void check_program(const Setup& setup, const ProgramParams& params) {
                  "found one, expected none with data.cache_percent: data managers cannot continue "
                  "after a fault");
   const auto size = size_of(params.scene);
-  if (params.shares_data()) check(setup.model, size, make_params(setup, params), *params.data);
+  if (params.shares_data()) check(setup.model, size, params.machine, *params.data);
 }
 
 Measured run_one(const Setup& setup, const ProgramParams& params) {
   const auto scene = renderer::load_scene(scene_source(params.scene));
-  const Params farm = make_params(setup, params);
   const bool has_data = params.data.has_value();
-  if (!params.shares_data())
-    return {run_farm(setup.model, setup.topology, scene, farm), {has_data, {}}};
-  auto result = run_shared_farm(setup.model, setup.topology, scene, farm, *params.data);
+  if (!params.shares_data()) return {run_farm(setup, scene, params.machine), {has_data, {}}};
+  auto result = run_shared_farm(setup, scene, params.machine, *params.data);
   return {std::move(result.farm), {has_data, std::move(result.shared)}};
 }
 

@@ -73,44 +73,44 @@ network::Params make_network_params(const machine::Model& model, const Params& f
   return params;
 }
 
-void add_processors(machine::Machine& machine, const Params& params,
+void add_processors(machine::Machine& machine, const Setup& setup, const Params& params,
                     const topologies::Topology& workers) {
   const auto& model = machine.model();
   auto& coordinator = add_processor(machine, to_string(Role::coordinator),
                                     database_memory(model, params), Role::coordinator);
-  for (int id = 0; id < workers.processors; ++id) add_worker(machine, workers, id, params);
+  for (int id = 0; id < workers.processors; ++id) add_worker(machine, workers, id, setup, params);
   allocate_image(coordinator, params.image);
 }
 
 class SharedFarm {
  public:
-  SharedFarm(const machine::Model& model, const topologies::Topology& asked,
-             const renderer::Scene& scene, const Params& params, const SharedParams& data)
-      : params_(params),
-        workers_(free_root_port(asked)),
+  SharedFarm(const Setup& setup, const renderer::Scene& scene, const Params& params,
+             const SharedParams& data)
+      : setup_(setup),
+        params_(params),
+        workers_(free_root_port(setup.topology)),
         joined_(join_coordinator(workers_)),
         scene_(scene),
-        items_(model, scene),
-        data_params_(make_data_params(model, ray_tracing::size_of(scene), data)),
-        machine_(model, machine::Code::compiled, params.engine),
-        pixel_bytes_(kernels::record_bytes(model).pixel),
-        block_cost_("block", {model, &kernels::tree_costs}, params.cycles_per_host_s),
+        items_(setup.model, scene),
+        data_params_(make_data_params(setup.model, ray_tracing::size_of(scene), data)),
+        machine_(setup.model, machine::Code::compiled, setup.engine),
+        pixel_bytes_(kernels::record_bytes(setup.model).pixel),
+        block_cost_("block", {setup.model, &kernels::tree_costs}, setup.cycles_per_host_s),
         progress_(machine_),
         visualisation_(
-            make_visualisation(model, scene, params, progress_, [this] { return charged_; })) {
-    add_processors(machine_, params, workers_);
+            make_visualisation(setup, scene, params, progress_, [this] { return charged_; })) {
+    add_processors(machine_, setup, params, workers_);
     network_.emplace(machine_, make_routing(data.method, joined_, topologies::make_routes(joined_)),
-                     make_network_params(model, params, data, items_.catalogue(), data_params_,
-                                         workers_.processors));
+                     make_network_params(setup.model, params, data, items_.catalogue(),
+                                         data_params_, workers_.processors));
     memory_.emplace(machine_, *network_, items_.catalogue(), data_params_);
   }
 
-  /// `asked` is the workers' topology before a link was removed for the coordinator.
-  SharedResult run(const topologies::Topology& asked) {
+  SharedResult run() {
     start();
     SharedResult result;
-    result.farm = take_result(observe::run(machine_, params_.monitor, make_view()));
-    add_workers(result.farm, asked, workers_, done_);
+    result.farm = take_result(observe::run(machine_, setup_.monitor, make_view()));
+    add_workers(result.farm, setup_.topology, workers_, done_);
     result.shared = {memory_->use(), network_->use(), data_params_.cache_bytes,
                      workers_.processors * result.farm.time_s};
     return result;
@@ -213,6 +213,7 @@ class SharedFarm {
     return result;
   }
 
+  const Setup& setup_;
   const Params& params_;
   const topologies::Topology workers_, joined_;
   const renderer::Scene& scene_;
@@ -246,11 +247,10 @@ void check(const machine::Model& model, const ray_tracing::SceneSize& scene, con
   check_data(model, scene, data);
 }
 
-SharedResult run_shared_farm(const machine::Model& model, const topologies::Topology& workers,
-                             const renderer::Scene& scene, const Params& params,
+SharedResult run_shared_farm(const Setup& setup, const renderer::Scene& scene, const Params& params,
                              const SharedParams& data) {
-  check(model, ray_tracing::size_of(scene), params, data);
-  return SharedFarm(model, workers, scene, params, data).run(workers);
+  check(setup.model, ray_tracing::size_of(scene), params, data);
+  return SharedFarm(setup, scene, params, data).run();
 }
 
 }  // namespace farm

@@ -24,8 +24,7 @@ void check_task(const Params& farm);
 /// Runs the farm. Workers have farm.worker_memory bytes; processor 0 has farm.database_memory. The
 /// result has no processors "database" and "display". Throws base::BadInput as `check` and run_farm
 /// do, or if caches and buffers exceed the memory. Also throws machine::Fault.
-SharedResult run_shared_farm(const machine::Model& model, const topologies::Topology& workers,
-                             const renderer::Scene& scene, const Params& farm,
+SharedResult run_shared_farm(const Setup& setup, const renderer::Scene& scene, const Params& farm,
                              const SharedParams& data);
 
 }  // namespace farm

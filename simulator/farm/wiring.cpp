@@ -60,9 +60,9 @@ Way start_sender(Wires& wires, Processor& on, Channel<Task>& destination) {
   return way;
 }
 
-Workers wire_workers(Wires& wires, Machine& machine, const topologies::Topology& asked,
-                     Processor& coordinator, const Params& params) {
-  const auto topology = free_root_port(asked);
+Workers wire_workers(Wires& wires, Machine& machine, Processor& coordinator, const Setup& setup,
+                     const Params& params) {
+  const auto topology = free_root_port(setup.topology);
   const auto tree = topologies::make_spanning_tree(topology, topology.root);
   Workers workers;
   workers.topology = topology;
@@ -71,7 +71,7 @@ Workers wire_workers(Wires& wires, Machine& machine, const topologies::Topology&
                                static_cast<double>(topology.processors);
   workers.children = tree.children;
   for (int id = 0; id < topology.processors; ++id)
-    workers.processors.push_back(&add_worker(machine, topology, id, params));
+    workers.processors.push_back(&add_worker(machine, topology, id, setup, params));
   machine.connect(coordinator, *workers.processors[workers.root]);
   network::join(
       machine, topology, [&](int id) -> auto& { return *workers.processors[id]; });

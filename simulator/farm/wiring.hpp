@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "simulator/farm/messages.hpp"
+#include "simulator/programs/declare/program.hpp"
 #include "topologies/graph/topology.hpp"
 
 namespace farm {
@@ -46,8 +47,8 @@ topologies::Topology free_root_port(topologies::Topology topology);
 
 /// Adds and links the workers' processors and loads their programs. The coordinator is linked to
 /// the root's free port.
-Workers wire_workers(Wires& wires, machine::Machine& machine, const topologies::Topology& topology,
-                     machine::Processor& coordinator, const Params& params);
+Workers wire_workers(Wires& wires, machine::Machine& machine, machine::Processor& coordinator,
+                     const programs::Setup& setup, const Params& params);
 
 /// Starts the processes of worker `id`.
 void start_worker(Wires& wires, const Workers& workers, std::size_t id, Kernel& kernel);

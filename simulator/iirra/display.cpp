@@ -14,8 +14,8 @@ Display::Display(Shared& shared, shared_memory::DataManager& manager)
       manager_(manager),
       screen_{std::vector<std::uint8_t>(3 * shared.record.samples.sums.size()),
               std::vector<TaskCell>(shared.record.samples.sums.size())},
-      recorder_(shared.params.snapshot_times, shared.params.monitor) {
-  if (shared.params.cycles_per_host_s) scratch_ = screen_;
+      recorder_(shared.params.snapshot_times, shared.setup.monitor) {
+  if (shared.setup.cycles_per_host_s) scratch_ = screen_;
 }
 
 void Display::run() {

@@ -65,41 +65,43 @@ machine::OperationCosts costs_of_tasks(const machine::Model& model) {
 
 class Run {
  public:
-  Run(const machine::Model& model, const topologies::Topology& topology,
-      const topologies::RoutingTable& routes, const std::optional<topologies::TreeLinks>& tree,
-      const renderer::Scene& scene, const Params& params)
-      : params_(params),
-        topology_(topology),
-        machine_(model, machine::Code::compiled, params.engine),
-        items_(params.data ? std::optional<shared_memory::SceneItems>(std::in_place, model, scene)
-                           : std::nullopt),
-        shared_{
-            .scene = scene,
-            .params = params,
-            .machine = machine_,
-            .places = find_places(topology, params.is_far),
-            .area = get_area(params.image),
-            .sizes = Sizes(model),
-            .longest = LONGEST,
-            .task_cost = {model, &costs_of_tasks},
-            .pixel_tested = {model, &cost_of_testing},
-            .ray_cost = {"ray", {model, &kernels::tree_costs}, params.cycles_per_host_s},
-            .paint_cost = {"interpolation",
-                           {model, &kernels::tree_costs},
-                           params.cycles_per_host_s},
-            .display_cost = {"display", {model, &kernels::central_costs}, params.cycles_per_host_s},
-            .quadrants = make_quadrants(params),
-            .items = items_ ? &*items_ : nullptr,
-            .orders = {params.script, observe::has_controller(params.monitor)},
-            .record = Record(params.image)} {
-    add_processors(model, scene);
-    connect(model, routes, tree);
+  Run(const Setup& setup, const renderer::Scene& scene, const Params& params)
+      : setup_(setup),
+        params_(params),
+        topology_(setup.topology),
+        machine_(setup.model, machine::Code::compiled, setup.engine),
+        items_(params.data
+                   ? std::optional<shared_memory::SceneItems>(std::in_place, setup.model, scene)
+                   : std::nullopt),
+        shared_{.setup = setup,
+                .scene = scene,
+                .params = params,
+                .machine = machine_,
+                .places = find_places(setup.topology, params.is_far),
+                .area = get_area(params.image),
+                .sizes = Sizes(setup.model),
+                .longest = LONGEST,
+                .task_cost = {setup.model, &costs_of_tasks},
+                .pixel_tested = {setup.model, &cost_of_testing},
+                .ray_cost = {"ray", {setup.model, &kernels::tree_costs}, setup.cycles_per_host_s},
+                .paint_cost = {"interpolation",
+                               {setup.model, &kernels::tree_costs},
+                               setup.cycles_per_host_s},
+                .display_cost = {"display",
+                                 {setup.model, &kernels::central_costs},
+                                 setup.cycles_per_host_s},
+                .quadrants = make_quadrants(params),
+                .items = items_ ? &*items_ : nullptr,
+                .orders = {params.script, observe::has_controller(setup.monitor)},
+                .record = Record(params.image)} {
+    add_processors(scene);
+    connect();
     plan_faults();
     start();
   }
 
   Result run() {
-    const auto end = observe::run(machine_, params_.monitor, make_view());
+    const auto end = observe::run(machine_, setup_.monitor, make_view());
     auto& record = shared_.record;
     coordinator_->end(machine_.now().value);
     record.end = end;
@@ -164,7 +166,7 @@ class Run {
     return id == shared_.places.display ? Role::display : Role::worker;
   }
 
-  void add_processors(const machine::Model& model, const renderer::Scene& scene) {
+  void add_processors(const renderer::Scene& scene) {
     companions_.resize(static_cast<std::size_t>(topology_.processors));
     for (int id = 0; id < topology_.processors; ++id) {
       ray_tracing::check_label(topology_, id);
@@ -172,10 +174,10 @@ class Run {
       const bool is_worker = role == Role::worker;
       auto& processor = machine_.add_processor(
           name_of(topology_, id, is_worker ? fmt::format("worker{}", id) : to_string(role)),
-          params_.memory.value_or(get_bytes(programs::model_of(params_.others, id, model),
-                                            is_worker ? "worker_memory" : "database_memory")),
+          params_.memory.value_or(
+              get_bytes(setup_.model_of(id), is_worker ? "worker_memory" : "database_memory")),
           to_string(is_worker && params_.is_double ? Role::router : role),
-          programs::find_model(params_.others, id));
+          programs::find_model(setup_.others, id));
       kernels::load_program(processor);
       if (is_worker && !params_.data)
         processor.memory().allocate(kernels::scene_bytes(processor.model(), scene), "the scene",
@@ -196,8 +198,7 @@ class Run {
     }
   }
 
-  void connect(const machine::Model& model, const topologies::RoutingTable& routes,
-               const std::optional<topologies::TreeLinks>& tree) {
+  void connect() {
     network::Params network;
     network.method = params_.method;
     // Buffers for one or two requests per worker and for the polls of the display. If they
@@ -205,7 +206,7 @@ class Run {
     network.buffers = params_.buffers.value_or(static_cast<std::size_t>(topology_.processors) + 64);
     if (params_.data)
       shared_.longest =
-          std::max(LONGEST, longest_message(model, items_->catalogue(), *params_.data));
+          std::max(LONGEST, longest_message(setup_.model, items_->catalogue(), *params_.data));
     network.longest = shared_.longest;
     network.processes.assign(static_cast<std::size_t>(topology_.processors), {TASK_BITS});
     network.processes[static_cast<std::size_t>(shared_.places.coordinator)].push_back(NO_PROCESS);
@@ -214,7 +215,8 @@ class Run {
     if (params_.is_double)
       for (const int id : shared_.places.workers)
         network.processes[static_cast<std::size_t>(id)] = {DATA_BIT, TASK_BIT};
-    network_.emplace(machine_, make_routing(params_.method, topology_, routes, tree), network);
+    network_.emplace(machine_, make_routing(params_.method, topology_, setup_.routes, setup_.tree),
+                     network);
     if (params_.data) {
       auto data = *params_.data;
       data.coordinator = shared_.places.coordinator;
@@ -225,7 +227,7 @@ class Run {
   // Schedules the faults. A stopped processor loses its cells, so the run fails.
   void plan_faults() {
     programs::plan_faults(
-        machine_, params_.faults, [this](int id) -> auto& {
+        machine_, setup_.faults, [this](int id) -> auto& {
           return *machine_.processors()[static_cast<std::size_t>(id)];
         });
     machine_.on_failure([this](const machine::Failure& failure) {
@@ -271,8 +273,9 @@ class Run {
     }
   }
 
+  const Setup& setup_;
   const Params& params_;
-  const topologies::Topology topology_;
+  const topologies::Topology& topology_;
   machine::Machine machine_;
   std::vector<machine::Processor*> companions_;  // by processor; null if it has no companion
   std::optional<shared_memory::SceneItems> items_;
@@ -338,12 +341,9 @@ void check(const Params& params, const topologies::Topology& topology) {
   if (params.balance == BalanceMethod::green) find_parents(topology, places);
 }
 
-Result run_iirra(const machine::Model& model, const topologies::Topology& topology,
-                 const topologies::RoutingTable& routes,
-                 const std::optional<topologies::TreeLinks>& tree, const renderer::Scene& scene,
-                 const Params& params) {
-  check(params, topology);
-  return Run(model, topology, routes, tree, scene, params).run();
+Result run_iirra(const Setup& setup, const renderer::Scene& scene, const Params& params) {
+  check(params, setup.topology);
+  return Run(setup, scene, params).run();
 }
 
 }  // namespace iirra

@@ -14,6 +14,7 @@
 
 namespace iirra {
 
+using programs::Setup;
 using ray_tracing::Role;
 constexpr int SERVICES = 2;  ///< number of processors that do not compute: coordinator and display
 
@@ -26,7 +27,7 @@ enum class Start : std::uint8_t {
 
 using Order = ray_tracing::Order<Limits>;
 
-struct Params : ray_tracing::RunParams {
+struct Params {
   renderer::Params image;
   /// Successive limits of the interactive phase.
   std::vector<Limits> stages = std::vector<Limits>(1);
@@ -83,13 +84,9 @@ struct Result : Record {
   double kernels_s = 0;  ///< duration of kernel_cycles in seconds
 };
 
-/// Runs IIRRA. `tree` is the route of broadcasts; if absent, each sender has its own tree. Throws
-/// base::BadInput as check() does, or if buffers and caches exceed the memory. Throws
-/// machine::Fault, also if a processor stops (its cells are then lost) or if a message cannot reach
-/// its receiver.
-Result run_iirra(const machine::Model& model, const topologies::Topology& topology,
-                 const topologies::RoutingTable& routes,
-                 const std::optional<topologies::TreeLinks>& tree, const renderer::Scene& scene,
-                 const Params& params);
+/// Runs IIRRA. Throws base::BadInput as check() does, or if buffers and caches exceed the memory.
+/// Throws machine::Fault, also if a processor stops (its cells are then lost) or if a message
+/// cannot reach its receiver.
+Result run_iirra(const Setup& setup, const renderer::Scene& scene, const Params& params);
 
 }  // namespace iirra

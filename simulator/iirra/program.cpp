@@ -94,7 +94,7 @@ base::Fields<Limits> limit_fields() {
 }
 
 Params make_params(const Setup& setup, const ProgramParams& params) {
-  Params iirra = machine_params(setup, params);
+  Params iirra = params.machine;
   if (params.data) iirra.method = params.data->method;
   if (params.shares_data())
     iirra.data = make_data_params(setup.model, size_of(params.scene), *params.data);
@@ -112,8 +112,7 @@ void check_program(const Setup& setup, const ProgramParams& params) {
 
 Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
   const auto scene = renderer::load_scene(scene_source(params.scene));
-  auto result = run_iirra(setup.model, setup.topology, setup.routes, setup.tree, scene,
-                          make_params(setup, params));
+  auto result = run_iirra(setup, scene, make_params(setup, params));
   const ray_tracing::DataFigures data{params.data.has_value(), result.shared};
   return make_outcome(setup, params, Measured(std::move(result), data));
 }

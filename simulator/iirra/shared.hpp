@@ -14,6 +14,7 @@ struct Traced {
 };
 
 struct Shared {
+  const Setup& setup;
   const renderer::Scene& scene;
   const Params& params;
   const machine::Machine& machine;

@@ -12,21 +12,21 @@ using renderer::Work;
 
 namespace {
 
-kernels::KernelCost make_cost(const char* name, const machine::Model& model, const Params& params) {
+kernels::KernelCost make_cost(const char* name, const Setup& setup) {
   const auto costs_of = [](const machine::Model& its) -> machine::OperationCosts {
     return {its, "radiosity", renderer::op_names()};
   };
-  return {name, {model, costs_of}, params.cycles_per_host_s};
+  return {name, {setup.model, costs_of}, setup.cycles_per_host_s};
 }
 
 }  // namespace
 
-Kernels::Kernels(const machine::Model& model, const radiosity::Mesh& mesh, const Params& params)
-    : choose(make_cost("choose", model, params)),
-      receive(make_cost("receive", model, params)),
-      settle(make_cost("settle", model, params)),
-      draw(make_cost("draw", model, params)) {
-  if (params.cycles_per_host_s) scratch = make_state(mesh, params.solve.sends);
+Kernels::Kernels(const Setup& setup, const radiosity::Mesh& mesh, const Params& params)
+    : choose(make_cost("choose", setup)),
+      receive(make_cost("receive", setup)),
+      settle(make_cost("settle", setup)),
+      draw(make_cost("draw", setup)) {
+  if (setup.cycles_per_host_s) scratch = make_state(mesh, params.solve.sends);
 }
 
 // Copying a colour between a table and a message takes a block move of its words.
@@ -232,7 +232,7 @@ void Root::take_frame(const Candidate& best) {
   if (common_.params.draw)
     common_.kernels.draw([&draw = common_.params.draw, frame](Work&) { return draw(frame), 0; });
   frame.at_s = machine::this_process().now().value;
-  observe::notify_change(common_.params.monitor, {frame.at_s});
+  observe::notify_change(common_.setup.monitor, {frame.at_s});
   frames_.push_back(std::move(frame));
 }
 

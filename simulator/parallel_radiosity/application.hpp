@@ -23,7 +23,7 @@ using machine::Cycles;
 /// Kernels that all processes share. If costs are timed, the scratch states serve to repeat their
 /// calls.
 struct Kernels {
-  Kernels(const machine::Model& model, const radiosity::Mesh& mesh, const Params& params);
+  Kernels(const Setup& setup, const radiosity::Mesh& mesh, const Params& params);
   kernels::KernelCost choose, receive, settle, draw;
   Candidate scratch_candidate;
   radiosity::State scratch;
@@ -39,6 +39,7 @@ struct MessageWork {
 /// State shared by all processes.
 struct Common {
   const radiosity::Mesh& mesh;
+  const Setup& setup;
   const Params& params;
   MessageBytes bytes;
   Kernels& kernels;

@@ -206,12 +206,8 @@ Params machine_params(const Setup& setup, const ProgramParams& params, const ren
                       const radiosity::Mesh& mesh) {
   Params machine = params.machine;
   machine.solve = params.room.light.solve;
-  machine.cycles_per_host_s = setup.cycles_per_host_s;
-  machine.engine = setup.engine;
-  machine.others = setup.others;
   if (setup.cycles_per_host_s)
     machine.draw = [&](const Frame& frame) { draw(params, view, mesh, frame); };
-  machine.monitor = setup.monitor;
   if (observe::is_observed(setup.monitor))
     machine.look = [&](const Frame* frame) { return look(params, view, mesh, frame); };
   return machine;
@@ -220,8 +216,7 @@ Params machine_params(const Setup& setup, const ProgramParams& params, const ren
 Outcome<Measured> run(const Setup& setup, const ProgramParams& params) {
   const auto room = load_scene(params.room);
   const auto mesh = make_lit_mesh(room, params.room.light).mesh;
-  auto result = run_radiosity(setup.model, setup.topology, mesh,
-                              machine_params(setup, params, room.view, mesh));
+  auto result = run_radiosity(setup, mesh, machine_params(setup, params, room.view, mesh));
   if (result.end != machine::End::done)
     throw programs::Unfinished(
         "machine", {result.total_s},

@@ -88,28 +88,28 @@ Loss eval_loss(const radiosity::Mesh& mesh, const Params& params,
 
 class Amp {
  public:
-  Amp(const machine::Model& model, const topologies::Topology& topology, const Mesh& mesh,
-      const Params& params)
+  Amp(const Setup& setup, const Mesh& mesh, const Params& params)
       : mesh_(mesh),
         params_(params),
-        kernels_(model, mesh, params),
+        kernels_(setup, mesh, params),
         common_{mesh,
+                setup,
                 params,
-                MessageBytes(model, params.solve.sends),
+                MessageBytes(setup.model, params.solve.sends),
                 kernels_,
                 {},
-                topology.root,
-                {model, [](const machine::Model& its) { return MessageWork(its); }}},
-        machine_(model, machine::Code::compiled, params.engine) {
+                setup.topology.root,
+                {setup.model, [](const machine::Model& its) { return MessageWork(its); }}},
+        machine_(setup.model, machine::Code::compiled, setup.engine) {
+    const auto& [model, topology] = std::tie(setup.model, setup.topology);
     if (params.cache_percent > 0) common_.items.emplace(model, mesh.blockers);
     auto shares = distribute(mesh, topology.processors, params.distribution);
     if (params.exchange) exchange_borders(shares, mesh.vertices.size());
     const auto data = data_params(model, mesh, params, topology.root);
     for (int id = 0; id < topology.processors; ++id) {
-      auto& processor = machine_.add_processor(
-          name_of(topology, id, fmt::format("p{}", id)),
-          get_bytes(programs::model_of(params.others, id, model), "worker_memory"), {},
-          programs::find_model(params.others, id));
+      auto& processor = machine_.add_processor(name_of(topology, id, fmt::format("p{}", id)),
+                                               get_bytes(setup.model_of(id), "worker_memory"), {},
+                                               programs::find_model(setup.others, id));
       kernels::load_program(processor);
     }
     network_.emplace(machine_,
@@ -121,7 +121,7 @@ class Amp {
 
   Result run() {
     start();
-    return take_result(observe::run(machine_, params_.monitor, make_view()));
+    return take_result(observe::run(machine_, common_.setup.monitor, make_view()));
   }
 
  private:
@@ -260,10 +260,9 @@ void check(const machine::Model& model, const Mesh& mesh, int processors, const 
                 params.cache_percent, geometry_bytes(model, mesh), bytes, largest);
 }
 
-Result run_radiosity(const machine::Model& model, const topologies::Topology& topology,
-                     const Mesh& mesh, const Params& params) {
-  check(model, mesh, topology.processors, params);
-  return Amp(model, topology, mesh, params).run();
+Result run_radiosity(const Setup& setup, const Mesh& mesh, const Params& params) {
+  check(setup.model, mesh, setup.topology.processors, params);
+  return Amp(setup, mesh, params).run();
 }
 
 }  // namespace parallel_radiosity

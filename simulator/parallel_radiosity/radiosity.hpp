@@ -11,13 +11,14 @@
 #include <optional>
 
 #include "simulator/kernels/kernels.hpp"
-#include "simulator/observe/run_monitor.hpp"
 #include "simulator/observe/use.hpp"
 #include "simulator/parallel_radiosity/distribution.hpp"
-#include "simulator/programs/declare/other_models.hpp"
+#include "simulator/programs/declare/program.hpp"
 #include "simulator/shared_memory/virtual_memory.hpp"
 
 namespace parallel_radiosity {
+
+using programs::Setup;
 
 /// The illumination known to the display after a number of shots.
 struct Frame {
@@ -40,18 +41,12 @@ struct Params {
   /// Cache size of each processor's data manager in percent of the geometry's bytes, up to 100. 0:
   /// every processor holds all faces and their hierarchy.
   double cache_percent = 0;
-  /// If set, charges kernels by measured host time multiplied by this factor. Otherwise charges
-  /// operation counts.
-  std::optional<double> cycles_per_host_s;
-  programs::OtherModels others = {};
-  machine::EngineParams engine = {};
   /// Draws a frame's picture, so that the host time of drawing can be charged; drawing has no
   /// operation counts. If null, drawing is not charged.
   std::function<void(const Frame&)> draw;
   /// Draws a frame for the live page. Before the first frame, the argument is null and the picture
   /// is black.
   std::function<renderer::Bitmap(const Frame*)> look;
-  observe::RunMonitor* monitor = nullptr;  ///< limit and trace; may be null
 };
 
 /// Fractions of the processors' time, which sum to 1.
@@ -92,7 +87,6 @@ void check(const machine::Model& model, const radiosity::Mesh& mesh, int process
 /// Runs the program. The solution equals that of radiosity::solve bit for bit. Throws
 /// base::BadInput as `check` does, or if patches, geometry and buffers exceed a processor's memory.
 /// Also throws machine::Fault.
-Result run_radiosity(const machine::Model& model, const topologies::Topology& topology,
-                     const radiosity::Mesh& mesh, const Params& params);
+Result run_radiosity(const Setup& setup, const radiosity::Mesh& mesh, const Params& params);
 
 }  // namespace parallel_radiosity

@@ -76,15 +76,6 @@ base::Fields<ProgramParams<M>> program_fields(const std::string& program,
        base::lift_optional<P>(data_fields(), &P::data)});
 }
 
-/// The machine's parameters, with those of the run.
-template <class M>
-M machine_params(const programs::Setup& setup, const ProgramParams<M>& params) {
-  M machine = params.machine;
-  static_cast<RunParams&>(machine) = {setup.cycles_per_host_s, setup.faults, setup.others,
-                                      setup.engine, setup.monitor};
-  return machine;
-}
-
 /// Measurements of a run. R is a Rendering, for which the program defines find_loads().
 template <class R>
 struct Measured {

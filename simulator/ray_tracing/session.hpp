@@ -7,17 +7,6 @@
 
 namespace ray_tracing {
 
-/// The part of a machine's parameters that comes from programs::Setup.
-struct RunParams {
-  /// If set, charges intersections, shading and display by measured host time multiplied by this
-  /// factor. Otherwise charges operation counts.
-  std::optional<double> cycles_per_host_s;
-  std::vector<programs::PlannedFault> faults;  ///< with numbers of the topology's processors
-  programs::OtherModels others;                ///< by number of the topology's processors
-  machine::EngineParams engine = {};
-  observe::RunMonitor* monitor = nullptr;  ///< limit and trace; may be null
-};
-
 struct NonInteractive {};  ///< leave the interactive phase now
 struct Interactive {};     ///< return to the interactive phase
 struct Abort {};           ///< send no further tasks: end with the present picture

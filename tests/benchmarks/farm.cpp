@@ -19,10 +19,12 @@ farm::Result run_farm(observe::RunMonitor* monitor, bool profile, machine::Engin
   farm::Params params;
   params.image.width = params.image.height = SIZE;
   params.image.limits.depth = 15;
-  params.monitor = monitor;
-  params.profile = profile;
-  params.engine = engine;
-  return farm::run_farm(model(), workers, scene, params);
+  return farm::run_farm({.model = model(),
+                         .topology = workers,
+                         .monitor = monitor,
+                         .profile = profile,
+                         .engine = std::move(engine)},
+                        scene, params);
 }
 
 // Records all intervals in which a process has a CPU, and all messages on links. The activities of

@@ -21,15 +21,18 @@ constexpr int SIZE = 48, SHOTS = 3, REPEATS = 5;  // SIZE: image width and heigh
 
 using Kernels = std::vector<kernels::KernelUse>;
 
+// One worker with timed costs.
+programs::Setup make_setup(const machine::Model& model) {
+  return {.model = model, .topology = topologies::make_topology("line:1"), .cycles_per_host_s = 1};
+}
+
 // Measures each workload of the farm by simulating a machine with one worker. The kernels then run
 // as in an experiment, between events of a simulation with which they share the host's caches.
 Kernels run_farm(const machine::Model& model, std::optional<farm::Block> block) {
   farm::Params params;
   params.image.width = params.image.height = SIZE;
   params.block = block;
-  params.cycles_per_host_s = 1;
-  const auto worker = topologies::make_topology("line:1");
-  return farm::run_farm(model, worker, renderer::load_scene(SCENE), params).kernels;
+  return farm::run_farm(make_setup(model), renderer::load_scene(SCENE), params).kernels;
 }
 
 // Makes a box of 2 x 2 x 2 m with a screen. Below its ceiling is a lamp, also a face.
@@ -58,9 +61,7 @@ radiosity::Room make_room() {
 Kernels run_radiosity(const machine::Model& model) {
   parallel_radiosity::Params params;
   params.solve.shots = SHOTS;
-  params.cycles_per_host_s = 1;
-  const auto worker = topologies::make_topology("line:1");
-  return parallel_radiosity::run_radiosity(model, worker, make_mesh(make_room(), {}), params)
+  return parallel_radiosity::run_radiosity(make_setup(model), make_mesh(make_room(), {}), params)
       .kernels;
 }
 

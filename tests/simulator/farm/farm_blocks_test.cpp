@@ -19,7 +19,7 @@ Params block_params(int width, int height) {
 }
 
 Result run(const Params& params, const std::string& topology, const renderer::Scene& scene) {
-  return run_farm(machine::load_model("t805-25"), topologies::make_topology(topology), scene,
+  return run_farm({machine::load_model("t805-25"), topologies::make_topology(topology)}, scene,
                   params);
 }
 

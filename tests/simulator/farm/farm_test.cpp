@@ -20,8 +20,8 @@ std::string compare(const std::string& topology, const renderer::Scene& scene,
                     const Params& params) {
   return isolated([&]() -> std::string {
     const auto oracle = renderer::render(scene, params.image);
-    const auto farm = run_farm(machine::load_model("t805-25"), topologies::make_topology(topology),
-                               scene, params);
+    const auto farm = run_farm(
+        {machine::load_model("t805-25"), topologies::make_topology(topology)}, scene, params);
     if (!(farm.rays == oracle.rays))
       return fmt::format("{} rays, not {}", farm.rays.total(), oracle.rays.total());
     return farm.samples == oracle.samples ? "" : "other samples";
@@ -46,10 +46,12 @@ TEST(Farm, MixedMachinesShareTheWorkBySpeed) {
         auto params = small_params();
         params.image.width = params.image.height = 64;  // enough tasks for an accurate ratio
         const auto slow = std::make_shared<const machine::Model>(machine::load_model("t800-20"));
-        for (const int id : {0, 3}) params.others.emplace(id, slow);
         auto star = topologies::make_topology("star:4");
         star.links.push_back({{0, topologies::free_port(star, 0)}, {3, 2}});
-        const auto farm = run_farm(machine::load_model("t805-30"), star, scene, params);
+        const auto farm = run_farm({.model = machine::load_model("t805-30"),
+                                    .topology = star,
+                                    .others = {{0, slow}, {3, slow}}},
+                                   scene, params);
         const auto oracle = renderer::render(scene, params.image);
         if (!(farm.samples == oracle.samples)) return "other samples";
         std::uint64_t sum = 0;
@@ -95,7 +97,7 @@ TEST(Farm, OrdersCountFromTheFirstTask) {
     Params params = small_params();
     params.scene_message = 1;
     params.script = {{{0.05}, {NonInteractive{}}}};
-    const auto r = run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:3"),
+    const auto r = run_farm({machine::load_model("t805-25"), topologies::make_topology("tree:3")},
                             make_glass_scene(), params);
     EXPECT_GT(r.setup_s, 0.05);
     EXPECT_GT(r.time_s, 0.1);
@@ -111,7 +113,7 @@ TEST(Farm, OrdersWithoutAnEffectAreNamed) {
                      {{0}, {NonInteractive{}}},
                      {{0}, {NonInteractive{}}},
                      {{1000}, {Limits{}}}};
-    const auto r = run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:3"),
+    const auto r = run_farm({machine::load_model("t805-25"), topologies::make_topology("tree:3")},
                             make_glass_scene(), params);
     ASSERT_EQ(r.notes.size(), 3u);
     EXPECT_EQ(r.notes[0], "order 1 had no effect: its limits were already set");
@@ -125,7 +127,7 @@ TEST(Farm, TwoRunsAreTheSameToTheLastBit) {
   const auto scene = renderer::make_spheres(60);
   auto run = [&] {
     return isolated([&] {
-      const auto r = run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:5"),
+      const auto r = run_farm({machine::load_model("t805-25"), topologies::make_topology("tree:5")},
                               scene, small_params());
       std::string text = fmt::format("{:a} {:a} {}", r.time_s, r.setup_s, r.events);
       for (const auto& cpu : r.use.cpus) text += fmt::format(" {:a}", cpu.busy_s);
@@ -142,7 +144,7 @@ TEST(Farm, UseDoesNotCountTheScene) {
     return isolated([&] {
       auto params = small_params();
       params.scene_message = scene_message;
-      const auto r = run_farm(machine::load_model("t805-25"), topologies::make_topology("line:1"),
+      const auto r = run_farm({machine::load_model("t805-25"), topologies::make_topology("line:1")},
                               make_glass_scene(), params);
       std::string bytes;
       for (const auto& link : r.use.links)
@@ -163,7 +165,7 @@ TEST(Farm, MissesAreShorterThanHits) {
     auto params = small_params();
     params.image.limits.depth = 1;
     const auto model = machine::load_model("t805-25");
-    const auto r = run_farm(model, topologies::make_topology("line:1"), scene, params);
+    const auto r = run_farm({model, topologies::make_topology("line:1")}, scene, params);
     ASSERT_EQ(r.rays.total(), r.rays.primary);
     ASSERT_LT(r.rays.primary_hit, r.rays.primary);
     ASSERT_GT(r.rays.primary_hit, 0u);
@@ -187,8 +189,8 @@ TEST(Farm, RaysInFarmAndFeelersAreBounded) {
                                 // one sender buffer per child
                                 static_cast<std::size_t>(workers - 1);
     run_isolated([&] {
-      const auto r = run_farm(machine::load_model("t805-25"),
-                              topologies::make_topology(fmt::format("tree:{}", workers)),
+      const auto r = run_farm({machine::load_model("t805-25"),
+                               topologies::make_topology(fmt::format("tree:{}", workers))},
                               renderer::make_spheres(60), small_params());
       const std::size_t lights = 3;
       EXPECT_LE(r.peak_tasks_in_farm, buffers) << workers;
@@ -204,9 +206,9 @@ TEST(Farm, SpeedUpGrowsAndStaysBelowTheNumberOfWorkers) {
   auto time = [&](int workers) {
     return std::stod(isolated([&] {
       return fmt::format("{:.17g}",
-                         run_farm(machine::load_model("t805-25"),
-                                  topologies::make_topology(fmt::format("tree:{}", workers)), scene,
-                                  small_params())
+                         run_farm({machine::load_model("t805-25"),
+                                   topologies::make_topology(fmt::format("tree:{}", workers))},
+                                  scene, small_params())
                              .time_s);
     }));
   };
@@ -242,7 +244,7 @@ TEST(Farm, FaultsSayWhoAndWhat) {
           params.worker_memory = memory;
         else
           params.image.width = params.image.height = 5181;
-        run_farm(machine::load_model("t805-25"), topologies::make_topology(topology),
+        run_farm({machine::load_model("t805-25"), topologies::make_topology(topology)},
                  renderer::make_spheres(400), params);
         return std::string();
       });
@@ -258,11 +260,10 @@ TEST(Farm, FaultsSayWhoAndWhat) {
 TEST(Farm, ACutLinkIsADeadlockUnlessTheFarmIsOver) {
   const auto run_cut = [](double at_s) {
     return isolated([&] {
-      Params params = small_params();
-      params.faults = {{.at_s = at_s, .a = 0, .b = 1}};
-      const auto result =
-          run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:2"),
-                   renderer::make_spheres(4), params);
+      const auto result = run_farm({.model = machine::load_model("t805-25"),
+                                    .topology = topologies::make_topology("tree:2"),
+                                    .faults = {{.at_s = at_s, .a = 0, .b = 1}}},
+                                   renderer::make_spheres(4), small_params());
       return fmt::format("{}", result.time_s);
     });
   };
@@ -284,7 +285,7 @@ TEST(Farm, TheDatabaseCanRunOutOfMemory) {
       Params params = small_params();
       // memory for the program and the initial rays
       params.database_memory = 131072 + 80 * 24 * 18;
-      run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:1"),
+      run_farm({machine::load_model("t805-25"), topologies::make_topology("tree:1")},
                renderer::make_spheres(60), params);
       return std::string();
     });

@@ -11,10 +11,10 @@
 namespace farm {
 namespace {
 
-Params timed_params() {
-  Params params = small_params();
-  params.cycles_per_host_s = 1e9;
-  return params;
+Setup timed_setup(const std::string& topology) {
+  static const auto model = machine::load_model("t805-25");
+  return {
+      .model = model, .topology = topologies::make_topology(topology), .cycles_per_host_s = 1e9};
 }
 
 std::map<std::string, std::uint64_t> calls_of(const Result& result) {
@@ -34,10 +34,9 @@ using Calls = std::map<std::string, std::uint64_t>;
 TEST(FarmTimed, RaysShadingAndDisplayAreTimed) {
   const auto scene = make_glass_scene();
   run_isolated([&] {
-    const auto params = timed_params();
+    const auto params = small_params();
     const auto oracle = renderer::render(scene, params.image);
-    const auto farm = run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:3"),
-                               scene, params);
+    const auto farm = run_farm(timed_setup("tree:3"), scene, params);
     EXPECT_TRUE(farm.samples == oracle.samples);
     EXPECT_TRUE(farm.rays == oracle.rays);
     const auto hits = oracle.work[renderer::Op::surface_shaded];
@@ -52,11 +51,10 @@ TEST(FarmTimed, RaysShadingAndDisplayAreTimed) {
 TEST(FarmTimed, BlocksAreTimed) {
   const auto scene = make_glass_scene();
   run_isolated([&] {
-    auto params = timed_params();
+    auto params = small_params();
     params.block = Block{8, 6};
     const auto blocks = make_blocks(params.image, *params.block).size();
-    const auto farm = run_farm(machine::load_model("t805-25"), topologies::make_topology("line:2"),
-                               scene, params);
+    const auto farm = run_farm(timed_setup("line:2"), scene, params);
     EXPECT_TRUE(farm.samples == renderer::render(scene, params.image).samples);
     EXPECT_EQ(calls_of(farm), (Calls{{"block", blocks}, {"display", blocks}}));
   });
@@ -66,13 +64,12 @@ TEST(FarmTimed, BlocksAreTimed) {
 TEST(FarmTimed, BlocksThatWaitForDataAreTimed) {
   const auto scene = renderer::make_spheres(20);
   run_isolated([&] {
-    auto params = timed_params();
+    auto params = small_params();
     params.block = Block{8, 6};
     const auto blocks = make_blocks(params.image, *params.block).size();
     SharedParams data;
     data.cache_percent = 30;
-    const auto shared = run_shared_farm(machine::load_model("t805-25"),
-                                        topologies::make_topology("line:2"), scene, params, data);
+    const auto shared = run_shared_farm(timed_setup("line:2"), scene, params, data);
     EXPECT_TRUE(shared.farm.samples == renderer::render(scene, params.image).samples);
     EXPECT_EQ(calls_of(shared.farm), (Calls{{"block", blocks}, {"display", blocks}}));
     const auto& block = shared.farm.kernels.front();
@@ -86,8 +83,7 @@ TEST(FarmTimed, BlocksThatWaitForDataAreTimed) {
 TEST(FarmTimed, CountedKernelsAreNotTimed) {
   const auto scene = make_glass_scene();
   run_isolated([&] {
-    const auto farm = run_farm(machine::load_model("t805-25"), topologies::make_topology("line:1"),
-                               scene, small_params());
+    const auto farm = run_farm(timed_setup("line:1"), scene, small_params());
     for (const auto& kernel : farm.kernels) {
       EXPECT_EQ(kernel.host_s, 0) << kernel.name;
       EXPECT_EQ(kernel.counted, kernel.charged) << kernel.name;

@@ -10,7 +10,7 @@ namespace farm {
 namespace {
 
 Result run(const Params& params, const char* topology = "tree:3") {
-  return run_farm(machine::load_model("t805-25"), topologies::make_topology(topology),
+  return run_farm({machine::load_model("t805-25"), topologies::make_topology(topology)},
                   make_glass_scene(), params);
 }
 
@@ -56,7 +56,7 @@ TEST(Session, RaysThatNewLimitsAdmitAreAskedForAtOnce) {
       params.max_cell = 1;
       params.stages = {first_level(1)};
       params.script = std::move(script);
-      const auto r = run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:3"),
+      const auto r = run_farm({machine::load_model("t805-25"), topologies::make_topology("tree:3")},
                               scene, params);
       return {r.time_s, r.interactive_s};
     });
@@ -118,8 +118,8 @@ TEST(Session, EndsWithTheImageOfSeveralSamples) {
       params.stages = {random_limits(random), random_limits(random)};
       if (random() % 2 == 0) params.script = {{{0.1}, random_limits(random)}};
       const auto scene = test::make_soft_scene();
-      const auto result = run_farm(machine::load_model("t805-25"),
-                                   topologies::make_topology("tree:3"), scene, params);
+      const auto result = run_farm(
+          {machine::load_model("t805-25"), topologies::make_topology("tree:3")}, scene, params);
       const auto expected = render(scene, params.image, 1);
       EXPECT_EQ(result.samples, expected.samples);
       EXPECT_EQ(result.rgb8, make_rgb8(expected.samples));

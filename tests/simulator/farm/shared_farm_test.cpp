@@ -35,8 +35,8 @@ SharedParams shared_params(double cache_percent) {
 
 SharedResult run(const farm::Params& params, const std::string& topology,
                  const renderer::Scene& scene, const SharedParams& data) {
-  return run_shared_farm(machine::load_model("t805-25"), topologies::make_topology(topology), scene,
-                         params, data);
+  return run_shared_farm({machine::load_model("t805-25"), topologies::make_topology(topology)},
+                         scene, params, data);
 }
 
 std::uint64_t count_tests(const renderer::Work& work) {
@@ -152,7 +152,8 @@ TEST(SharedFarm, RendersWhatWorkersCannotHold) {
   expect_equal(params, "tree:4", scene, shared_params(10));
   const auto plain = isolated([&] {
     try {
-      run_farm(machine::load_model("t805-25"), topologies::make_topology("tree:4"), scene, params);
+      run_farm({machine::load_model("t805-25"), topologies::make_topology("tree:4")}, scene,
+               params);
     } catch (const machine::OutOfMemory&) {
       return "out of memory";
     }
@@ -211,11 +212,13 @@ TEST(SharedFarm, MemoryThatIsTooSmallIsSaid) {
 TEST(SharedFarm, ARunThatIsCutShortTellsWhatWasDone) {
   const auto scene = renderer::make_spheres(60);
   const auto found = isolated([&] {
-    auto params = small_block_params(2, 2);
     observe::RunMonitor monitor;
     monitor.until = machine::Seconds{2};
-    params.monitor = &monitor;
-    const auto result = run(params, "tree:3", scene, shared_params(30)).farm;
+    const auto result = run_shared_farm({.model = machine::load_model("t805-25"),
+                                         .topology = topologies::make_topology("tree:3"),
+                                         .monitor = &monitor},
+                                        scene, small_block_params(2, 2), shared_params(30))
+                            .farm;
     return fmt::format("{} {} {}", machine::to_string(result.end), result.setup_s + result.time_s,
                        farm::find_loads(result).empty());
   });

@@ -36,7 +36,9 @@ Result run(const std::string& name, double percent, bool is_double,
     data.scheme = scheme;
     params.data = make_data_params(model, ray_tracing::size_of(scene), data);
   }
-  return run_iirra(model, topology, topologies::make_routes(topology), {}, scene, params);
+  return run_iirra(
+      {.model = model, .topology = topology, .routes = topologies::make_routes(topology)}, scene,
+      params);
 }
 
 TEST(DoubleNode, ImageEqualsTheRenderers) {

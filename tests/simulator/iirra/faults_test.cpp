@@ -11,11 +11,14 @@ namespace {
 constexpr unsigned LIMIT_S = 20;  // host time, s; a run takes well under one second
 
 // "right" or "wrong" for the image, or the exception, such as "machine::Fault: ...".
-std::string outcome(const Params& params, const std::string& topology) {
+std::string outcome(const Params& params, const std::string& topology,
+                    const programs::PlannedFault& fault) {
   try {
     return isolated(
         [&] {
-          const auto result = run(params, topology);
+          auto setup = make_setup(topologies::make_topology(topology));
+          setup.faults = {fault};
+          const auto result = run_iirra(setup, make_glass_scene(), params);
           const auto expected = render(make_glass_scene(), params.image);
           return result.samples == expected.samples && result.rgb8 == make_rgb8(expected.samples)
                      ? "right"
@@ -35,9 +38,7 @@ TEST(IirraFaults, AProcessorThatStopsIsNamed) {
   for (const auto& [processor, name] : roles)
     for (const double at_s : {0.0, 0.05, 0.3}) {
       SCOPED_TRACE(fmt::format("{} at {} s", name, at_s));
-      auto params = small_params();
-      params.faults = {{at_s, processor, -1}};
-      const auto told = outcome(params, "mesh:3x3");
+      const auto told = outcome(small_params(), "mesh:3x3", {at_s, processor, -1});
       EXPECT_TRUE(told.starts_with(fmt::format("machine::Fault: {} stopped at ", name))) << told;
     }
 }
@@ -59,13 +60,12 @@ TEST(IirraFaults, ACutLinkIsGoneAround) {
       params.method = METHODS[random() % 3];
       params.stages = {Limits{}, Limits{}};
       params.stages[0].min_cell = 4;
-      params.faults = {
-          {static_cast<double>(random() % 400) / 1000, link.a.processor, link.b.processor}};
+      const double at_s = static_cast<double>(random() % 400) / 1000;
       SCOPED_TRACE(
           fmt::format("seed {}, balance {}, start {}, polled {}, method {}, {}: {} - {} at {} s",
                       seed, balance, int(params.start), params.is_polled, int(params.method),
-                      topology, link.a.processor, link.b.processor, params.faults[0].at_s));
-      EXPECT_EQ(outcome(params, topology), "right");
+                      topology, link.a.processor, link.b.processor, at_s));
+      EXPECT_EQ(outcome(params, topology, {at_s, link.a.processor, link.b.processor}), "right");
     }
 }
 
@@ -79,10 +79,10 @@ TEST(IirraFaults, ACutLinkWithoutAnotherWayIsTold) {
       params.balance = static_cast<BalanceMethod>(balance);
       params.is_polled = random() % 2;
       const int from = static_cast<int>(random() % 4);
-      params.faults = {{0.02 + static_cast<double>(random() % 300) / 1000, from, from + 1}};
+      const double at_s = 0.02 + static_cast<double>(random() % 300) / 1000;
       SCOPED_TRACE(fmt::format("seed {}, balance {}, polled {}: {} - {} at {} s", seed, balance,
-                               params.is_polled, from, from + 1, params.faults[0].at_s));
-      const auto told = outcome(params, "line:5");
+                               params.is_polled, from, from + 1, at_s));
+      const auto told = outcome(params, "line:5", {at_s, from, from + 1});
       EXPECT_TRUE(told.starts_with("machine::Fault: ") || told.starts_with("machine::Deadlock: "))
           << told;
       EXPECT_TRUE(told.find("processor ") != told.npos || told.find("worker") != told.npos ||
@@ -92,18 +92,16 @@ TEST(IirraFaults, ACutLinkWithoutAnotherWayIsTold) {
 }
 
 TEST(IirraFaults, ACutAfterTheEndChangesNothing) {
-  auto params = small_params();
-  params.faults = {{500, 1, 2}};
-  EXPECT_EQ(outcome(params, "line:5"), "right");
+  EXPECT_EQ(outcome(small_params(), "line:5", {500, 1, 2}), "right");
 }
 
 TEST(IirraFaults, ALimitOfTimeEndsWithWhatThereIs) {
   run_isolated([] {
-    auto params = small_params();
     observe::RunMonitor monitor;
     monitor.until = machine::Seconds{0.3};
-    params.monitor = &monitor;
-    const auto result = run(params);
+    auto setup = make_setup(topologies::make_topology("mesh:3x3"));
+    setup.monitor = &monitor;
+    const auto result = run_iirra(setup, make_glass_scene(), small_params());
     EXPECT_EQ(result.end, machine::End::limit);
     EXPECT_NEAR(result.setup_s + result.time_s, 0.3, 1e-12);
     EXPECT_GT(result.counts.samples, 0u);

@@ -27,10 +27,14 @@ inline Params small_params() {
   return params;
 }
 
+inline Setup make_setup(const topologies::Topology& topology) {
+  static const auto model = machine::load_model("t805-25");
+  return {.model = model, .topology = topology, .routes = topologies::make_routes(topology)};
+}
+
 inline Result run(const Params& params, const topologies::Topology& topology,
                   const renderer::Scene& scene) {
-  return run_iirra(machine::load_model("t805-25"), topology, topologies::make_routes(topology),
-                   std::nullopt, scene, params);
+  return run_iirra(make_setup(topology), scene, params);
 }
 inline Result run(const Params& params, const std::string& topology = "mesh:3x3") {
   return run(params, topologies::make_topology(topology), make_glass_scene());

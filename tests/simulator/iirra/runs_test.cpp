@@ -20,6 +20,8 @@ struct Case {
   Params params;
   std::optional<ray_tracing::SharedParams> data;
   std::uint64_t seed = 1;
+  machine::EngineParams engine = {};
+  std::optional<double> cycles_per_host_s = {};
 };
 
 using Random = std::mt19937_64;
@@ -180,15 +182,16 @@ programs::OtherModels make_others(const Case& c, int processors) {
 
 Result run_case(const Case& c) {
   const auto scene = load(c.scene);
-  const auto board = make_board(c);
+  auto setup = make_setup(make_board(c));
+  setup.others = make_others(c, setup.topology.processors);
+  setup.engine = c.engine;
+  setup.cycles_per_host_s = c.cycles_per_host_s;
   auto params = c.params;
-  params.others = make_others(c, board.processors);
   if (c.data) {
-    const auto model = machine::load_model("t805-25");
-    check_data(model, ray_tracing::size_of(scene), *c.data);
-    params.data = make_data_params(model, ray_tracing::size_of(scene), *c.data);
+    check_data(setup.model, ray_tracing::size_of(scene), *c.data);
+    params.data = make_data_params(setup.model, ray_tracing::size_of(scene), *c.data);
   }
-  return run(params, board, scene);
+  return run_iirra(setup, scene, params);
 }
 
 // --- necessary work -----------------------------------------------------------------------------
@@ -394,7 +397,7 @@ TEST(IirraRun, EveryEngineDoesTheSame) {
   c.data = ray_tracing::SharedParams{};
   c.data->cache_percent = 60;
   const auto told = [&](machine::EngineParams engine, int digits) {
-    c.params.engine = engine;
+    c.engine = engine;
     return isolated([&] { return tell(run_case(c), digits); });
   };
   EXPECT_TRUE(told({}, 17) == told({.processes = machine::Processes::actors}, 17));
@@ -405,7 +408,7 @@ TEST(IirraRun, EveryEngineDoesTheSame) {
 TEST(IirraRun, TimedKernelsGiveTheImage) {
   for (const bool is_shared : {false, true}) {
     Case c{"ring:5", "own glass", small_params(), {}};
-    c.params.cycles_per_host_s = 1e9;
+    c.cycles_per_host_s = 1e9;
     if (is_shared) c.data.emplace().cache_percent = 100;
     run_isolated([&] {
       const auto result = run_case(c);

@@ -37,7 +37,7 @@ Params make_params(int shots) {
 
 Result run(const std::string& topology, const Mesh& mesh, const Params& params,
            const std::string& model = "t805-25") {
-  return run_radiosity(machine::load_model(model), topologies::make_topology(topology), mesh,
+  return run_radiosity({machine::load_model(model), topologies::make_topology(topology)}, mesh,
                        params);
 }
 
@@ -175,19 +175,24 @@ TEST(Amp, ProcessorsOfOtherModels) {
   for (const double cache_percent : {0., 30.}) {
     Params params = make_params(3);
     params.cache_percent = cache_percent;
-    params.engine = {machine::Links::direct, machine::Processes::fibers};
     const auto slow = std::make_shared<const machine::Model>(machine::load_model("t800-20"));
-    Params all = params;
-    for (int id = 0; id < 5; ++id) all.others.emplace(id, slow);
-    const auto quick_run = run("ring:5", mesh, params);
-    const auto slow_run = run("ring:5", mesh, params, "t800-20");
-    EXPECT_EQ(run("ring:5", mesh, all).time_s, slow_run.time_s);
+    const auto run_with = [&](const programs::OtherModels& others,
+                              const std::string& model = "t805-25") {
+      return run_radiosity({.model = machine::load_model(model),
+                            .topology = topologies::make_topology("ring:5"),
+                            .engine = {.links = machine::Links::direct},
+                            .others = others},
+                           mesh, params);
+    };
+    programs::OtherModels all;
+    for (int id = 0; id < 5; ++id) all.emplace(id, slow);
+    const auto quick_run = run_with({});
+    const auto slow_run = run_with({}, "t800-20");
+    EXPECT_EQ(run_with(all).time_s, slow_run.time_s);
     // If one processor is slow, the others wait, at least if it has the most work.
     double latest = 0, most_unequal = 0;
     for (int id = 0; id < 5; ++id) {
-      Params one = params;
-      one.others.emplace(id, slow);
-      const auto mixed_run = run("ring:5", mesh, one);
+      const auto mixed_run = run_with({{id, slow}});
       EXPECT_TRUE(are_equal(mixed_run.frames.back(), solve(mesh, params.solve)));
       EXPECT_LE(mixed_run.time_s, 1.02 * slow_run.time_s);
       latest = std::max(latest, mixed_run.time_s);
@@ -227,10 +232,12 @@ TEST(Amp, TimedKernelsComputeTheSame) {
       Params params = make_params(6);
       params.cache_percent = cache_percent;
       params.show_every = 2;
-      params.cycles_per_host_s = 1e9;
       int drawn = 0;
       params.draw = [&](const Frame&) { ++drawn; };
-      const auto result = run("line:3", mesh, params);
+      const auto result = run_radiosity({.model = machine::load_model("t805-25"),
+                                         .topology = topologies::make_topology("line:3"),
+                                         .cycles_per_host_s = 1e9},
+                                        mesh, params);
       EXPECT_TRUE(are_equal(result.frames.back(), solve(mesh, params.solve)));
       std::map<std::string, std::uint64_t> calls;
       for (const auto& kernel : result.kernels) calls[kernel.name] = kernel.calls;
@@ -275,7 +282,7 @@ TEST(Amp, ColoursOfMessagesAreCopied) {
       const auto model =
           machine::override_model("t805-25", {{"instruction.move_setup", double(setup)}}, "tests");
       const auto r =
-          run_radiosity(model, topologies::make_topology("line:2"), mesh, make_params(SHOTS));
+          run_radiosity({model, topologies::make_topology("line:2")}, mesh, make_params(SHOTS));
       double busy_s = 0;
       for (const auto& cpu : r.use.cpus) busy_s += cpu.busy_s;
       return fmt::format("{}", busy_s * model.cpu.clock.value);
