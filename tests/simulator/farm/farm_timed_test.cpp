@@ -83,7 +83,9 @@ TEST(FarmTimed, BlocksThatWaitForDataAreTimed) {
 TEST(FarmTimed, CountedKernelsAreNotTimed) {
   const auto scene = make_glass_scene();
   run_isolated([&] {
-    const auto farm = run_farm(timed_setup("line:1"), scene, small_params());
+    const auto farm =
+        run_farm({machine::load_model("t805-25"), topologies::make_topology("line:1")}, scene,
+                 small_params());
     for (const auto& kernel : farm.kernels) {
       EXPECT_EQ(kernel.host_s, 0) << kernel.name;
       EXPECT_EQ(kernel.counted, kernel.charged) << kernel.name;
