@@ -54,7 +54,7 @@ class PytestTest(unittest.TestCase):
     def test_an_experiment_that_does_not_run_fails_with_the_message(self):
         code, output = self.collect(wrong=EXPERIMENT.replace("bytes = [", "byts = ["))
         self.assertEqual(code, 1, output)
-        self.assertIn('unknown key "program.byts"', output)
+        self.assertIn('unknown axis "byts" in [sweep]', output)
         self.assertIn("2 failed", output)
 
     def test_other_files_are_not_collected(self):
