@@ -312,8 +312,8 @@ long end_a_new_run(const fs::path& folder, int signal) {
   return ticks;
 }
 
-// On a loaded host the test may see late that the program handles the signal. So the least of
-// several times counts, and may be twice the promised 50 ms.
+// The bound is that of promises.md. On a loaded host the test may see late that the program handles
+// the signal, so the least of several times counts.
 TEST_F(Sweep, SignalsAreHandledFromTheStart) {
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
     long ticks = end_a_new_run(folder.path, signal);
