@@ -25,7 +25,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t MOST_FROM_PIPE = std::size_t{1} << 28;  // limit on bytes read from a pipe
+// limits on bytes read from a pipe and from another file
+constexpr std::size_t MOST_FROM_PIPE = std::size_t{1} << 28, MOST_FROM_FILE = std::size_t{1} << 30;
 
 // Device, inode and time of the last modification.
 using Identity = std::tuple<dev_t, ino_t, time_t, long>;
@@ -41,7 +42,7 @@ using Write = std::function<void(std::ostream&)>;
 
 [[noreturn]] void fail(const fs::path& path, int error) {
   throw std::system_error(error != 0 ? error : EIO, std::generic_category(),
-                          path.string() + ": cannot be written");
+                          find_final_path(path).string() + ": cannot be written");
 }
 
 // A unique name beside `path`. It fits the file system's limit on lengths if `path` fits.
@@ -150,6 +151,7 @@ class Input {
     struct stat found {};
     fstat(file_, &found);
     is_pipe_ = S_ISFIFO(found.st_mode);
+    size_ = found.st_size > 0 ? static_cast<std::size_t>(found.st_size) : 0;
     if (S_ISREG(found.st_mode) && is_kept) note_input(found);
     if (is_pipe_ || S_ISREG(found.st_mode)) return;
     close(file_);
@@ -165,6 +167,11 @@ class Input {
 
   std::string read(std::size_t most) const {
     if (is_pipe_) most = std::min(most, MOST_FROM_PIPE);
+    const auto check_size = [&](std::size_t size) {
+      require(size <= most, path_.string(), "longer than the limit of {} bytes", most);
+    };
+    check_size(size_);  // of a sparse file too, without reading it
+    most = std::min(most, std::max(size_, MOST_FROM_FILE));  // files of /proc state no size
     std::string text, part(1 << 16, '\0');
     while (text.size() <= most) {
       const auto size = ::read(file_, part.data(), part.size());
@@ -175,7 +182,7 @@ class Input {
       else if (!waits_for_more(size, text.empty()))
         break;
     }
-    require(text.size() <= most, path_.string(), "longer than the limit of {} bytes", most);
+    check_size(text.size());
     return text;
   }
 
@@ -198,7 +205,15 @@ class Input {
   const fs::path path_;
   const int file_;
   bool is_pipe_ = false;
+  std::size_t size_ = 0;  // size of a regular file at the start, in bytes
 };
+
+// The host's memory in bytes. A larger file cannot be read.
+std::size_t measure_memory() {
+  const auto pages = sysconf(_SC_PHYS_PAGES), size = sysconf(_SC_PAGESIZE);
+  return pages > 0 && size > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(size)
+                               : SIZE_MAX;
+}
 
 Write write_bytes(std::string_view bytes) {
   return [bytes](std::ostream& out) {
@@ -260,11 +275,11 @@ void check_can_save(const fs::path& path) {
 }
 
 std::string read_text(const fs::path& path, std::size_t most) {
-  return Input(path, /*is_kept=*/true).read(most);
+  return Input(path, /*is_kept=*/true).read(std::min(most, MOST_FROM_FILE));
 }
 
 std::string read_own_text(const fs::path& path) {
-  return Input(path, /*is_kept=*/false).read(SIZE_MAX);
+  return Input(path, /*is_kept=*/false).read(measure_memory());
 }
 
 void check_can_read(const fs::path& path) {

@@ -31,13 +31,14 @@ bool save_new(const std::filesystem::path& path, std::string_view bytes);
 /// file can be made beside it.
 void check_can_save(const std::filesystem::path& path);
 
-/// The bytes of a file of at most `most` bytes, or of a pipe of at most 256 MiB. Throws BadInput
-/// "path: cannot be read: ..." for a missing file, a folder, a device, a read error, and a pipe
-/// without a writer or without bytes. Throws BadInput with the limit for a longer file. Remembers
-/// the file, so that it is not overwritten.
+/// The bytes of a file of at most `most` bytes and 1 GiB, or of a pipe of at most 256 MiB. Throws
+/// BadInput "path: cannot be read: ..." for a missing file, a folder, a device, a read error, and a
+/// pipe without a writer or without bytes. Throws BadInput with the limit for a longer file.
+/// Remembers the file, so that it is not overwritten.
 std::string read_text(const std::filesystem::path& path, std::size_t most = SIZE_MAX);
 
-/// Reads a file as read_text does, for a caller that may replace it, such as a saved state.
+/// Reads a file as read_text does, for a caller that may replace it, such as a saved state. The
+/// limit is the size of the host's memory.
 std::string read_own_text(const std::filesystem::path& path);
 
 /// Opens a file as read_text does, with the same errors, and remembers it. Refuses pipes too. For

@@ -260,6 +260,21 @@ TEST(WholeFile, DevicesAndSilentPipesAreNotRead) {
                                "with a writer");
 }
 
+// A sparse file is refused by its size, before it fills the memory.
+TEST(WholeFile, LongFilesAreNotRead) {
+  const TemporaryFolder folder;
+  const auto path = folder.path / "sparse";
+  std::ofstream(path) << "x";
+  fs::resize_file(path, std::uintmax_t{1} << 42);
+  for (const auto& read : {std::function([&] { read_text(path); }), {[&] { read_own_text(path); }}})
+    try {
+      read();
+      ADD_FAILURE();
+    } catch (const BadInput& error) {
+      EXPECT_NE(std::string(error.what()).find("longer than the limit of"), std::string::npos);
+    }
+}
+
 TEST(WholeFile, PipesAreWrittenToAndRead) {
   const TemporaryFolder folder;
   const auto pipe = folder.path / "pipe";
