@@ -50,12 +50,14 @@ void check_keys(std::string_view text, std::string_view origin) {
     length = is_string  ? measure_string(rest)
              : c == '#' ? std::min(rest.find('\n'), rest.size())
                         : 1;
-    require(is_string || static_cast<unsigned char>(c) < 0x80, fmt::format("{}:{}", origin, line),
-            "found a letter beyond ASCII, expected it in a text or a comment");
-    if (c == '.')
-      require(++parts <= MAX_KEY_PARTS, fmt::format("{}:{}", origin, line),
-              "found a key of more than {0} parts, expected at most {0}", MAX_KEY_PARTS);
-    else if (!is_string && !continues_key(c))
+    // The place may be a long text of --set, so it is formatted only for an error.
+    const auto place = [&] { return fmt::format("{}:{}", origin, line); };
+    if (!is_string && static_cast<unsigned char>(c) >= 0x80)
+      refuse(place(), "found a letter beyond ASCII, expected it in a text or a comment");
+    if (c == '.') {
+      if (++parts > MAX_KEY_PARTS)
+        refuse(place(), "found a key of more than {0} parts, expected at most {0}", MAX_KEY_PARTS);
+    } else if (!is_string && !continues_key(c))
       parts = 1;
     line += static_cast<int>(std::ranges::count(rest.substr(0, length), '\n'));
   }
@@ -64,18 +66,18 @@ void check_keys(std::string_view text, std::string_view origin) {
 // Refuses values that toml++ writes wrongly: keys with a single quote, a tab or a line end, which
 // it does not quote, and the smallest 64-bit integer, whose sign it loses.
 void check_nodes(const toml::node& node, std::string_view origin) {
+  const auto place = [&](const auto& at) { return fmt::format("{}:{}", origin, at.begin.line); };
   if (const auto* list = node.as_array())
     for (const auto& entry : *list) check_nodes(entry, origin);
   if (const auto* number = node.as_integer())
-    require(number->get() != std::numeric_limits<std::int64_t>::min(),
-            fmt::format("{}:{}", origin, node.source().begin.line),
-            "found {}, expected a larger number", number->get());
+    if (number->get() == std::numeric_limits<std::int64_t>::min())
+      refuse(place(node.source()), "found {}, expected a larger number", number->get());
   const auto* table = node.as_table();
   if (!table) return;
   for (const auto& [key, value] : *table) {
-    require(key.str().find_first_of("'\t\n") == key.str().npos,
-            fmt::format("{}:{}", origin, key.source().begin.line),
-            "found a key with a quote, a tab or a line end, expected none in it");
+    if (key.str().find_first_of("'\t\n") != key.str().npos)
+      refuse(place(key.source()),
+             "found a key with a quote, a tab or a line end, expected none in it");
     check_nodes(value, origin);
   }
 }
@@ -98,7 +100,11 @@ toml::table parse_toml(std::string_view text, std::string_view origin) {
     check_nodes(file, origin);
     return file;
   } catch (const toml::parse_error& error) {
-    refuse(fmt::format("{}:{}", origin, error.source().begin.line), "{}", error.description());
+    const auto place = fmt::format("{}:{}", origin, error.source().begin.line);
+    require(error.description().find("TOML_MAX_NESTED_VALUES") == std::string_view::npos, place,
+            "found arrays or tables in more than {0} others, expected at most {0}",
+            TOML_MAX_NESTED_VALUES);
+    refuse(place, "{}", error.description());
   }
 }
 

@@ -46,6 +46,18 @@ TEST(Toml, PointsElsewhereAreNoPartsOfAKey) {
   }
 }
 
+// The place of a long --set is as long as its text. It must not be formatted for every character.
+TEST(Toml, ALongTextWithALongPlaceIsRead) {
+  const auto text = "a = [" + repeat(200'000, "1,") + "]";
+  EXPECT_EQ(parse_toml(text, text)["a"].as_array()->size(), 200'000u);
+}
+
+TEST(Toml, TheDepthOfValuesIsLimited) {
+  for (const auto& [begin, end] : {std::pair("[", "]"), std::pair("{a = ", "}")})
+    EXPECT_EQ(refusal_of("\na = " + repeat(1000, begin) + repeat(1000, end)),
+              "e.toml:2: found arrays or tables in more than 256 others, expected at most 256");
+}
+
 // toml++ itself limits the nesting of values to 256.
 TEST(Toml, TheDeepestFileIsReadAndDestroyed) {
   const auto key = repeat(MAX_KEY_PARTS - 1, "a.") + "a";
