@@ -20,15 +20,14 @@ Words first_words(std::string_view comment) {
 
 namespace {
 
-// True for numbers, and for words that are meant as numbers: "0,5", "nan", "1e999".
+// True for numbers, and for words that are meant as numbers: "0,5", "10%", "1/2", "nan", "1e999".
 bool looks_like_number(std::string_view word) {
-  if (parse_number(word)) return true;
-  if (word.starts_with('+')) word.remove_prefix(1);
-  std::string text(word);
-  std::ranges::replace(text, ',', '.');
-  double ignored = 0;
-  const auto* end = text.data() + text.size();
-  return !text.empty() && std::from_chars(text.data(), end, ignored).ptr == end;
+  if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);
+  const auto first = word.find_first_not_of(".,");
+  if (first <= 1 && word[first] >= '0' && word[first] <= '9') return true;
+  double ignored = 0;  // "nan", "infinity"
+  const auto* end = word.data() + word.size();
+  return !word.empty() && std::from_chars(word.data(), end, ignored).ptr == end;
 }
 
 }  // namespace

@@ -193,7 +193,8 @@ TEST(NffComments, WhatLooksLikeAStatementIsNotIgnored) {
   for (const char* name : {"lens", "shutter", "move", "gloss", "translucent", "uv", "light rect",
                            "light sphere", "LENS", "Gloss"})
     for (const char* number :
-         {"0,5", "-0,5", "nan", "-nan", "inf", "+inf", "infinity", "1e999", "-1e999", "1,5e3"})
+         {"0,5", "-0,5", "nan", "-nan", "inf", "+inf", "infinity", "1e999", "-1e999", "1,5e3",
+          "10%", "0.1;", "1/2", "0.5s", "1e", "0x1", ".5.", "-2nd"})
       for (const char* begin : {"# ", "#", "  #\t"}) {
         const auto line = fmt::format("{}{} {} 1 1", begin, name, number);
         EXPECT_TRUE(get_error([&] { read(line); }).starts_with("test.nff:9: found '")) << line;
