@@ -1,13 +1,16 @@
 #include "renderer/meshes/read_mesh.hpp"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <assimp/Importer.hpp>
 #include <filesystem>
 
 #include "base/text.hpp"
+#include "base/whole_file.hpp"
 #include "renderer/files/text/statements.hpp"
 #include "renderer/files/text/tokens.hpp"
 #include "renderer/files/write_nff.hpp"
@@ -16,6 +19,17 @@
 namespace renderer {
 
 namespace {
+
+// Opens the files that Assimp reads, and remembers them as inputs. A mesh may consist of several
+// files, such as a .gltf file and its buffers.
+class RememberedFiles : public Assimp::DefaultIOSystem {
+ public:
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    struct stat found {};
+    if (stat(file, &found) == 0) base::note_input(found);
+    return DefaultIOSystem::Open(file, mode);
+  }
+};
 
 Vec to_vec(const aiVector3D& v) { return {v.x, v.y, v.z}; }
 
@@ -134,6 +148,7 @@ class Teller {
 
 void read_mesh(const std::string& path, ObjTarget& target, LeftOut& left_out) {
   Assimp::Importer importer;
+  importer.SetIOHandler(new RememberedFiles);  // owned by the importer
   const aiScene* scene = importer.ReadFile(
       path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices);
   if (!scene || scene->mNumMeshes == 0) {

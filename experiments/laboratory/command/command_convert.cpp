@@ -136,6 +136,8 @@ Converted convert_apart(const std::string& source, const std::function<Converted
     alarm(static_cast<unsigned>(20 + 10 * limit_s));  // for a part that is a pipe without a writer
     if (!std::freopen("/dev/null", "w", stderr)) throw std::runtime_error("/dev/null");
     const auto [texts, left_out, remarks] = convert();
+    // This process alone knows all files that Assimp has read.
+    for (const auto& [path, text] : texts) base::check_no_input(path);
     nlohmann::json json = {{"left_out", left_out}, {"remarks", remarks}};
     for (const auto& [path, text] : texts) json["texts"].push_back({path, text});
     std::string bytes;  // file name, perhaps invalid UTF-8
