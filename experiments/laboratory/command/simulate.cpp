@@ -109,6 +109,7 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
   const ExperimentFile all = spread(s.file);
   s.asked = all.points.size();
   PointsPlan plan(options, all, inspect_names(checks, s.file), run_recorded_point);
+  check_results_folder(results);  // all inputs are known now
   plan.lone = folder.working() / lone_records_folder();
   folder.fill([&] {
     Results drawn = make_results(plan, missing, s.there);

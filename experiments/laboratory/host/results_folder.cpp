@@ -15,6 +15,7 @@
 
 #include "base/errors.hpp"
 #include "base/partial_name.hpp"
+#include "base/whole_file.hpp"
 #include "experiments/laboratory/host/link_files.hpp"
 
 namespace laboratory {
@@ -109,6 +110,17 @@ void check_is_ours(const fs::path& path) {
   for (const auto& entry : fs::directory_iterator(path))
     if (!is_result(entry.path()))
       refuse(path, fmt::format("holds {}, which would be lost", entry.path().filename().string()));
+}
+
+// Throws if `path` contains a file that the command reads, such as a texture or a reference with
+// the name of a result. Files that `working` contains too, as the same file, are kept.
+void check_inputs_survive(const fs::path& path, const fs::path& working) {
+  if (!fs::exists(path)) return;
+  std::error_code ignored;
+  for (const auto& entry : fs::recursive_directory_iterator(path))
+    if (working.empty() ||
+        !fs::equivalent(entry.path(), working / entry.path().lexically_relative(path), ignored))
+      base::check_no_input(entry.path());
 }
 
 // Kinds of hidden folders beside `path`: unfinished results, and older results moved aside.
@@ -213,7 +225,11 @@ bool put_in_place(const fs::path& working, const fs::path& path) {
 
 }  // namespace
 
-void check_results_folder(const fs::path& path) { check_is_ours(resolve(path)); }
+void check_results_folder(const fs::path& path) {
+  const auto resolved = resolve(path);
+  check_is_ours(resolved);
+  check_inputs_survive(resolved, {});
+}
 
 ResultsFolder::ResultsFolder(const fs::path& path) : path_(resolve(path)) {
   check_is_ours(path_);
@@ -277,6 +293,7 @@ void ResultsFolder::commit(const Check& check) {
   if (is_committed_) throw base::InvariantBroken(path_.string() + ": results committed twice");
   const base::Undivided section;
   check_replaced(path_, check);
+  check_inputs_survive(path_, working_);
   replace(check);
   is_committed_ = true;
 }
