@@ -31,7 +31,8 @@ std::string describe(const base::Domain& domain) {
 
 fs::path whole_path(const std::string& path) {
   std::error_code ignored;
-  return fs::weakly_canonical(path, ignored);
+  // Relative paths without an existing part would stay relative.
+  return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
 }
 
 void check_folder(const std::string& option, const std::string& path) {
@@ -51,7 +52,7 @@ std::string check_folder_name(const std::string& name) {
 
 std::string trim_name(const std::string& name) {
   const auto trimmed = std::string(base::trim(name));
-  if (trimmed.empty()) throw CLI::ValidationError("", "found an empty name in a list");
+  if (trimmed.empty()) throw CLI::ValidationError("a list", "found an empty name in a list");
   return trimmed;
 }
 
