@@ -1,6 +1,7 @@
 #pragma once
 // Calibration: fits entries of a machine model to measurements of a real machine.
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "experiments/laboratory/table/table.hpp"
@@ -48,6 +49,9 @@ std::string to_text(const Calibration& calibration);
 /// intervals as ranges.
 std::string to_model_file(const Calibration& calibration, const CalibrationTask& task,
                           const std::string& file);
+
+/// True if to_model_file() has made this text.
+bool is_fitted_model(std::string_view text);
 
 /// Makes a template for the user's model `file` that lists all entries of the model `base` as
 /// comments, by section.

@@ -26,6 +26,10 @@ std::string name_base(const std::string& base, const std::string& file) {
   return fs::relative(fs::absolute(base), fs::absolute(file).parent_path()).string();
 }
 
+// Ends the first line of a fitted model after the name of its base.
+constexpr std::string_view IS_FITTED =
+    ", with entries fitted to measurements (tlab model --fit). The root mean square error is\n";
+
 // Replaces control characters by blanks, so that the text fits into a one-line comment.
 std::string plain(const std::string& text) { return base::blank_controls(text, '?'); }
 
@@ -37,12 +41,9 @@ std::string to_model_file(const Calibration& calibration, const CalibrationTask&
   const auto source =
       fmt::format("fitted to {} measurements of {} in {}", calibration.compared.rows.size(),
                   calibration.column, task.measurements);
-  std::string text = fmt::format(
-      "# {}, with entries fitted to measurements (tlab model --fit). The root mean square error "
-      "is\n"
-      "# {:.2g} %.\nname = {}\nbase = {}\n",
-      plain(task.model), 100 * calibration.rms, spell_text(name),
-      spell_text(name_base(task.model, file)));
+  std::string text =
+      fmt::format("# {}{}# {:.2g} %.\nname = {}\nbase = {}\n", plain(task.model), IS_FITTED,
+                  100 * calibration.rms, spell_text(name), spell_text(name_base(task.model, file)));
   std::string section;
   auto entries = calibration.entries;
   std::ranges::stable_sort(entries, {}, [](const auto& e) { return split_key(e.key).first; });
@@ -55,6 +56,10 @@ std::string to_model_file(const Calibration& calibration, const CalibrationTask&
         entry, e.value, spell_text(e.unit), spell_text(source), e.low, e.high);
   }
   return text;
+}
+
+bool is_fitted_model(std::string_view text) {
+  return text.substr(0, text.find('\n') + 1).ends_with(IS_FITTED);
 }
 
 std::string make_model_file(const std::string& base, const std::string& file) {

@@ -55,7 +55,12 @@ void begin_model(const ModelOptions& o) {
 void fit_model(ModelOptions o) {
   base::require(o.names.size() == 1, "--fit", "found {} models, expected one", o.names.size());
   o.fit.model = o.names[0];
-  if (!o.output.empty()) check_model_file(o.output);
+  if (!o.output.empty()) {
+    check_model_file(o.output);
+    base::require(!fs::exists(o.output) || is_fitted_model(base::read_own_text(o.output)), o.output,
+                  "found a file that --fit has not written, expected a new name");
+    base::check_can_save(o.output);
+  }
   for (auto& entry : o.fit.entries) entry = trim_name(entry);
   const auto found = [&] {
     const ElapsedTime elapsed_time("model --fit " + o.fit.measurements);
