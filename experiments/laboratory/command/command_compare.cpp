@@ -27,9 +27,11 @@ void check_target(const CompareOptions& o) {
                 "found {}, expected a name that ends with .html or .csv", o.output);
   base::check_can_save(o.output);
   const auto within = fs::weakly_canonical(fs::absolute(o.output)).parent_path();
-  for (const auto& folder : o.folders)
-    base::require(within != fs::weakly_canonical(fs::absolute(folder)), "--output",
+  for (const auto& folder : o.folders) {
+    const auto below = within.lexically_relative(fs::weakly_canonical(fs::absolute(folder)));
+    base::require(below.empty() || *below.begin() == "..", "--output",
                   "found {}, expected a file outside the compared results", o.output);
+  }
 }
 
 void compare(const CompareOptions& o) {

@@ -139,6 +139,9 @@ TEST_F(Compare, RefusesWhatCannotBeCompared) {
   expect({"a", "c", "--columns", "tme_s", "-o", "o.html"}, "the nearest is \"time_s\"");
   expect({"a", "c", "-o", "o.txt"}, "ends with .html or .csv");
   expect({"a", "c", "-o", "a/report.html"}, "outside the compared results");
+  expect({"a", "c", "-o", "a/points/o.html"}, "outside the compared results");
+  std::filesystem::create_symlink("a/points/experiment.json", folder.path / "record.csv");
+  expect({"a", "c", "-o", "record.csv"}, "outside the compared results");
   expect({"a", "c", "-o", "no/o.html"}, "no/o.html");
   std::filesystem::create_directory_symlink("a", folder.path / "alias");
   expect({"a", "alias"}, "found alias twice");
