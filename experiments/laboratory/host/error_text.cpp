@@ -1,11 +1,13 @@
 #include "experiments/laboratory/host/error_text.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <atomic>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -39,6 +41,16 @@ bool is_out_of_memory() {
   return false;
 }
 
+// True if the limit on the address space (ulimit -v) leaves no room for the stack of a thread.
+bool has_little_memory() {
+  constexpr rlim_t ROOM = rlim_t{32} << 20;
+  rlimit most{};
+  unsigned long long pages = 0;
+  if (getrlimit(RLIMIT_AS, &most) != 0 || most.rlim_cur == RLIM_INFINITY) return false;
+  std::ifstream("/proc/self/statm") >> pages;
+  return pages * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) + ROOM > most.rlim_cur;
+}
+
 [[noreturn]] void terminate() {
   constexpr int NO_RESOURCES = 2;
   if (!is_out_of_memory()) other_terminate();
@@ -63,8 +75,10 @@ std::string describe_error(const std::exception& error) {
   }
   const auto* system = dynamic_cast<const std::system_error*>(&error);
   if (system && system->code() == std::errc::resource_unavailable_try_again)
-    return "the host refuses another process or thread, expected higher limits (ulimit -u, -v), or "
-           "fewer --jobs and --threads";
+    return has_little_memory() ? NO_MEMORY
+                               : "the host refuses another process or thread, expected higher "
+                                 "limits (ulimit -u, -v), or "
+                                 "fewer --jobs and --threads";
   if (dynamic_cast<const nlohmann::json::exception*>(&error))
     return "found damaged JSON, expected a file that tlab has written";
   return error.what();
