@@ -28,6 +28,14 @@ constexpr std::uint64_t CALLS_BETWEEN = 1024;  // events between polls while the
 constexpr std::size_t MOST_ASKED = 1024;       // limit on queued commands that await a reply
 constexpr std::size_t MOST_TOLD_AT_END = 256;  // limit on processors kept for display after the end
 
+// True if the file has an [[order]] with which the user leaves.
+bool has_leave(const ExperimentFile& file) {
+  const auto* orders = (*file.content)["order"].as_array();
+  return orders && std::any_of(orders->begin(), orders->end(), [](const toml::node& order) {
+           return order.is_table() && (*order.as_table())["leave"].value_or(false);
+         });
+}
+
 }  // namespace
 
 Session::Session(const ExperimentFile& file, double speed)
@@ -328,8 +336,8 @@ void Session::end(const std::string& fault) {
   phase_ = Phase::over;
   goal_.reset();
   fault_ = fault;
-  // Records that the user leaves, if the run was ended by hand before that.
-  if (ended_by_hand_s_ && orders_ && view_.take_order && !has_left_)
+  // Records that the user leaves, if the run was ended by hand before that. A recording may do so.
+  if (ended_by_hand_s_ && orders_ && view_.take_order && !has_left_ && !has_leave(file_))
     actions_.push_back({"order", LATEST_S, {{"leave", "true"}}});
   // After an exception in a process, neither a deadlock nor processors are described.
   has_thrown_ = std::ranges::any_of(machine_->processors(),

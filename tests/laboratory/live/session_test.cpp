@@ -131,6 +131,24 @@ TEST(LiveSession, EveryControlWorksOnARecordingAsOnItsOriginal) {
   }
 }
 
+// Sessions that are ended by hand, one on the recording of the other. The user leaves once.
+TEST(LiveSession, ARecordingCanBeEndedByHandAgain) {
+  const test::TemporaryFolder folder;
+  for (const std::string& text :
+       {FARM + "[[stage]]\n", FARM + "[[order]]\nat_s = 0.001\nleave = true\n"})
+    run_isolated([&] {
+      auto recording = text;
+      for (int i = 0; i < 3; ++i) {
+        const auto watched = watch(recording, folder.path.string(), {{30, Command{{"do", "end"}}}});
+        EXPECT_TRUE(watched.ended_by_hand_s.has_value());
+        recording = watched.recording;
+        EXPECT_EQ(watched.result,
+                  run_alone(recording, folder.path.string(), watched.ended_by_hand_s.value_or(0)))
+            << recording;
+      }
+    });
+}
+
 // The file has an order long after the picture is complete.
 TEST(LiveSession, ALateOrderOfTheFileIsWaitedFor) {
   compare_session(FARM + "[[order]]\nat_s = 100\nsave = \"late\"\n", {});
