@@ -71,6 +71,8 @@ class Client : public std::enable_shared_from_this<Client> {
     const auto& request = parser_.get();
     if (request.count(http::field::host) > 1)
       return refuse(http::status::bad_request, "found two hosts");
+    if (request.count(http::field::origin) > 1)
+      return refuse(http::status::bad_request, "found two origins");
     if (!is_own(request[http::field::host]))
       return refuse(http::status::misdirected_request, "found another host");
     if (websocket::is_upgrade(request)) {

@@ -221,6 +221,19 @@ TEST(LiveServer, TwoHostsAreABadRequest) {
   EXPECT_EQ(response.result(), http::status::bad_request);
 }
 
+TEST(LiveServer, TwoOriginsAreABadRequest) {
+  Served served;
+  auto socket = served.connect();
+  asio::write(socket,
+              asio::buffer("GET /live HTTP/1.1\r\nHost: " + served.host() +
+                           "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nOrigin: http://" +
+                           served.host() + "\r\nOrigin: http://other\r\n\r\n"));
+  beast::flat_buffer buffer;
+  http::response<http::string_body> response;
+  http::read(socket, buffer, response);
+  EXPECT_EQ(response.result(), http::status::bad_request);
+}
+
 double cpu_seconds() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
