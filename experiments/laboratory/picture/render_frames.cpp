@@ -67,6 +67,9 @@ void add_frames_options(CLI::App& command, FramesOptions& o) {
   frames->option_text("A-B");
   command.add_option("--frame-rate", o.rate, "frames per second of the animation")
       ->check(CLI::Range(1.0, 1000.0))
+      ->check([](const std::string& text) {  // Range accepts "nan"
+        return text.find_first_of("nN") == text.npos ? "" : "found " + text + ", expected a number";
+      })
       ->capture_default_str()
       ->needs(frames);
   command.add_flag("--yes", o.is_confirmed, "render the frames even if that takes minutes")

@@ -109,6 +109,7 @@ TEST(DistributedCommand, WrongFramesAreRefusedBeforeAnythingIsWritten) {
     expect({"-o", "a.png", "--frames", range}, "--frames");
   expect({"-o", "a.png", "--frame-rate", "10"}, "--frame-rate requires --frames");
   expect({"-o", "a.webp", "--frames", "0-1", "--frame-rate", "0"}, "--frame-rate");
+  expect({"-o", "a.webp", "--frames", "0-1", "--frame-rate", "nan"}, "--frame-rate: found nan");
   expect({"-o", "a.webp"}, "expected a name that ends in .png");
   expect({"-o", "a.gif", "--frames", "0-1"}, "expected a name that ends in .png or .webp");
   expect({"-o", "a.png", "--frames", "0-1", "--progressive"}, "--progressive excludes --frames");
