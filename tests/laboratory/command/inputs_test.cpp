@@ -62,6 +62,84 @@ TEST_F(Inputs, AreNeverOverwritten) {
     }
 }
 
+// Assimp alone knows the files of which a mesh consists.
+TEST_F(Inputs, AreNotOverwrittenEvenIfALibraryReadsThem) {
+  const std::string buffer(36, '\0');
+  const char corner[] = {0, 0, char(0x80), 0x3f};  // 1.0 as a little-endian float
+  auto triangle = buffer;
+  triangle.replace(12, 4, corner, 4).replace(28, 4, corner, 4);
+  for (const std::string output : {"part.nff", "part.obj", "part.room"})
+    for (const std::string alias : {"", "./", "hard-", "soft-"}) {
+      write_file(folder.path / "m.gltf",
+                 R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}],
+                 "nodes": [{"mesh": 0}], "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+                 "bufferViews": [{"buffer": 0, "byteLength": 36}],
+                 "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
+                 "min": [0, 0, 0], "max": [1, 1, 0]}], "buffers": [{"byteLength": 36, "uri": ")" +
+                     output + "\"}]}");
+      write_file(folder.path / output, triangle);
+      fs::remove(folder.path / ("hard-" + output));
+      fs::remove(folder.path / ("soft-" + output));
+      fs::create_hard_link(folder.path / output, folder.path / ("hard-" + output));
+      fs::create_symlink(output, folder.path / ("soft-" + output));
+      const auto before = contents();
+      EXPECT_EQ(run_line(folder.path, "$TLAB convert m.gltf -o " + alias + output + " > out 2>&1"),
+                2);
+      EXPECT_TRUE(contents() == before) << alias << output;
+    }
+  EXPECT_EQ(run_line(folder.path, "$TLAB convert m.gltf -o new.obj > out 2>&1"), 0)
+      << read_file(folder.path / "out");
+}
+
+// The results folder holds an input whose name is that of a result.
+TEST_F(Inputs, InAResultsFolderAreNotReplaced) {
+  const std::string text = "[image]\nwidth = 8\nheight = 6\n[scene]\nobjects = 3\n";
+  write_file(folder.path / "e.toml", text);
+  ASSERT_EQ(run_line(folder.path, "$TLAB run e.toml -o r > out 2>&1"), 0);
+  auto scene = read_file(folder.path / "still-life.nff");
+  scene.replace(scene.find("tiles.png"), 9, "r/image-tiles.png");
+  write_file(folder.path / "s.nff", scene);
+  const auto texture = read_file(folder.path / "tiles.png");
+  for (const std::string& input :
+       {std::string("[scene]\nsource = \"s.nff\"\n[image]\nwidth = 8\nheight = 6\n"),
+        text + "[[check]]\nname = \"n\"\nof = \"time_s\"\nreference = \"r/results.csv\"\nkeys = "
+               "[\"objects\"]\nwithin = 1\n"}) {
+    write_file(folder.path / "r/image-tiles.png", texture);
+    write_file(folder.path / "e.toml", input);
+    const auto table = read_file(folder.path / "r/results.csv");
+    for (const char* command : {"run e.toml -o r", "verify e.toml -o r"}) {
+      const auto line = "$TLAB " + std::string(command) + " > out 2>&1";
+      if (command[0] == 'v' && !contains(input, "check")) continue;
+      EXPECT_EQ(run_line(folder.path, line), 2) << command;
+      EXPECT_TRUE(contains(read_file(folder.path / "out"), "the command reads this file"));
+      EXPECT_EQ(read_file(folder.path / "r/results.csv"), table);
+      EXPECT_TRUE(read_file(folder.path / "r/image-tiles.png") == texture);
+    }
+  }
+}
+
+// Two outputs of a command are two files.
+TEST_F(Inputs, OutputsAreApart) {
+  for (const char* line : {"render still-life.nff --size 4x4 -o x.png --stats new --state ./new",
+                           "render still-life.nff --size 4x4 -o x.png --stats ./x.png",
+                           "radiosity window.room --size 4x4 -o ./x.png --stats x.png"}) {
+    EXPECT_EQ(run_line(folder.path, "$TLAB " + std::string(line) + " > out 2>&1"), 2) << line;
+    EXPECT_TRUE(contains(read_file(folder.path / "out"), "expected a file that no other option"));
+  }
+}
+
+// --fit replaces only what it has written.
+TEST_F(Inputs, AModelThatFitHasNotWrittenIsNotReplaced) {
+  const std::string line = "$TLAB model t805-25 --fit l.csv --entries link.one_way_20 -o ";
+  const auto before = contents();
+  for (const char* name : {"m.toml", "hard-m.toml", "soft-m.toml"})
+    EXPECT_EQ(run_line(folder.path, line + name + " > out 2>&1"), 2) << name;
+  EXPECT_TRUE(contents() == before);
+  for (int i = 0; i < 2; ++i)
+    EXPECT_EQ(run_line(folder.path, line + "fitted.toml > out 2>&1"), 0)
+        << read_file(folder.path / "out");
+}
+
 TEST_F(Inputs, ThatAreSpecialFilesAreRefusedOrRead) {
   for (const char* name : {"fifo.png", "fifo.nff", "fifo.toml", "fifo.ply", "fifo.room"})
     ASSERT_EQ(mkfifo((folder.path / name).c_str(), 0600), 0);

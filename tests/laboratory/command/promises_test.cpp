@@ -65,6 +65,19 @@ TEST_F(Sweep, MessagesAreInOurWords) {
   EXPECT_TRUE(contains(told.err, "\\x00b.nff")) << told.err;
 }
 
+// Errors while hidden folders are filled name the final files.
+TEST_F(Sweep, MessagesContainNoHiddenNames) {
+  for (const char* arguments :
+       {"init q", "run e.toml -o r", "topology ring:9 -o t.svg", "model m --new"})
+    for (const char* blocks : {"0", "1", "2"}) {
+      run_line(folder.path,
+               "(ulimit -f " + std::string(blocks) + " && $TLAB " + arguments + ") > out 2> told");
+      EXPECT_FALSE(contains(read_file(folder.path / "told"), ".partial-"))
+          << arguments << ": " << read_file(folder.path / "told");
+      run_line(folder.path, "rm -rf q r t.svg m.toml");
+    }
+}
+
 // Starts a live run, ends it after a while, and repeats it with the printed command.
 TEST_F(Sweep, TheCommandThatRepeatsASessionWorks) {
   write_file(folder.path / "a 'b'.toml", "[image]\nwidth = 12\nheight = 8\n[scene]\nobjects = 5\n");
@@ -101,6 +114,9 @@ TEST_F(Sweep, LackOfMemoryIsAnErrorAndLeavesNothingBehind) {
     EXPECT_TRUE(code == 0 || code == 2) << kb << " KB: " << code << "\n" << told;
     EXPECT_FALSE(contains(told, "std::bad_alloc")) << told;
     fs::remove_all(folder.path / "r");
+    with_limit(kb, "render spheres:20 -o x.png --size 8x8 --threads 8");
+    EXPECT_FALSE(contains(read_file(folder.path / "out"), "ulimit -u")) << kb << " KB";
+    fs::remove(folder.path / "x.png");
     EXPECT_EQ(folder.names(), (Arguments{"e.toml", "out"})) << kb << " KB";
   }
 }
