@@ -29,6 +29,42 @@ std::vector<int> ways_of(const std::vector<topologies::Neighbour>& around) {
   return ways;
 }
 
+// Stores packets until the sender is free. `longest` becomes the largest number of packets so far.
+Proc queue(std::vector<Channel<Pointer>*> inputs, Channel<Signal>& sent,
+           Channel<Pointer>& to_sender, std::uint32_t& longest) {
+  boost::circular_buffer<Pointer> waiting(4);  // an empty deque would take 600 bytes
+  std::size_t favourite = 0;
+  bool is_free = true;
+  Signal dummy;
+  for (;;) {
+    co_await alternative(when(!is_free, sent, dummy, [&] { is_free = true; }),
+                         each(inputs, favourite, [&](std::size_t input, Pointer packet) {
+                           if (waiting.full()) waiting.set_capacity(2 * waiting.size());
+                           waiting.push_back(packet);
+                           longest = std::max(longest, static_cast<std::uint32_t>(waiting.size()));
+                           favourite = (input + 1) % inputs.size();
+                         }));
+    if (is_free && !waiting.empty()) {
+      co_await to_sender.output(waiting.front());
+      waiting.pop_front();
+      is_free = false;
+    }
+  }
+}
+
+// Sends the queue's packets to a link. If `link` is null, delivers them to the client.
+Proc send(Channel<Pointer>& from_queue, Channel<Signal>& sent, Channel<Packet>* link,
+          Channel<Pointer>& client) {
+  for (;;) {
+    const Pointer packet = co_await from_queue.input();
+    if (link)
+      co_await link->output(packet.to);
+    else
+      co_await client.output(packet);
+    co_await sent.output({});
+  }
+}
+
 }  // namespace
 
 StoreAndForward::StoreAndForward(machine::Machine& machine, const topologies::Topology& topology,
@@ -70,8 +106,14 @@ void StoreAndForward::start(int id, const char* what, int way, Proc body) {
 }
 
 void StoreAndForward::start_way_out(int id, int way, Channel<Packet>* link) {
-  start(id, "queue", way, queue(nodes_[id], way));
-  start(id, "sender", way, send(nodes_[id], way, link, delivered_[id]));
+  Node& node = nodes_[id];
+  std::vector<Channel<Pointer>*> inputs;
+  for (auto* input : node.queue_in[way])
+    if (input) inputs.push_back(input);
+  auto& sent = *node.sent[way];
+  auto& to_sender = *node.to_sender[way];
+  start(id, "queue", way, queue(std::move(inputs), sent, to_sender, node.longest_queue));
+  start(id, "sender", way, send(to_sender, sent, link, delivered_[id]));
 }
 
 void StoreAndForward::start_way_in(int id, int way, Channel<Packet>* link) {
@@ -119,43 +161,6 @@ Proc StoreAndForward::receive(int id, int way, Channel<Packet>* link) {
 
 std::size_t StoreAndForward::longest_queue() const {
   return std::ranges::max(nodes_, {}, &Node::longest_queue).longest_queue;
-}
-
-Proc StoreAndForward::queue(Node& node, int way) {
-  std::vector<Channel<Pointer>*> inputs;
-  for (auto* input : node.queue_in[way])
-    if (input) inputs.push_back(input);
-  boost::circular_buffer<Pointer> waiting(4);  // an empty deque would take 600 bytes
-  std::size_t favourite = 0;
-  bool is_free = true;
-  Signal dummy;
-  for (;;) {
-    co_await alternative(when(!is_free, *node.sent[way], dummy, [&] { is_free = true; }),
-                         each(inputs, favourite, [&](std::size_t input, Pointer packet) {
-                           if (waiting.full()) waiting.set_capacity(2 * waiting.size());
-                           waiting.push_back(packet);
-                           node.longest_queue = std::max(
-                               node.longest_queue, static_cast<std::uint32_t>(waiting.size()));
-                           favourite = (input + 1) % inputs.size();
-                         }));
-    if (is_free && !waiting.empty()) {
-      co_await node.to_sender[way]->output(waiting.front());
-      waiting.pop_front();
-      is_free = false;
-    }
-  }
-}
-
-Proc StoreAndForward::send(const Node& node, int way, Channel<Packet>* link,
-                           Channel<Pointer>& client) {
-  for (;;) {
-    const Pointer packet = co_await node.to_sender[way]->input();
-    if (link)
-      co_await link->output(packet.to);
-    else
-      co_await client.output(packet);
-    co_await node.sent[way]->output({});
-  }
 }
 
 }  // namespace network

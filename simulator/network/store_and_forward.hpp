@@ -74,8 +74,6 @@ class StoreAndForward {
   int take_way_to(int from, int to);
   int guards_of(int id, int way) const;
   Proc receive(int id, int way, Channel<Packet>* link);
-  Proc queue(Node& node, int way);
-  Proc send(const Node& node, int way, Channel<Packet>* link, Channel<Pointer>& client);
 
   topologies::Topology topology_;
   topologies::RoutingTable routes_;
