@@ -19,25 +19,26 @@ constexpr std::size_t FEW = 64;
 
 __extension__ using Key = unsigned __int128;
 
+std::atomic<bool> stop_requested = false;  // set by a signal handler
+
+}  // namespace
+
 // Date, order of scheduling and callback index in one number, so that comparisons need no branches.
 // Dates are not negative, and -0 becomes 0, so their bits sort like their values.
-struct Event {
+struct PendingEvent {
   Key key;
-  Event(double date, std::uint64_t order, std::size_t place)
+  PendingEvent(double date, std::uint64_t order, std::size_t place)
       : key(Key{std::bit_cast<std::uint64_t>(date + 0.0)} << 64 | order << PLACE_BITS | place) {}
   double date() const { return std::bit_cast<double>(static_cast<std::uint64_t>(key >> 64)); }
   std::uint64_t order() const { return static_cast<std::uint64_t>(key) >> PLACE_BITS; }
   std::size_t place() const {
     return static_cast<std::size_t>(key) & ((std::size_t{1} << PLACE_BITS) - 1);
   }
-  bool operator<(const Event& o) const { return key > o.key; }  // reversed: the next one is on top
+  // Reversed, so that the next event is on top.
+  bool operator<(const PendingEvent& o) const { return key > o.key; }
 };
 
-std::atomic<bool> stop_requested = false;  // set by a signal handler
-
-}  // namespace
-
-struct Events::Heap : boost::heap::d_ary_heap<Event, boost::heap::arity<4>> {};
+struct Events::Heap : boost::heap::d_ary_heap<PendingEvent, boost::heap::arity<4>> {};
 
 Events::Events() : heap_(std::make_unique<Heap>()) {}
 Events::~Events() = default;
@@ -69,7 +70,7 @@ Moment Events::next_moment() const {
 }
 
 void Events::handle_next() {
-  const Event event = heap_->top();
+  const PendingEvent event = heap_->top();
   heap_->pop();
   next_ = heap_->empty() ? NEVER : heap_->top().date();
   free_.push_back(static_cast<std::uint32_t>(event.place()));
