@@ -5,7 +5,7 @@
 
 namespace farm {
 
-using namespace occam;
+using occam::case_of, occam::this_process, occam::turn;
 
 void interaction(ray_tracing::Orders<Limits>& orders, const Progress& progress,
                  Channel<Command>& into_coordination) {

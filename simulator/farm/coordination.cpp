@@ -11,7 +11,7 @@
 
 namespace farm {
 
-using namespace occam;
+using occam::case_of, occam::otherwise, occam::this_process, occam::turn;
 
 namespace {
 

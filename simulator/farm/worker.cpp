@@ -6,7 +6,7 @@
 
 namespace farm {
 
-using namespace occam;
+using occam::turn;
 
 // The process "sender" of figure 4.13.
 void sender(Channel<Signal>& sender_to_main, Channel<Task>& from_main, Channel<Task>& destination) {

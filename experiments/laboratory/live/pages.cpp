@@ -9,7 +9,7 @@ namespace laboratory {
 namespace asio = boost::asio;
 namespace beast = boost::beast;
 namespace websocket = beast::websocket;
-using namespace std::chrono_literals;
+using std::chrono_literals::operator""ms, std::chrono_literals::operator""s;
 
 namespace {
 

@@ -19,7 +19,7 @@ namespace beast = boost::beast;
 namespace http = beast::http;
 namespace websocket = beast::websocket;
 using asio::ip::tcp;
-using namespace std::chrono_literals;
+using std::chrono_literals::operator""ms;
 using Error = beast::error_code;
 
 namespace {

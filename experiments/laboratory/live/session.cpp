@@ -15,7 +15,7 @@ namespace laboratory {
 
 using machine::Seconds;
 using nlohmann::ordered_json;
-using namespace std::chrono_literals;
+using std::chrono_literals::operator""ms, std::chrono_literals::operator""ns;
 
 namespace {
 

@@ -13,7 +13,9 @@ namespace laboratory {
 namespace {
 
 namespace fs = std::filesystem;
-using namespace renderer::progressive;
+using renderer::progressive::Progressive, renderer::progressive::Step;
+using renderer::progressive::StepCounts, renderer::progressive::StepKind;
+using renderer::progressive::TreeRays;
 using Json = nlohmann::ordered_json;
 
 Json make_step_json(const Step& step, const StepCounts& counts) {
@@ -56,11 +58,14 @@ void add_progressive_options(CLI::App& command, ProgressiveOptions& o) {
   auto* progressive = command.add_flag("--progressive", o.is_wanted,
                                        "render in steps and refine cells where the image needs it; "
                                        "outside --area the first cells remain");
+  bind_options(
+      command,
+      {renderer::progressive::step_kind_field<ProgressiveOptions>(&ProgressiveOptions::kind),
+       renderer::progressive::max_cell_field<ProgressiveOptions>(&ProgressiveOptions::max_cell)},
+      o);
   bind_options(command,
-               {step_kind_field<ProgressiveOptions>(&ProgressiveOptions::kind),
-                max_cell_field<ProgressiveOptions>(&ProgressiveOptions::max_cell)},
-               o);
-  bind_options(command, base::select(step_fields(), {"min_cell", "contrast"}), o.last);
+               base::select(renderer::progressive::step_fields(), {"min_cell", "contrast"}),
+               o.last);
   command.add_flag("--no-pyramid", o.no_pyramid,
                    "divide cells by contrast only, even if they may hide an object");
   for (const char* name : {"--steps", "--max-cell", "--min-cell", "--contrast", "--no-pyramid"})

@@ -15,7 +15,7 @@
 #include "topologies/route/up_down.hpp"
 
 namespace py = pybind11;
-using namespace pybind11::literals;
+using pybind11::literals::operator""_a;
 
 namespace bindings {
 namespace {

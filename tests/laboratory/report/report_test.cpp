@@ -11,7 +11,7 @@
 namespace laboratory {
 namespace {
 
-using namespace std::string_literals;
+using std::string_literals::operator""s;
 
 // A PNG with one black pixel.
 const std::string PNG =

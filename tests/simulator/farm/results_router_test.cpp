@@ -9,7 +9,7 @@
 namespace farm {
 namespace {
 
-using namespace occam;
+using occam::isolated_numbers, occam::Lab, occam::Numbers, occam::Processor, occam::compute;
 
 constexpr int WAYS = 4, ROUNDS = 6;
 

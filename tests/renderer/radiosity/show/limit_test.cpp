@@ -6,10 +6,8 @@
 
 #include "tests/renderer/radiosity/mesh/grids.hpp"
 
-namespace radiosity {
+namespace radiosity::grids {
 namespace {
-
-using namespace grids;
 
 constexpr ReconstructionParams LIMITED{Reconstruction::bicubic, Twist::estimated};
 
@@ -164,4 +162,4 @@ TEST(Limit, PatchesWithTheSameVertexTwiceAreWhollyLit) {
 }
 
 }  // namespace
-}  // namespace radiosity
+}  // namespace radiosity::grids

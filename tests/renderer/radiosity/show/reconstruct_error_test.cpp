@@ -4,10 +4,8 @@
 
 #include "tests/renderer/radiosity/mesh/grids.hpp"
 
-namespace radiosity {
+namespace radiosity::grids {
 namespace {
-
-using namespace grids;
 
 Vertex place_on_wall(double u, double v) {
   const Vec at{u, v, 0};
@@ -95,4 +93,4 @@ TEST(ReconstructError, OfABumpIsSmallAtItsPeakWithinAPatch) {
 }
 
 }  // namespace
-}  // namespace radiosity
+}  // namespace radiosity::grids

@@ -8,10 +8,8 @@
 
 #include "tests/renderer/radiosity/mesh/grids.hpp"
 
-namespace radiosity {
+namespace radiosity::grids {
 namespace {
-
-using namespace grids;
 
 constexpr Twist TWISTS[] = {Twist::zero, Twist::diagonal, Twist::estimated};
 // Evaluates Eq 3.1 literally, matrix by matrix.
@@ -261,4 +259,4 @@ TEST(Reconstruct, RefusesIlluminationsOfAnotherMesh) {
 }
 
 }  // namespace
-}  // namespace radiosity
+}  // namespace radiosity::grids

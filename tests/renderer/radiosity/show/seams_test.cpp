@@ -7,10 +7,8 @@
 #include "renderer/radiosity/show/slopes.hpp"
 #include "tests/renderer/radiosity/mesh/grids.hpp"
 
-namespace radiosity {
+namespace radiosity::grids {
 namespace {
-
-using namespace grids;
 
 constexpr ReconstructionParams BOUNDED{Reconstruction::bicubic, Twist::estimated};
 
@@ -155,4 +153,4 @@ TEST(Seams, AreNotWhereFacesAreDividedAlikeOrDoNotMeet) {
 }
 
 }  // namespace
-}  // namespace radiosity
+}  // namespace radiosity::grids

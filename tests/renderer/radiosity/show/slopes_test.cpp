@@ -6,10 +6,8 @@
 
 #include "tests/renderer/radiosity/mesh/grids.hpp"
 
-namespace radiosity {
+namespace radiosity::grids {
 namespace {
-
-using namespace grids;
 
 Vec red(const Slopes<Rgb>& slopes) { return {slopes.x.r, slopes.y.r, slopes.z.r}; }
 
@@ -190,4 +188,4 @@ TEST(Fans, TellVerticesInsideFromBordersAndCorners) {
 }
 
 }  // namespace
-}  // namespace radiosity
+}  // namespace radiosity::grids
