@@ -102,8 +102,4 @@ Surroundings find_surroundings(const Mesh& mesh);
 /// Edges between two vertices, the lower index first.
 using Edges = std::set<std::pair<std::uint32_t, std::uint32_t>>;
 
-/// Gives each group of patches around a vertex its own copy of the vertex, at the same position.
-/// Creases separate groups.
-void split_at_creases(Mesh& mesh, const Edges& creases);
-
 }  // namespace radiosity

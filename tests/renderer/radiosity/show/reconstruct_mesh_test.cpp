@@ -5,13 +5,11 @@
 
 #include <map>
 
-#include "renderer/radiosity/mesh/mesh.hpp"
+#include "renderer/radiosity/mesh/borders.hpp"
 #include "tests/renderer/radiosity/mesh/grids.hpp"
 
-namespace radiosity {
+namespace radiosity::grids {
 namespace {
-
-using namespace grids;
 
 // A regular polygon of radius 1 in some plane.
 Face make_polygon(Random& random, int corners, int along) {
@@ -204,4 +202,4 @@ TEST(ReconstructMesh, ACylinderIsAsGoodAsItsPlane) {
 }
 
 }  // namespace
-}  // namespace radiosity
+}  // namespace radiosity::grids
