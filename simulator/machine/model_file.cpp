@@ -1,5 +1,5 @@
-// Reads model files: TOML, inheritance from a base, formulas, and the assignment of entries to
-// members of Model.
+// Reads model files: inheritance from a base, formulas, and the assignment of entries to members of
+// Model.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -14,25 +14,25 @@
 #include "base/whole_file.hpp"
 #include "simulator/machine/builtin_models.hpp"
 #include "simulator/machine/model.hpp"
+#include "simulator/machine/model_entry.hpp"
 
 namespace machine {
 
 namespace {
 
-constexpr double LARGEST = 1e12;  // upper bound of all entries, in any unit
 constexpr std::size_t MOST_ENTRIES = 10'000;
 
 using Field = base::Field<Model>;
 
 template <class Section, class Value>
 Field field(const char* key, const char* unit, Section Model::*section, Value Section::*member,
-            double low = 0, double high = LARGEST) {
+            double low = 0, double high = LARGEST_ENTRY) {
   const auto access = [=](auto& model) -> auto& { return model.*section.*member; };
   return base::Declare<Model>::number(key, access, low, high, unit, "");
 }
 
 // An entry that is not a member of Model: only formulas of other entries use it.
-Field shared(const char* key, const char* unit, double low = 0, double high = LARGEST) {
+Field shared(const char* key, const char* unit, double low = 0, double high = LARGEST_ENTRY) {
   return base::Declare<Model>::custom(
       key, {base::Domain::Kind::number, low, high}, unit, "",
       [](const Model&, const base::Scalar&) { return true; },
@@ -163,97 +163,10 @@ void bind_entries(Model& model, std::string_view origin) {
   check_bit_rate(model, origin);
   for (const Entry& entry : model.entries)
     if (const auto* open = find_open(entry.key)) {
-      base::require(entry.value >= 0 && entry.value <= LARGEST, entry.where,
-                    "found {}, expected a number from 0 to {}", entry.value, LARGEST);
+      base::require(entry.value >= 0 && entry.value <= LARGEST_ENTRY, entry.where,
+                    "found {}, expected a number from 0 to {}", entry.value, LARGEST_ENTRY);
       (model.*open->numbers)[entry.key.substr(open->prefix.size())] = entry.value;
     }
-}
-
-Provenance parse_provenance(const std::string& text, const std::string& where) {
-  for (auto p :
-       {Provenance::datasheet, Provenance::thesis, Provenance::calibrated, Provenance::assumed})
-    if (text == to_string(p)) return p;
-  base::refuse(where, "provenance: found \"{}\", expected datasheet, thesis, calibrated or assumed",
-               text);
-}
-
-// Sets a number, or a formula after a check of its syntax.
-void set_value(Entry& entry, const EntryValue& value) {
-  if (const auto* number = std::get_if<double>(&value))
-    entry.value = *number;
-  else
-    base::Formula(entry.formula = std::get<std::string>(value), entry.where);
-}
-
-// Reads a number, or a formula in quotes.
-EntryValue read_value(const Entry& entry, const toml::node* node) {
-  if (const auto number = node ? node->value<double>() : std::nullopt) return *number;
-  if (const auto text = node ? node->value_exact<std::string>() : std::nullopt) return *text;
-  base::refuse(entry.where,
-               "\"value\": expected a number, or in quotes a formula over other entries");
-}
-
-// Reads a fraction of the entry's value, such as "80 %".
-std::optional<double> read_share(const toml::node& node) {
-  auto text = node.value_exact<std::string>().value_or("");
-  if (!text.ends_with('%')) return {};
-  text.pop_back();
-  while (text.ends_with(' ')) text.pop_back();
-  const auto number = base::parse_number<double>(text);
-  return number ? std::optional(*number / 100) : std::nullopt;
-}
-
-// Reads low, high and why. Either all or none of them must be present.
-std::optional<Range> read_range(const Entry& entry, const toml::table& table) {
-  const auto *low = table.get("low"), *high = table.get("high"), *why = table.get("why");
-  if (!low && !high && !why) return {};
-  base::require(low && high && why && why->value_exact<std::string>(), entry.where,
-                "expected low, high and why together, with a text in quotes as why");
-  const auto low_share = read_share(*low), high_share = read_share(*high);
-  Range range{0, 0, low_share && high_share, *why->value_exact<std::string>()};
-  const auto low_number = range.is_share ? low_share : low->value<double>();
-  const auto high_number = range.is_share ? high_share : high->value<double>();
-  base::require(
-      low_number && high_number, entry.where,
-      "low and high: expected two numbers, or two percentages of the value such as \"80 %\"");
-  range.low = *low_number;
-  range.high = *high_number;
-  base::require(range.low < range.high && range.high <= LARGEST && range.low >= 0, entry.where,
-                "low and high: found {} and {}, expected numbers from 0 to {}, with low below high",
-                range.low, range.high, LARGEST);
-  base::require(range.is_share || entry.formula.empty(), entry.where,
-                "low and high: found numbers, expected percentages such as \"80 %\", because the "
-                "value is a formula");
-  base::require(!range.is_share || range.low > 0, entry.where,
-                "low: found 0 %, expected a percentage above 0");
-  return range;
-}
-
-Entry read_entry(const std::string& key, const toml::node& node, const std::string& where) {
-  const auto* table = node.as_table();
-  base::require(table, where,
-                "expected {{ value = ..., unit = ..., provenance = ..., source = ... }}");
-  auto text = [&](const char* part) {
-    auto value = (*table)[part].value<std::string>();
-    base::require(value.has_value(), where, "\"{}\": expected a text in quotes", part);
-    return *value;
-  };
-  constexpr std::string_view PARTS[] = {"value", "unit", "provenance", "source",
-                                        "low",   "high", "why",        "holds"};
-  for (auto&& [part, ignored] : *table)
-    base::require(std::ranges::find(PARTS, part.str()) != std::end(PARTS), where,
-                  "unknown part \"{}\"", part.str());
-  Entry entry{
-      key, 0, {}, text("unit"), parse_provenance(text("provenance"), where), text("source"), where};
-  set_value(entry, read_value(entry, table->get("value")));
-  entry.range = read_range(entry, *table);
-  if (table->contains("holds")) {
-    base::require(entry.provenance == Provenance::calibrated, where,
-                  "holds: found it in an entry with provenance \"{}\", expected calibrated",
-                  to_string(entry.provenance));
-    base::Formula(entry.holds = text("holds"), where + ": holds");
-  }
-  return entry;
 }
 
 // Checks that a key is known. A model with a base may change entries of open sections (see unit_of)
