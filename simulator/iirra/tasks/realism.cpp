@@ -96,6 +96,39 @@ CellQuadrants make_cell_quadrants(const Area& image, int max_cell) {
   return quadrants;
 }
 
+namespace {
+
+// The place of a cell among those of equal importance.
+std::uint64_t eval_place(const Ordering& o, const SampledCell& cell, double contrast) {
+  const int column = (cell.x - o.image.x) / cell.side, row = (cell.y - o.image.y) / cell.side;
+  const auto drawn = [&] {
+    return base::random_at(
+        o.seed, interleave(static_cast<std::uint32_t>(cell.x), static_cast<std::uint32_t>(cell.y)));
+  };
+  if (o.quadrants) {
+    const auto& of_size = o.quadrants->at(cell.side);
+    const auto columns = static_cast<std::size_t>(of_size.quadrants[0].width);
+    return of_size
+        .ranks[static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column)];
+  }
+  switch (o.order) {
+    case CellOrder::bayer:
+      return eval_bayer(column, row, 16);
+    case CellOrder::random:
+      return drawn();
+    case CellOrder::sequential:
+      return static_cast<std::uint64_t>(row) << 32 | static_cast<std::uint32_t>(column);
+    case CellOrder::recursive:
+      return interleave(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
+    case CellOrder::adaptive:
+      // upper bits: contrast, highest first; lower bits: random
+      return static_cast<std::uint64_t>(1023 * (1 - contrast)) << 54 | drawn() >> 10;
+  }
+  return 0;
+}
+
+}  // namespace
+
 Importance Ordering::eval(const SampledCell& cell, const Quantities& quantities,
                           const Limits& limits) const {
   const Weights w = limits.weights.value_or(weights);
@@ -106,38 +139,7 @@ Importance Ordering::eval(const SampledCell& cell, const Quantities& quantities,
                    w.samples * (1 - SAMPLES_OF_LEVEL[cell.level] / 13.0) +
                    w.contrast * quantities.contrast + w.influence * quantities.influence;
   if (quantities.depth > 0) importance.sum += w.depth / quantities.depth;
-  const int column = (cell.x - image.x) / cell.side, row = (cell.y - image.y) / cell.side;
-  const auto drawn = [&] {
-    return base::random_at(
-        seed, interleave(static_cast<std::uint32_t>(cell.x), static_cast<std::uint32_t>(cell.y)));
-  };
-  if (quadrants) {
-    const auto& of_size = quadrants->at(cell.side);
-    const auto columns = static_cast<std::size_t>(of_size.quadrants[0].width);
-    importance.place =
-        of_size.ranks[static_cast<std::size_t>(row) * columns + static_cast<std::size_t>(column)];
-    return importance;
-  }
-  switch (order) {
-    case CellOrder::bayer:
-      importance.place = eval_bayer(column, row, 16);
-      break;
-    case CellOrder::random:
-      importance.place = drawn();
-      break;
-    case CellOrder::sequential:
-      importance.place = static_cast<std::uint64_t>(row) << 32 | static_cast<std::uint32_t>(column);
-      break;
-    case CellOrder::recursive:
-      importance.place =
-          interleave(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
-      break;
-    case CellOrder::adaptive:
-      // upper bits: contrast, highest first; lower bits: random
-      importance.place =
-          static_cast<std::uint64_t>(1023 * (1 - quantities.contrast)) << 54 | drawn() >> 10;
-      break;
-  }
+  importance.place = eval_place(*this, cell, quantities.contrast);
   return importance;
 }
 
