@@ -223,6 +223,19 @@ void refine(Room& room, const Mesh& mesh, const std::vector<std::uint32_t>& chos
   }
 }
 
+// Halves the chosen patches. Nothing if that makes no more patches or too many. Retries, since new
+// lines that are too near to a contact or crease are dropped.
+std::optional<Mesh> make_finer(Room& room, const MeshParams& params, const Mesh& mesh,
+                               const std::vector<std::uint32_t>& chosen) {
+  for (int tries = 0; tries < MOST_TRIES; ++tries) {
+    refine(room, mesh, chosen, find_long_ways);
+    Mesh finer = make_mesh(room, params);
+    if (finer.patches.size() > MOST_ADAPTED) return {};
+    if (finer.patches.size() > mesh.patches.size()) return finer;
+  }
+  return {};
+}
+
 }  // namespace
 
 base::Field<AdaptParams> adaptive_field() {
@@ -270,16 +283,9 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
     }
     if (adapted.rounds == MOST_ROUNDS) return adapted;
     const auto chosen = choose(errors, LEFT * allowed);
-    // Retries, since new lines that are too near to a contact or crease are dropped.
-    Mesh finer;
-    for (int tries = 0; tries < MOST_TRIES; ++tries) {
-      refine(room, mesh, chosen, find_long_ways);
-      finer = make_mesh(room, parts);
-      if (finer.patches.size() > MOST_ADAPTED) return adapted;
-      if (finer.patches.size() > mesh.patches.size()) break;
-    }
-    if (finer.patches.size() <= mesh.patches.size()) return adapted;
-    adapted.mesh = std::move(finer);
+    auto finer = make_finer(room, parts, mesh, chosen);
+    if (!finer) return adapted;
+    adapted.mesh = std::move(*finer);
     adapted.rough = solve(adapted.mesh, rough, step);
     ++adapted.rounds;
   }
