@@ -45,6 +45,20 @@ bool is_index(const ordered_json& value, std::size_t size) {
   return value.get<std::int64_t>() >= 0 && value.get<std::uint64_t>() < size;
 }
 
+// The number of a processor in the machine, and its number in the network.
+std::pair<int, int> find_processor(const machine::Machine& machine, const std::vector<int>& network,
+                                   const ordered_json& id) {
+  const auto& processors = machine.processors();
+  base::require(is_index(id, processors.size()), "fault",
+                "found {}, expected a processor from 0 to {}", id.dump(), processors.size() - 1);
+  const int number = id.get<int>();
+  if (network.empty()) return {number, number};
+  const auto place = std::ranges::find(network, number);
+  base::require(place != network.end(), "fault", "found {}, expected a processor of the network",
+                processors[static_cast<std::size_t>(number)]->name());
+  return {number, static_cast<int>(place - network.begin())};
+}
+
 }  // namespace
 
 void Session::obey(const Command& command) {
@@ -149,18 +163,8 @@ void Session::obey_fault(const Command& fault) {
   const auto& program = *file_.points[0].experiment.program;
   base::require(program.uses.faults, "fault",
                 "found one, but the program {} does not support faults", program.name);
-  const auto& processors = machine_->processors();
-  // Finds a processor of the machine and its number in the network.
   const auto find = [&](const ordered_json& id) {
-    base::require(is_index(id, processors.size()), "fault",
-                  "found {}, expected a processor from 0 to {}", id.dump(), processors.size() - 1);
-    const int number = id.get<int>();
-    const auto& network = view_.network;
-    if (network.empty()) return std::pair(number, number);
-    const auto place = std::ranges::find(network, number);
-    base::require(place != network.end(), "fault", "found {}, expected a processor of the network",
-                  processors[static_cast<std::size_t>(number)]->name());
-    return std::pair(number, static_cast<int>(place - network.begin()));
+    return find_processor(*machine_, view_.network, id);
   };
   const double after_s = std::max(shown_s(), fault_after_s_);
   const double at_s = (std::floor(after_s / FAULT_GRID_S) + 1.5) * FAULT_GRID_S;
@@ -171,7 +175,9 @@ void Session::obey_fault(const Command& fault) {
     check_point(experiment);
     faults_ = std::move(experiment.faults);
   };
-  const auto at = [&](int id) -> auto& { return *processors[static_cast<std::size_t>(id)]; };
+  const auto at = [&](int id) -> auto& {
+    return *machine_->processors()[static_cast<std::size_t>(id)];
+  };
   UserAction action{"fault", at_s, {}};
   if (fault.contains("link")) {
     const auto& link = fault["link"];
