@@ -165,6 +165,23 @@ TEST(IncludeGraph, FoldersHaveFewSources) {
   for (const auto& [room, count] : counts) EXPECT_LE(count, MOST) << room << " wants walls";
 }
 
+// In a unity build, a directive of one source would also hold for the next ones. The examples and
+// benchmarks are compiled separately.
+TEST(IncludeGraph, SourcesLeakNoNamespaceAndNoPragma) {
+  for (const Source& source : sources()) {
+    if (source.room == "experiments/examples" || source.room == "tests/benchmarks") continue;
+    std::ifstream in(::test::in_sources(source.path));
+    int pushed = 0;
+    for (std::string line; std::getline(in, line);) {
+      EXPECT_FALSE(line.starts_with("using namespace")) << source.path;
+      if (!line.starts_with("#pragma") || line == "#pragma once") continue;
+      pushed += line.ends_with(" push") - line.ends_with(" pop");
+      EXPECT_TRUE(pushed > 0 || line.ends_with(" pop")) << source.path << ": " << line;
+    }
+    EXPECT_EQ(pushed, 0) << source.path;
+  }
+}
+
 TEST(IncludeGraph, IncludesAreFromTheRoot) {
   const fs::path root = ::test::in_sources("");
   for (const Source& source : sources())

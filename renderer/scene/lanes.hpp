@@ -10,6 +10,7 @@
 #include "renderer/scene/vec.hpp"
 
 // Lanes are passed only to inlined functions, so that calling conventions do not matter.
+#pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 namespace renderer {
@@ -103,3 +104,5 @@ void run_in_lanes(const Call& call) {
 }
 
 }  // namespace renderer
+
+#pragma GCC diagnostic pop
