@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "experiments/laboratory/table/axis_values.hpp"
+#include "experiments/laboratory/table/samples.hpp"
 
 namespace laboratory {
 namespace {
@@ -87,8 +88,6 @@ Key key_of(const Table& table, std::size_t row, const Texts& axes) {
 }
 
 }  // namespace
-
-bool is_seed(const std::string& axis) { return axis == "seed" || axis.ends_with("_seed"); }
 
 MatchedRuns match_points(std::vector<NamedTable> runs) {
   MatchedRuns matched;

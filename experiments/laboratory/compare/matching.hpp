@@ -27,9 +27,6 @@ struct MatchedRuns {
   std::vector<std::size_t> left_out;  ///< number of each run's rows at points that other runs lack
 };
 
-/// True for "seed" and names that end with "_seed".
-bool is_seed(const std::string& axis);
-
 /// Matches the runs. Throws BadInput if an axis with several values in one run is missing in
 /// another, if two seeds vary independently, or if the runs have no common point.
 MatchedRuns match_points(std::vector<NamedTable> runs);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "experiments/laboratory/table/samples.hpp"
 #include "experiments/laboratory/table/statistics.hpp"
 
 namespace laboratory {
@@ -56,25 +57,6 @@ Value find_value(const MatchedRuns& matched, const MatchedRuns::Point& point, st
   return {};
 }
 
-double half_width(double standard_error, double degrees_of_freedom) {
-  return standard_error == 0 ? 0 : student_t(0.975, degrees_of_freedom) * standard_error;
-}
-
-double half_width_of_pairs(const Numbers& a, const Numbers& b) {
-  Numbers differences;
-  for (std::size_t i = 0; i < a.size(); ++i) differences.push_back(b[i] - a[i]);
-  const auto n = static_cast<double>(a.size());
-  return half_width(find_deviation(differences) / std::sqrt(n), n - 1);
-}
-
-// The half width of a confidence interval by Welch's test, for independent samples.
-double half_width_apart(const Numbers& a, const Numbers& b) {
-  const auto na = static_cast<double>(a.size()), nb = static_cast<double>(b.size());
-  const double va = find_variance(a) / na, vb = find_variance(b) / nb;
-  const double degrees = (va + vb) * (va + vb) / (va * va / (na - 1) + vb * vb / (nb - 1));
-  return half_width(std::sqrt(va + vb), degrees);
-}
-
 // The rows of both runs in the order of the seeds of `a`, without seeds for which the column is
 // empty in either run; none if the two runs have different seeds.
 std::optional<std::pair<Rows, Rows>> pair_seeds(const Table& a, const Table& b, const Rows& rows_a,
@@ -120,10 +102,23 @@ std::optional<Ratio> find_ratio(const MatchedRuns& matched, const MatchedRuns::P
   if (!a || !b) return std::nullopt;
   const double middle = find_mean(*b) - find_mean(*a);
   Ratio ratio{std::exp(middle)};
-  if (std::min(a->size(), b->size()) < 2) return ratio;
-  const double half = paired ? half_width_of_pairs(*a, *b) : half_width_apart(*a, *b);
-  ratio.interval = {std::exp(middle - half), std::exp(middle + half)};
+  const auto half = (paired ? find_paired_difference(*a, *b) : find_difference(*a, *b)).half_width;
+  if (half) ratio.interval = {std::exp(middle - *half), std::exp(middle + *half)};
   return ratio;
+}
+
+std::optional<std::pair<double, double>> find_interval_of(const MatchedRuns& matched,
+                                                          const MatchedRuns::Point& point,
+                                                          std::size_t run,
+                                                          const std::string& column) {
+  const Table& table = matched.runs[run].table;
+  const auto logs = find_logs(table, point.rows[run], column);
+  const auto numbers = logs ? logs : find_numbers(table, point.rows[run], column);
+  if (!numbers) return std::nullopt;
+  const auto found = find_mean_interval(*numbers);
+  if (!found.half_width) return std::nullopt;
+  return logs ? std::pair(std::exp(found.low()), std::exp(found.high()))
+              : std::pair(found.low(), found.high());
 }
 
 Spread find_spread(const MatchedRuns& matched, std::size_t run, const std::string& column) {

@@ -22,6 +22,14 @@ struct Ratio {
 std::optional<Ratio> find_ratio(const MatchedRuns& matched, const MatchedRuns::Point& point,
                                 std::size_t run, const std::string& column);
 
+/// The 95 % interval of a run's result at a point, which compare_column() averages over seeds: of
+/// the geometric mean, by Student's t on logarithms, or of the arithmetic mean if not all samples
+/// are positive. None for a single sample.
+std::optional<std::pair<double, double>> find_interval_of(const MatchedRuns& matched,
+                                                          const MatchedRuns::Point& point,
+                                                          std::size_t run,
+                                                          const std::string& column);
+
 /// Summary of a run's ratios at all points.
 struct Spread {
   /// number of points with a ratio; if 0, the next five members are undefined
