@@ -45,17 +45,48 @@ double root_mean(double sum, std::size_t points) {
 
 Fit make_share_fit(const std::string& law, const std::string& minimised, std::size_t points,
                    double serial, double variance, double squares) {
-  return {law,
-          {make_estimate("serial fraction", serial, variance, points - 1)},
-          minimised,
-          root_mean(squares, points),
-          points};
+  return {law,       {make_estimate("serial fraction", serial, variance, points - 1)},
+          minimised, root_mean(squares, points),
+          points,    {}};
+}
+
+// Tests whether the residuals of a fit follow log n. `terms` are those of the law, with one list
+// for each parameter; `deviation` is the largest relative deviation of the law from the points.
+std::optional<Misfit> find_misfit(std::vector<std::vector<double>> terms,
+                                  const std::vector<double>& residuals,
+                                  const std::vector<double>& n, double deviation) {
+  constexpr double LEVEL = 0.975, LEAST_DEVIATION = 0.05;
+  const auto used = terms.size() + 1;
+  if (residuals.size() <= used || deviation <= LEAST_DEVIATION) return std::nullopt;
+  std::vector<double> trend;
+  for (const double x : n) trend.push_back(std::log(x));
+  // With the law log x itself, the trend is its square.
+  if (used > 2)
+    for (double& value : trend) value *= value;
+  terms.push_back(trend);
+  const auto fit = fit_linear(std::move(terms), residuals);
+  const double error = std::sqrt(std::max(0.0, fit.variance(used - 1)));
+  const double t = error > 0 ? fit.factors[used - 1] / error : INFINITY;
+  const double limit = student_t(LEVEL, static_cast<double>(residuals.size() - used));
+  if (fit.factors[used - 1] == 0 || std::abs(t) <= limit) return std::nullopt;
+  return Misfit{t, limit, deviation};
+}
+
+// The largest relative deviation of a law from points.
+template <class Law>
+double find_deviation_of(const std::vector<double>& measured, Law law) {
+  double most = 0;
+  for (std::size_t i = 0; i < measured.size(); ++i)
+    if (measured[i] != 0)
+      most = std::max(most, std::abs(law(i) - measured[i]) / std::abs(measured[i]));
+  return most;
 }
 
 // Fits the serial fraction s of y(n, S) = s (1 - 1/n).
 std::optional<Fit> fit_share(const std::string& law, const std::string& minimised,
                              const std::vector<double>& n, const std::vector<double>& speedup,
-                             double (*y)(double n, double speedup)) {
+                             double (*y)(double n, double speedup),
+                             double (*eval)(double serial, double n)) {
   const auto points = choose_points(n, speedup, std::vector<double>(n.size(), 1));
   const auto count = points.n.size();
   if (count < 2) return std::nullopt;
@@ -65,7 +96,11 @@ std::optional<Fit> fit_share(const std::string& law, const std::string& minimise
     measured.push_back(y(points.n[i], points.speedup[i]));
   }
   const auto fit = fit_linear({shared}, measured);
-  return make_share_fit(law, minimised, count, fit.factors[0], fit.variance(0), fit.squares);
+  auto made = make_share_fit(law, minimised, count, fit.factors[0], fit.variance(0), fit.squares);
+  const double deviation = find_deviation_of(
+      points.speedup, [&](std::size_t i) { return eval(fit.factors[0], points.n[i]); });
+  made.misfit = find_misfit({shared}, fit.residuals, points.n, deviation);
+  return made;
 }
 
 }  // namespace
@@ -90,13 +125,15 @@ std::optional<double> serial_gustafson(double n, double speedup) {
 }
 
 std::optional<Fit> fit_amdahl(const std::vector<double>& n, const std::vector<double>& speedup) {
-  return fit_share("Amdahl", "time / time on one", n, speedup,
-                   [](double p, double s) { return 1 / s - 1 / p; });
+  return fit_share(
+      "Amdahl", "time / time on one", n, speedup, [](double p, double s) { return 1 / s - 1 / p; },
+      amdahl_speedup);
 }
 
 std::optional<Fit> fit_gustafson(const std::vector<double>& n, const std::vector<double>& speedup) {
-  return fit_share("Gustafson", "efficiency", n, speedup,
-                   [](double p, double s) { return 1 - s / p; });
+  return fit_share(
+      "Gustafson", "efficiency", n, speedup, [](double p, double s) { return 1 - s / p; },
+      gustafson_speedup);
 }
 
 std::optional<Fit> fit_sun_ni(const std::vector<double>& n, const std::vector<double>& speedup,
@@ -118,8 +155,19 @@ std::optional<Fit> fit_sun_ni(const std::vector<double>& n, const std::vector<do
     constexpr double STEP = 1e-5;
     const auto fit = fit_least_squares(residuals, {std::clamp(start, 0.01, 0.9)},
                                        [](std::size_t, double) { return STEP; });
-    return make_share_fit("Sun-Ni", "efficiency", points.n.size(), fit.parameters[0],
-                          fit.errors[0] * fit.errors[0], fit.squares);
+    auto made = make_share_fit("Sun-Ni", "efficiency", points.n.size(), fit.parameters[0],
+                               fit.errors[0] * fit.errors[0], fit.squares);
+    const auto eval = [&](double serial, std::size_t i) {
+      return sun_ni_speedup(serial, points.n[i], points.growth[i]);
+    };
+    std::vector<double> slopes;  // of the residuals over the serial fraction
+    for (std::size_t i = 0; i < points.n.size(); ++i)
+      slopes.push_back((eval(fit.parameters[0] + STEP, i) - eval(fit.parameters[0] - STEP, i)) /
+                       (2 * STEP * points.n[i]));
+    made.misfit = find_misfit(
+        {slopes}, fit.residuals, points.n,
+        find_deviation_of(points.speedup, [&](auto i) { return eval(fit.parameters[0], i); }));
+    return made;
   } catch (const std::runtime_error&) {  // the fit does not converge
     return std::nullopt;
   }
@@ -137,12 +185,18 @@ std::optional<Fit> fit_log(const std::vector<double>& x, const std::vector<doubl
   if (count < 3 || std::ranges::max(logarithms) == std::ranges::min(logarithms))
     return std::nullopt;
   const auto fit = fit_linear({std::vector<double>(count, 1), logarithms}, values);
-  return Fit{"log",
-             {make_estimate("a", fit.factors[0], fit.variance(0), count - 2),
-              make_estimate("k", fit.factors[1], fit.variance(1), count - 2)},
-             "y",
-             root_mean(fit.squares, count),
-             count};
+  std::vector<double> powers;
+  for (const double logarithm : logarithms) powers.push_back(std::pow(10, logarithm));
+  const double deviation = find_deviation_of(
+      values, [&](std::size_t i) { return fit.factors[0] + fit.factors[1] * logarithms[i]; });
+  return Fit{
+      "log",
+      {make_estimate("a", fit.factors[0], fit.variance(0), count - 2),
+       make_estimate("k", fit.factors[1], fit.variance(1), count - 2)},
+      "y",
+      root_mean(fit.squares, count),
+      count,
+      find_misfit({std::vector<double>(count, 1), logarithms}, fit.residuals, powers, deviation)};
 }
 
 }  // namespace laboratory

@@ -30,8 +30,15 @@ struct Estimate {
   double low = 0, high = 0;   ///< 95 % confidence interval by Student's t
 };
 
+/// A trend in the residuals of a fit: the law does not describe the points.
+struct Misfit {
+  double t = 0;          ///< t statistic of the term log n, added to the law
+  double limit = 0;      ///< its 97.5 % quantile, which |t| exceeds
+  double deviation = 0;  ///< largest deviation of the law from the points, relative to them
+};
+
 /// A least-squares fit of a curve to points. The intervals assume independent residuals of equal
-/// variance. If a law does not hold, the intervals are too narrow and `rms` is large.
+/// variance, so they hold only without a misfit.
 struct Fit {
   std::string law;
   std::vector<Estimate> parameters;
@@ -39,6 +46,10 @@ struct Fit {
   double rms = 0;         ///< root mean square of the residuals of the minimised quantity
   /// number of points that determine the parameters, without those at n = 1
   std::size_t points = 0;
+  /// Test of the residuals (Ramsey's RESET test with one term): the fit is repeated with the term
+  /// log n. A misfit is a term that differs from 0 at the 5 % level, if the law also deviates from
+  /// a point by more than 5 %. None for fewer than three points with n > 1.
+  std::optional<Misfit> misfit = {};
 };
 
 /// Fits Amdahl's serial fraction to run times in units of the time on one processor, 1/S. The

@@ -2,6 +2,7 @@
 #include "experiments/laboratory/table/laws.hpp"
 
 #include <gtest/gtest.h>
+#include <algorithm>
 
 #include <cmath>
 #include <random>
@@ -128,6 +129,34 @@ TEST(ExperimentsLaws, TheIdealHasNoSerialPart) {
     EXPECT_NEAR(fit->parameters[0].value, 0, 1e-7) << fit->law;
     EXPECT_NEAR(fit->parameters[0].standard_error, 0, 1e-7) << fit->law;
   }
+}
+
+// A speed-up that stays at 5 from five workers on: no serial fraction describes it.
+TEST(ExperimentsLaws, ASaturatedSpeedupFitsNoLaw) {
+  std::vector<double> n, speedup;
+  for (const double workers : {1, 2, 4, 8, 16, 32, 64}) {
+    n.push_back(workers);
+    speedup.push_back(std::min(workers, 5.0));
+  }
+  for (const auto& fit : {fit_amdahl(n, speedup), fit_gustafson(n, speedup)}) {
+    ASSERT_TRUE(fit && fit->misfit);
+    EXPECT_GT(std::abs(fit->misfit->t), fit->misfit->limit);
+    EXPECT_GT(fit->misfit->deviation, 0.05);
+  }
+}
+
+// Speed-ups that follow the law have no misfit, whether exactly or with an error of 1 %.
+TEST(ExperimentsLaws, ALawThatMadeTheDataFits) {
+  std::mt19937_64 random(3);
+  std::normal_distribution<double> noise(0, 0.01);
+  std::vector<double> n, exact, noisy;
+  for (const double workers : {1, 2, 4, 8, 16, 32, 64}) {
+    n.push_back(workers);
+    exact.push_back(amdahl_speedup(0.05, workers));
+    noisy.push_back(exact.back() * std::exp(noise(random)));
+  }
+  EXPECT_FALSE(fit_amdahl(n, exact)->misfit);
+  EXPECT_FALSE(fit_amdahl(n, noisy)->misfit);
 }
 
 }  // namespace
