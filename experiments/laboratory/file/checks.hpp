@@ -78,7 +78,7 @@ struct PlotSpec {
 };
 
 /// One [[best]]: finds the values of some axes that optimise `of`, for each combination of other
-/// axes.
+/// axes. Seeds are samples: means compete, and are equal if their difference may be chance.
 struct BestSpec {
   std::string name;
   std::string place;              ///< position for errors, "e.toml:12: best \"NAME\""

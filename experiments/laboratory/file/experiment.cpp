@@ -180,9 +180,14 @@ ExperimentFile load_experiment(const ExperimentSource& source, const Overrides& 
   experiment.sweep = read_axes(content, order, path);
   const auto in_play = programs_in_play(file, experiment.sweep, path);
   name_axes(experiment.sweep, in_play, path);
+  experiment.keys = list_keys(content);
+  if (expand_repetitions(file, order, experiment, in_play)) {
+    experiment.sweep = read_axes(content, order, path);
+    name_axes(experiment.sweep, in_play, path);
+    experiment.keys = list_keys(content);
+  }
   for (const auto& override : overrides) check_not_shadowed(override, experiment.sweep);
   read_judgement(file, experiment);
-  experiment.keys = list_keys(content);
   const auto points = count_points(experiment.sweep, path);
   for (std::size_t i = 0; i < points; ++i) {
     auto at = find_coordinates(experiment.sweep, i);

@@ -60,6 +60,7 @@ struct Experiment {
   /// links of the single tree; none: breadth-first tree of the root
   topologies::TreeLinks tree_links;
   std::vector<FaultSpec> faults;  ///< faults from [[fault]]
+  std::int64_t repetitions = 1;   ///< number of seeds, which become an axis of the sweep
   bool is_timed = false;          ///< true if the key run.cost is "timed"
   machine::EngineParams engine;   ///< from the keys run.engine and run.processes
   /// host speed for timed costs, cycles per host second, once it is known

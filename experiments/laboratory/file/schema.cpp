@@ -96,6 +96,9 @@ const base::Fields<Experiment>& common_fields() {
                 "single, one tree for all"),
       D::custom("network.tree_links", tree_links, "", "links of the single tree, [[a, b], ...]",
                 set_tree_links, [](const E&) { return base::Scalar(); }),
+      D::whole("run.repetitions", &E::repetitions, 1, 10'000, "",
+               "number of seeds: runs each point with so many consecutive seeds, as an axis of "
+               "[sweep] would"),
       D::choice("run.cost", &E::is_timed, COSTS,
                 "counted: operations times their cycles; timed: scaled host time, which charges "
                 "single rays 10 to 18 % more than blocks"),

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "experiments/laboratory/file/values.hpp"
+#include "experiments/laboratory/table/samples.hpp"
 #include "experiments/laboratory/table/table.hpp"
 
 namespace laboratory {
@@ -66,6 +67,31 @@ void read_values(Coupled& axes, const Place& at, const std::shared_ptr<const tom
   }
 }
 
+// A key that is a seed, and its value.
+struct Seed {
+  std::string key;
+  std::int64_t first;
+};
+
+// The seeds of the programs that have an effect. The values are those of the first point.
+std::vector<Seed> find_seed_keys(const Experiment& first, const Programs& in_play) {
+  std::vector<Seed> seeds;
+  for (const auto* program : in_play) {
+    const auto& params = program == first.program ? first.params : program->defaults;
+    for (const auto& p : program->parameters) {
+      const auto key = programs::key_of(p);
+      if (!is_seed(key.substr(key.rfind('.') + 1)) ||
+          std::ranges::find(seeds, key, &Seed::key) != seeds.end() ||
+          (program->voids && !program->voids(params, key).empty()))
+        continue;
+      const auto value = p.get(params);
+      const auto* whole = std::get_if<std::int64_t>(&value);
+      if (whole) seeds.push_back({key, *whole});
+    }
+  }
+  return seeds;
+}
+
 }  // namespace
 
 std::string join_names(std::string_view name) {
@@ -111,6 +137,46 @@ void name_axes(std::vector<Coupled>& axes, const Programs& in_play, const std::s
       axis.name = named.name;
       axis.key = named.key;
     }
+}
+
+bool expand_repetitions(toml::table& file, std::vector<std::string>& order,
+                        const ExperimentFile& experiment, const Programs& in_play) {
+  constexpr const char* KEY = "run.repetitions";
+  const auto& axes = experiment.sweep;
+  for (const auto& axis : axes | std::views::join)
+    base::require(axis.key != KEY, experiment.path,
+                  "sweep.{}: expected [run] repetitions = N, not an axis", axis.name);
+  const auto* node = file["run"]["repetitions"].node();
+  if (!node) return false;
+  const auto where = Place{experiment.path, KEY, "", *node}.where() + ": " + KEY;
+  const auto first = bind_settings(experiment, find_coordinates(axes, 0), in_play);
+  file["run"].as_table()->erase("repetitions");
+  if (first.repetitions == 1) return true;
+  const auto seeds = find_seed_keys(first, in_play);
+  base::require(!seeds.empty(), where,
+                "the program {} has no seed, so that repetitions would be equal", in_play[0]->name);
+  std::vector<std::string> names;
+  for (const auto& seed : seeds) {
+    for (const auto& axis : axes | std::views::join)
+      base::require(axis.key != seed.key, where,
+                    "found the axis {} in [sweep] too, expected either repetitions or this axis",
+                    axis.name);
+    names.push_back(seed.key);
+  }
+  toml::array values;
+  for (std::int64_t i = 0; i < first.repetitions; ++i) {
+    toml::array row;
+    for (const auto& seed : seeds) row.push_back(seed.first + i);
+    if (seeds.size() > 1)
+      values.push_back(std::move(row));
+    else
+      values.push_back(seeds[0].first + i);
+  }
+  auto* sweep = file.insert("sweep", toml::table{}).first->second.as_table();
+  const auto name = join_texts(names, ", ");
+  sweep->insert_or_assign(name, std::move(values));
+  order.push_back(name);
+  return true;
 }
 
 std::vector<Coordinate> find_coordinates(const std::vector<Coupled>& axes, std::size_t point) {

@@ -20,6 +20,14 @@ std::vector<Coupled> read_axes(const std::shared_ptr<const toml::table>& file,
 /// axes.
 void name_axes(std::vector<Coupled>& axes, const Programs& in_play, const std::string& origin);
 
+/// Replaces the key run.repetitions of `file` by an axis of as many consecutive seeds, starting with
+/// the program's. A program with several seeds gets coupled axes. Appends the name of the axis to
+/// `order`. `experiment` has the axes and keys of the same file. One repetition needs no
+/// axis. Returns true if the key was there, so that axes and keys must be read again. Throws BadInput if the programs
+/// have no seed, if it has no effect, or if it is an axis already.
+bool expand_repetitions(toml::table& file, std::vector<std::string>& order,
+                        const ExperimentFile& experiment, const Programs& in_play);
+
 /// The values of all axes at the point with number `point`. The last axis varies fastest.
 std::vector<Coordinate> find_coordinates(const std::vector<Coupled>& axes, std::size_t point);
 
