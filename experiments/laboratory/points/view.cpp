@@ -10,6 +10,8 @@
 #include "base/message.hpp"
 #include "base/text.hpp"
 #include "experiments/laboratory/file/expression.hpp"
+#include "experiments/laboratory/points/means.hpp"
+#include "experiments/laboratory/table/samples.hpp"
 
 namespace laboratory {
 namespace {
@@ -55,16 +57,46 @@ std::optional<std::string> find_constant(const Table& table, std::size_t column)
   return to_string(first);
 }
 
+// Inserts the column with half widths after each shown mean.
+void add_half_widths(const Table& table, TableView& view) {
+  Texts columns;
+  std::size_t least = 0;
+  for (std::size_t i = 0; i < view.columns.size(); ++i) {
+    columns.push_back(view.columns[i]);
+    if (const auto half = view.columns[i] + HALF_WIDTH; table.find(half)) columns.push_back(half);
+    if (i + 1 == view.least) least = columns.size();
+  }
+  view.columns = std::move(columns);
+  view.least = least;
+}
+
+// True if the speed-up exists for less than half of the completed rows, because only some of the
+// networks have a run with one worker.
+bool is_sparse(const Table& table, std::size_t column) {
+  const auto& name = table.columns[column];
+  if (name != "speedup" && name != "efficiency") return false;
+  std::size_t complete = 0, there = 0;
+  for (const auto& row : table.rows) {
+    if (!is_complete_row(table, row)) continue;
+    ++complete;
+    there += row[column] != Value();
+  }
+  return 2 * there < complete;
+}
+
 TableView choose_named(const ExperimentFile& file, const Table& table) {
   TableView view;
   const auto& names = file.report.columns;
   if (contains(names, "all")) {
     view.columns = table.columns;
+    std::erase_if(view.columns, [](const auto& name) { return name.ends_with(HALF_WIDTH); });
   } else {
     view.columns.assign(table.columns.begin(),
                         table.columns.begin() + static_cast<std::ptrdiff_t>(table.axes));
     for (const auto& name : names)
-      if (!table.find(name))
+      if (table.find(SEEDS) && is_seed(name))
+        continue;  // its values are averaged
+      else if (!table.find(name))
         view.unknown.push_back(
             fmt::format("no column \"{}\"{}", name, base::suggest(name, table.columns)));
       else if (!contains(view.columns, name))
@@ -74,6 +106,7 @@ TableView choose_named(const ExperimentFile& file, const Table& table) {
   if (ended && find_constant(table, *ended) != "done" && !contains(view.columns, ENDED))
     view.columns.push_back(ENDED);
   view.least = view.columns.size();
+  add_half_widths(table, view);
   return view;
 }
 
@@ -93,7 +126,9 @@ TableView choose_view(const ExperimentFile& file, const Table& table) {
       view.columns.push_back(name);
     } else if (constant == "") {
       continue;  // skips a parameter without effect on any point
-    } else if (inputs.contains(name)) {
+    } else if (name.ends_with(HALF_WIDTH)) {
+      continue;
+    } else if (inputs.contains(name) || name == SEEDS) {
       if (constant)
         view.constants.emplace_back(name, *constant);
       else
@@ -102,13 +137,14 @@ TableView choose_view(const ExperimentFile& file, const Table& table) {
       first.push_back(name);
     } else if (name == ENDED) {
       if (constant != "done") first.push_back(name);
-    } else if (summary.empty() || contains(summary, name)) {
+    } else if ((summary.empty() || contains(summary, name)) && !is_sparse(table, c)) {
       others.push_back(name);
     }
   }
   view.columns.insert(view.columns.end(), first.begin(), first.end());
   view.least = view.columns.size();
   view.columns.insert(view.columns.end(), others.begin(), others.end());
+  add_half_widths(table, view);
   return view;
 }
 
@@ -140,7 +176,11 @@ std::string to_text(const Table& table, const TableView& view, std::size_t width
   if (!line.empty()) text += line + "\n\n";
   const auto columns = fit_columns(table, view, width);
   text += to_text(table, columns);
-  const auto others = table.columns.size() - columns.size() - view.constants.size();
+  // columns with half widths belong to others, and are not in results.csv
+  const auto is_own = [](const auto& name) { return !name.ends_with(HALF_WIDTH); };
+  const auto others = std::ranges::count_if(table.columns, is_own) -
+                      std::ranges::count_if(columns, is_own) -
+                      static_cast<std::ptrdiff_t>(view.constants.size());
   if (others > 0)
     text += fmt::format("{} more {} in results.csv; --columns NAME,... or all shows {}\n", others,
                         others == 1 ? "column is" : "columns are", others == 1 ? "it" : "them");

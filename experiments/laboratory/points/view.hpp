@@ -18,10 +18,11 @@ struct TableView {
   std::vector<std::string> unknown;  ///< one sentence for each requested name that is not a column
 };
 
-/// Chooses the columns. With [report] columns these are the axes and the named columns, or all
-/// columns if one of the names is "all". Otherwise they are the axes, inputs that vary, and
-/// results. Results used in [[check]], [[plot]] and [[best]], also through [let], come first. The
-/// farm's other results are limited to the most useful ones. `ended` is shown only if a point
+/// Chooses the columns. In a table of means over seeds, each is followed by its half widths. With
+/// [report] columns these are the axes and the named columns, or all columns if one of the names is
+/// "all". Otherwise they are the axes, inputs that vary, and results. Results used in [[check]],
+/// [[plot]] and [[best]], also through [let], come first. The farm's other results are limited to
+/// the most useful ones, and speed-ups to those of most rows. `ended` is shown only if a point
 /// failed or was cut short.
 TableView choose_view(const ExperimentFile& file, const Table& table);
 

@@ -136,6 +136,10 @@ Ending find_unit(std::string_view column) {
 std::string unit_of(std::string_view column) { return std::string(find_unit(column).unit); }
 
 std::string make_label(std::string_view column) {
+  constexpr std::string_view HALF_WIDTH = " ±";  // of a column with half widths of intervals
+  if (column.ends_with(HALF_WIDTH))
+    return make_label(column.substr(0, column.size() - HALF_WIDTH.size())) +
+           std::string(HALF_WIDTH);
   if (column == "speedup") return "speed-up";
   if (column == "serial_karp_flatt") return "serial fraction (Karp-Flatt)";
   if (column == "serial_gustafson") return "serial fraction (Gustafson)";
