@@ -8,7 +8,8 @@
 #include <map>
 #include <set>
 
-#include "experiments/laboratory/table/axis_values.hpp"
+#include "experiments/laboratory/table/samples.hpp"
+#include "experiments/laboratory/table/statistics.hpp"
 
 namespace laboratory {
 namespace {
@@ -17,9 +18,11 @@ constexpr double TIE = 0.0005;  // relative differences below this count as ties
 
 using Axes = std::vector<std::size_t>;
 
+// A value of a point. With seeds, the mean over the samples of points that differ only in the seed.
 struct Measured {
-  std::size_t row = 0;
+  std::size_t row = 0;  // of the first sample
   double value = 0;
+  RowSamples samples = {};
 };
 
 // A combination of values of some axes, with its points.
@@ -32,7 +35,7 @@ struct Group {
 Axes other_axes(const Table& table, const RowList& rows, const Axes& without) {
   Axes axes;
   for (std::size_t axis = 0; axis < table.axes; ++axis)
-    if (std::ranges::find(without, axis) == without.end() &&
+    if (std::ranges::find(without, axis) == without.end() && !is_seed(table.columns[axis]) &&
         distinct(table, rows, axis).size() > 1 && !is_determined(table, rows, axis, without) &&
         !is_determined(table, rows, axis, axes))
       axes.push_back(axis);
@@ -61,6 +64,30 @@ std::vector<Group> group_by(const Table& table, const std::vector<Measured>& poi
 // best.
 double share_gained(bool least, double better, double worse) {
   return least ? worse / better - 1 : better / worse - 1;
+}
+
+// Averages over seeds.
+std::vector<Measured> average(const Table& table, const std::vector<Measured>& points) {
+  if (find_seeds(table).empty()) return points;
+  const auto group_of = number_samples(table);
+  std::vector<Measured> means;
+  std::map<std::size_t, std::size_t> index_of;
+  for (const auto& point : points) {
+    const auto [at, is_new] = index_of.emplace(group_of[point.row], means.size());
+    if (is_new) means.push_back(point);
+    auto& samples = means[at->second].samples;
+    samples.rows.push_back(point.row);
+    samples.values.push_back(point.value);
+  }
+  for (auto& mean : means) mean.value = find_mean(mean.samples.values);
+  return means;
+}
+
+// True if the difference of two means may be chance: its 95 % confidence interval contains 0.
+bool may_be_chance(const Table& table, const Measured& a, const Measured& b) {
+  if (std::min(a.samples.rows.size(), b.samples.rows.size()) < 2) return false;
+  const auto difference = compare_samples(table, a.samples, b.samples);
+  return difference.half_width && difference.contains(0);
 }
 
 std::vector<std::string> names_of(const Table& table, const Axes& axes) {
@@ -109,7 +136,7 @@ void compare(BestAnswer& answer, const BestSpec& spec, const Table& table,
     for (; next < group.points.size(); ++next) {
       const auto other = name_values(table, group.points[next].row, over);
       if (named.contains(other)) continue;
-      if (gained() >= TIE) break;
+      if (gained() >= TIE && !may_be_chance(table, first, group.points[next])) break;
       named.insert(other);
       name += " or " + other;
     }
@@ -194,6 +221,7 @@ BestAnswer answer_question(const CheckPlan::Question& question, const Rows& rows
     if (!value) left_out.push_back(row);
     if (value && std::isfinite(*value)) points.push_back({row, *value});
   }
+  points = average(table, points);
   if (const auto note = note_left_out(table, left_out)) answer.notes.push_back(*note);
   const Axes over = find_all(table, spec.over);
   const Axes for_each =

@@ -17,6 +17,7 @@
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/points/results.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
+#include "experiments/laboratory/table/samples.hpp"
 
 namespace laboratory {
 namespace {
@@ -152,7 +153,13 @@ std::vector<std::string> texts_of(const Table& table, const std::string& axis) {
 
 void check_axes(const Table& table, const std::vector<std::string>& axes,
                 const std::string& place) {
-  for (const auto& axis : axes) find_axis(table, axis, place);
+  for (const auto& axis : axes) {
+    find_axis(table, axis, place);
+    base::require(!is_seed(axis), place,
+                  "found {}, whose values are samples, expected another axis: results are means "
+                  "over seeds",
+                  axis);
+  }
 }
 
 void check_columns(const CheckPlan& plan, const Table& table, const std::vector<Value>& row) {
@@ -165,6 +172,8 @@ void check_columns(const CheckPlan& plan, const Table& table, const std::vector<
     for (const auto& key : c.check.keys) find_column(table, key, place + ": keys", "the results");
   }
   for (const auto& f : plan.figures) {
+    for (const auto& name : f.x.names())
+      if (is_seed(name) && table.find(name)) check_axes(table, {name}, f.x.place());
     if (f.spec.series) check_axes(table, *f.spec.series, f.spec.place + ": series");
     for (const auto& key : f.spec.keys)
       find_column(table, key, f.spec.place + ": keys", "the results");

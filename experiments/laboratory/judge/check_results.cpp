@@ -8,7 +8,10 @@
 #include <numeric>
 
 #include "base/errors.hpp"
+#include "base/text.hpp"
 #include "experiments/laboratory/points/results.hpp"
+#include "experiments/laboratory/table/samples.hpp"
+#include "experiments/laboratory/table/statistics.hpp"
 
 namespace laboratory {
 namespace {
@@ -58,37 +61,98 @@ std::optional<double> find_simulated(const CheckPlan::Comparison& c, const Rows&
   return as_number(table.rows[row][*table.find(c.check.of)]);
 }
 
-// Adds a point to the check if both values exist.
-void add_point(CheckResult& result, const CheckPlan::Comparison& c, const Rows& rows,
-               std::size_t row, std::optional<double> expected,
-               std::vector<std::size_t>& left_out) {
+// The values of a row to compare: an expected value, or one or two bounds.
+struct Compared {
+  std::size_t row = 0;
+  double simulated = 0;
+  std::optional<double> expected = {}, low = {}, high = {};
+  Kind kind = Kind::unknown;
+};
+
+// The rows of a check, and the rows left out because a value is missing.
+struct ComparedRows {
+  std::vector<Compared> all;
+  std::vector<std::size_t> left_out;
+};
+
+// Adds a row if both values exist.
+void add_row(ComparedRows& compared, const CheckPlan::Comparison& c, const Rows& rows,
+             std::size_t row, std::optional<double> expected) {
   const auto simulated = find_simulated(c, rows, row);
-  if (!simulated || !expected) return left_out.push_back(row);
-  auto& point = result.points.emplace_back(compare(c.check, row, *simulated, *expected));
+  if (!simulated || !expected) return compared.left_out.push_back(row);
+  auto& added = compared.all.emplace_back(Compared{row, *simulated, expected});
   if (!c.calibrated) return;
   const bool is_fitted = rows.eval(*c.calibrated, row).value_or(0) != 0;
-  point.kind = is_fitted ? Kind::calibrated : Kind::predicted;
+  added.kind = is_fitted ? Kind::calibrated : Kind::predicted;
 }
 
-void add_bounded_point(CheckResult& result, const CheckPlan::Comparison& c, const Rows& rows,
-                       std::size_t row, std::vector<std::size_t>& left_out) {
+void add_bounded_row(ComparedRows& compared, const CheckPlan::Comparison& c, const Rows& rows,
+                     std::size_t row) {
   const auto simulated = find_simulated(c, rows, row);
   const auto low = c.at_least ? rows.eval(*c.at_least, row) : std::nullopt;
   const auto high = c.at_most ? rows.eval(*c.at_most, row) : std::nullopt;
-  if (!simulated || (c.at_least && !low) || (c.at_most && !high)) return left_out.push_back(row);
-  result.points.push_back(compare_bounds(row, *simulated, low, high));
+  if (!simulated || (c.at_least && !low) || (c.at_most && !high))
+    return compared.left_out.push_back(row);
+  compared.all.push_back({row, *simulated, {}, low, high});
+}
+
+// Groups the rows that differ only in the seed. Several values of one row stay apart.
+std::vector<std::vector<Compared>> group_rows(const std::vector<Compared>& all,
+                                              const Table& table) {
+  std::vector<std::vector<Compared>> groups;
+  const bool has_seeds = !find_seeds(table).empty();
+  const auto group_of = number_samples(table);
+  for (const auto& it : all) {
+    const auto fits = [&](const auto& group) {
+      return group_of[group[0].row] == group_of[it.row] &&
+             std::ranges::find(group, it.row, &Compared::row) == group.end();
+    };
+    const auto group = has_seeds ? std::ranges::find_if(groups, fits) : groups.end();
+    if (group == groups.end())
+      groups.push_back({it});
+    else
+      group->push_back(it);
+  }
+  return groups;
+}
+
+// Compares the means of a group. The interval is that of the differences between the simulated and
+// the expected values, since a seed may affect both.
+CheckedPoint compare_means(const Check& check, const std::vector<Compared>& group) {
+  const auto mean_of = [&](auto get) {
+    std::vector<double> values;
+    for (const auto& it : group) values.push_back(get(it));
+    return values;
+  };
+  const auto mean_if = [&](std::optional<double> Compared::*bound) -> std::optional<double> {
+    if (!(group[0].*bound)) return std::nullopt;
+    return find_mean(mean_of([&](const Compared& it) { return *(it.*bound); }));
+  };
+  const auto simulated = mean_of([](const Compared& it) { return it.simulated; });
+  const auto expected = mean_if(&Compared::expected);
+  auto point = expected ? compare(check, group[0].row, find_mean(simulated), *expected)
+                        : compare_bounds(group[0].row, find_mean(simulated),
+                                         mean_if(&Compared::low), mean_if(&Compared::high));
+  if (expected) point.kind = group[0].kind;
+  point.seeds = group.size();
+  if (group.size() < 2) return point;
+  const auto differences =
+      mean_of([](const Compared& it) { return it.simulated - it.expected.value_or(0); });
+  const auto half = find_mean_interval(differences).half_width;
+  if (!half || !std::isfinite(*half)) return point;
+  point.half_width =
+      expected && !check.is_absolute() && *expected != 0 ? *half / std::abs(*expected) : *half;
+  return point;
 }
 
 // Compares each reference value with its row, if the check applies to that row.
 void compare_reference(CheckResult& result, const CheckPlan::Comparison& c, const Rows& rows,
-                       const std::vector<std::size_t>& candidates,
-                       std::vector<std::size_t>& left_out) {
+                       const std::vector<std::size_t>& candidates, ComparedRows& compared) {
   const Check& check = result.check;
   for (const auto& [row, expected] :
        match_reference({*c.reference, check.reference.path, check.column, check.keys}, rows.table(),
                        result.notes))
-    if (std::ranges::binary_search(candidates, row))
-      add_point(result, c, rows, row, expected, left_out);
+    if (std::ranges::binary_search(candidates, row)) add_row(compared, c, rows, row, expected);
 }
 
 // Summarises the points that were not used for calibration. No value without such points.
@@ -128,18 +192,23 @@ void judge(CheckResult& result, bool is_whole) {
 CheckResult eval_check(const CheckPlan::Comparison& c, const Rows& rows) {
   CheckResult result{.check = c.check};
   const auto candidates = choose_rows(rows, c.where);
-  std::vector<std::size_t> left_out;
-  if (c.reference) compare_reference(result, c, rows, candidates, left_out);
+  ComparedRows compared;
+  if (c.reference) compare_reference(result, c, rows, candidates, compared);
   for (const auto row : candidates) {
-    if (c.formula) add_point(result, c, rows, row, rows.eval(*c.formula, row), left_out);
-    if (c.check.has_bounds()) add_bounded_point(result, c, rows, row, left_out);
+    if (c.formula) add_row(compared, c, rows, row, rows.eval(*c.formula, row));
+    if (c.check.has_bounds()) add_bounded_row(compared, c, rows, row);
   }
-  if (const auto note = note_left_out(rows.table(), left_out)) result.notes.push_back(*note);
+  for (const auto& group : group_rows(compared.all, rows.table()))
+    result.points.push_back(compare_means(c.check, group));
+  if (const auto note = note_left_out(rows.table(), compared.left_out))
+    result.notes.push_back(*note);
   const auto is_complete = [&](const auto& row) { return is_complete_row(rows.table(), row); };
   judge(result, std::ranges::all_of(rows.table().rows, is_complete));
   if (c.calibrated) result.predicted = judge_predicted(result.points);
   return result;
 }
+
+double without_sign_of_nan(double value) { return std::isnan(value) ? NAN : value; }
 
 std::string format_error(const Check& check, double error) {
   if (std::isnan(error)) return "not a number";
@@ -147,21 +216,32 @@ std::string format_error(const Check& check, double error) {
   return check.is_absolute() ? fmt::format("{:.3g}", error) : fmt::format("{:.3g} %", 100 * error);
 }
 
-// Formats "at least 12", "at most 0.5" or "between 1 and 2".
-std::string describe_bounds(const Check& check) {
-  if (check.at_most.empty()) return "at least " + check.at_least;
-  if (check.at_least.empty()) return "at most " + check.at_most;
-  return fmt::format("between {} and {}", check.at_least, check.at_most);
+// Formats a bound. An expression is followed by its value if the bound is the expected value of the
+// point.
+std::string describe_bound(const std::string& text, const CheckedPoint& point, Kind kind) {
+  if (base::parse_number<double>(text)) return text;
+  if (point.kind != kind) return text;
+  return fmt::format("{:.5g} = {}", without_sign_of_nan(point.expected), text);
 }
 
-double without_sign_of_nan(double value) { return std::isnan(value) ? NAN : value; }
+// Formats "at least 12", "at most 0.5 = 2 * {time_s @ workers = 4}" or "between 1 and 2".
+std::string describe_bounds(const Check& check, const CheckedPoint& point) {
+  const auto low = describe_bound(check.at_least, point, Kind::at_least);
+  const auto high = describe_bound(check.at_most, point, Kind::at_most);
+  if (check.at_most.empty()) return "at least " + low;
+  if (check.at_least.empty()) return "at most " + high;
+  return fmt::format("between {} and {}", low, high);
+}
 
 // Formats "worst error 0.2 % (within 1 %)", or "worst 15.6 (at least 12)".
 std::string describe_worst(const Check& check, const CheckedPoint& worst) {
   const double simulated = without_sign_of_nan(worst.simulated);
-  if (check.has_bounds())
-    return fmt::format("worst {:.5g} ({})", simulated, describe_bounds(check));
+  if (check.has_bounds()) {
+    const auto half = worst.half_width ? fmt::format(" ± {:.2g}", *worst.half_width) : "";
+    return fmt::format("worst {:.5g}{} ({})", simulated, half, describe_bounds(check, worst));
+  }
   std::string text = "worst error " + format_error(check, std::abs(worst.error));
+  if (worst.half_width) text += " ± " + format_error(check, *worst.half_width);
   if (!std::isfinite(worst.error))
     text +=
         fmt::format(" (simulated {}, expected {})", simulated, without_sign_of_nan(worst.expected));
@@ -221,7 +301,8 @@ std::string summarize(const CheckResult& result, const Table& table) {
   std::string line = fmt::format("{:<8} {}: {} at {} point(s), {}", verdict, check.name, check.of,
                                  result.points.size(), describe_worst(check, worst));
   if (table.axes > 0 && (worst.error != 0 || check.has_bounds()))
-    line += " at " + name_axes(table, worst.row);
+    line += " at " + name_sampled_axes(table, worst.row);
+  if (worst.seeds > 1) line += fmt::format(" (mean over {} seeds)", worst.seeds);
   if (check.within_mean)
     line += fmt::format("; mean {} (within {})", format_error(check, result.mean),
                         format_error(check, *check.within_mean));
@@ -242,22 +323,30 @@ std::string summarize(const CheckResult& result, const Table& table) {
 
 Table make_check_table(const CheckResult& result, const Table& table, std::size_t most) {
   const Check& check = result.check;
-  Table shown{.columns = axis_names(table), .axes = table.axes, .rows = {}};
+  Table shown{.columns = sampled_axis_names(table), .axes = 0, .rows = {}};
+  shown.axes = shown.columns.size();
+  const bool has_seeds = !find_seeds(table).empty();
   const bool has_kinds = !check.calibrated.empty() || name_expected(check) == "bound";
   shown.columns.insert(shown.columns.end(), {"simulated", name_expected(check),
                                              check.is_absolute() ? "error" : "error %"});
+  if (has_seeds) shown.columns.insert(shown.columns.end(), {"±", "seeds"});
   if (has_kinds) shown.columns.emplace_back("kind");
   shown.columns.emplace_back("mark");
   for (const std::size_t i : choose_points(result, most)) {
     const auto& p = result.points[i];
-    auto& row = shown.rows.emplace_back(table.rows[p.row]);
-    row.resize(table.axes);
+    auto& row = shown.rows.emplace_back(take_sampled_axes(table, p.row));
     std::string mark = p.holds ? "" : "fails";
     if (i == result.worst && (p.error != 0 || check.has_bounds()))
       mark += mark.empty() ? "worst" : ", worst";
     row.emplace_back(fmt::format("{:.5g}", without_sign_of_nan(p.simulated)));
     row.emplace_back(fmt::format("{:.5g}", without_sign_of_nan(p.expected)));
     row.emplace_back(without_sign_of_nan(check.is_absolute() ? p.error : 100 * p.error));
+    if (has_seeds) {
+      auto& half = row.emplace_back();
+      const bool is_percent = !check.is_absolute() && !check.has_bounds();
+      if (p.half_width) half = *p.half_width * (is_percent ? 100 : 1);
+      row.emplace_back(static_cast<std::int64_t>(p.seeds));
+    }
     if (has_kinds) row.emplace_back(KIND_NAMES[static_cast<int>(p.kind)]);
     row.emplace_back(mark);
   }
@@ -265,17 +354,23 @@ Table make_check_table(const CheckResult& result, const Table& table, std::size_
 }
 
 Table make_checks_csv(const std::vector<CheckResult>& results, const Table& table) {
-  Table csv{.columns = axis_names(table), .axes = table.axes + 1, .rows = {}};
+  Table csv{.columns = sampled_axis_names(table), .axes = 0, .rows = {}};
+  csv.axes = csv.columns.size() + 1;
   csv.columns.insert(csv.columns.begin(), "check");
   csv.columns.insert(csv.columns.end(), {"simulated", "expected", "error", "kind"});
+  const bool has_seeds = !find_seeds(table).empty();
+  if (has_seeds) csv.columns.insert(csv.columns.end(), {"seeds", "half_width_95"});
   for (const auto& result : results)
     for (const auto& p : result.points) {
-      auto& row = csv.rows.emplace_back(table.rows[p.row]);
-      row.resize(table.axes);
+      auto& row = csv.rows.emplace_back(take_sampled_axes(table, p.row));
       row.insert(row.begin(), result.check.name);
       for (const double value : {p.simulated, p.expected, p.error})
         row.emplace_back(without_sign_of_nan(value));
       row.emplace_back(p.kind == Kind::unknown ? Value() : KIND_NAMES[static_cast<int>(p.kind)]);
+      if (!has_seeds) continue;
+      row.emplace_back(static_cast<std::int64_t>(p.seeds));
+      auto& half = row.emplace_back();
+      if (p.half_width) half = *p.half_width;
     }
   return csv;
 }

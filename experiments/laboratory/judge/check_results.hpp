@@ -24,6 +24,12 @@ struct CheckedPoint {
   /// true if the error is within the limit for a single point; the limit on the mean is separate
   bool holds = false;
   Kind kind = Kind::unknown;
+  /// Number of seeds. With several, `row` is that of the first, the values are means over the
+  /// seeds, and the error is that of the means.
+  std::size_t seeds = 1;
+  /// Half width of the 95 % confidence interval of the error, in its unit; for a bound, of the
+  /// simulated value. None for a single seed.
+  std::optional<double> half_width = {};
 };
 
 /// Summary of the points that were not used for calibration.

@@ -14,6 +14,7 @@
 #include "base/text.hpp"
 #include "experiments/laboratory/points/results.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
+#include "experiments/laboratory/table/samples.hpp"
 
 namespace laboratory {
 namespace {
@@ -243,6 +244,23 @@ Rows::Evaluated Rows::eval_at(const Expression& expression, std::size_t row) con
 
 std::vector<std::string> axis_names(const Table& table) {
   return {table.columns.begin(), table.columns.begin() + static_cast<std::ptrdiff_t>(table.axes)};
+}
+
+std::vector<std::string> sampled_axis_names(const Table& table) {
+  auto names = axis_names(table);
+  for (const auto axis : find_seeds(table)) std::erase(names, table.columns[axis]);
+  return names;
+}
+
+std::vector<Value> take_sampled_axes(const Table& table, std::size_t row) {
+  std::vector<Value> cells;
+  for (const auto& name : sampled_axis_names(table))
+    cells.push_back(table.rows[row][*table.find(name)]);
+  return cells;
+}
+
+std::string name_sampled_axes(const Table& table, std::size_t row) {
+  return name_row(table, table.rows[row], sampled_axis_names(table));
 }
 
 std::size_t find_axis(const Table& table, const std::string& axis, const std::string& place) {

@@ -83,6 +83,11 @@ class Rows {
 };
 
 std::vector<std::string> axis_names(const Table& table);
+/// The axes without seeds that have several values, whose rows are samples; their cells in a row;
+/// and these as text, "objects = 200, workers = 1".
+std::vector<std::string> sampled_axis_names(const Table& table);
+std::vector<Value> take_sampled_axes(const Table& table, std::size_t row);
+std::string name_sampled_axes(const Table& table, std::size_t row);
 
 /// The column of an axis. Throws base::BadInput with the prefix `place` and the nearest name for an
 /// unknown axis.
