@@ -59,6 +59,7 @@ std::vector<Series> make_curves(const Figure& figure, const Rows& rows, RowList&
       if (!x || !y || !std::isfinite(*x) || !std::isfinite(*y)) continue;
       add_point(curves, name_curve(figure, i, name_values(rows.table(), row, axes)), row, *x, *y);
     }
+  average_points(curves, rows.table());
   sort_points(curves);
   if (figure.y.size() == 1 && rows.table().find(figure.spec.y[0]))
     for (auto& curve : curves) curve.column = figure.spec.y[0];
@@ -197,10 +198,28 @@ const char* judge_interval(const Estimate& p) {
   return p.low <= 0 || p.high > 1 ? ", so the points do not determine it" : "";
 }
 
+// Names a law in a sentence: "Amdahl's law".
+std::string name_law(const std::string& law) {
+  return law == "log" ? "a + k log10 x" : law == "Sun-Ni" ? "Sun and Ni's law" : law + "'s law";
+}
+
 void tell_fit(Exhibit& exhibit, const std::string& curve, const Fit& fit) {
+  if (const auto& misfit = fit.misfit)
+    exhibit.findings.push_back(fmt::format(
+        "{}{} does not fit: it deviates by up to {:.2g} %, and its residuals have a trend (t = "
+        "{:.2g}, beyond ± {:.2g} at the 5 % level).",
+        describe(curve), name_law(fit.law), 100 * misfit->deviation, misfit->t, misfit->limit));
   for (const auto& p : fit.parameters) {
-    exhibit.fits.rows.push_back({curve, fit.law, p.name, p.value, p.low, p.high, p.standard_error,
-                                 fit.rms, fit.minimised, static_cast<std::int64_t>(fit.points)});
+    auto& row = exhibit.fits.rows.emplace_back();
+    row = {curve, fit.law, p.name, p.value};
+    // a law that does not fit has no interval
+    for (const double number : {p.low, p.high, p.standard_error})
+      row.push_back(fit.misfit ? Value() : Value(number));
+    row.insert(row.end(), {fit.rms, fit.minimised, static_cast<std::int64_t>(fit.points),
+                           fit.misfit                               ? "no"
+                           : fit.points > fit.parameters.size() + 1 ? "yes"
+                                                                    : ""});
+    if (fit.misfit) continue;
     if (p.name == "a") continue;
     exhibit.findings.push_back(
         fmt::format("{}{} by {}: {:.3g}, with 95 % confidence from {:.3g} to {:.3g}{}.",
@@ -210,6 +229,7 @@ void tell_fit(Exhibit& exhibit, const std::string& curve, const Fit& fit) {
 
 // Formats a fit for the legend, after the curve's name: "s = 0.0123 ± 0.0021".
 std::string label_fit(const Fit& fit) {
+  if (fit.misfit) return "does not fit";
   const auto& p = fit.parameters.back();
   const char* name = fit.parameters.size() > 1 ? "k" : "s";
   const double error = (p.high - p.low) / 2;
@@ -221,9 +241,9 @@ std::string label_fit(const Fit& fit) {
 // Adds the fitted laws. The legend names a law only once.
 void add_fits(Exhibit& exhibit, const Figure& figure, const Rows& rows,
               const std::vector<Series>& curves) {
-  exhibit.fits.columns = {"series",   "law",     "parameter",      "value",
-                          "low_95",   "high_95", "standard_error", "rms_residual",
-                          "residual", "points"};
+  exhibit.fits.columns = {
+      "series",         "law",          "parameter", "value",  "low_95", "high_95",
+      "standard_error", "rms_residual", "residual",  "points", "fits"};
   exhibit.fits.axes = 1;
   const FittedLaw& law = find_law(figure.spec.fit);
   for (std::size_t i = 0; i < curves.size(); ++i) {

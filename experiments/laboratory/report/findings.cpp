@@ -198,6 +198,7 @@ std::string tell_limits(const Plot& plot, const Table& table,
 struct End {
   double y;
   const Series* curve;
+  std::size_t point;  // index of the point of the curve
 };
 
 // The values of all curves that have a point at this x.
@@ -205,12 +206,30 @@ std::vector<End> values_at(const Curves& curves, double x) {
   std::vector<End> values;
   for (const auto* s : curves)
     if (const auto at = std::ranges::find(s->x, x); at != s->x.end())
-      values.push_back({s->y[static_cast<std::size_t>(at - s->x.begin())], s});
+      values.push_back({s->y[static_cast<std::size_t>(at - s->x.begin())], s,
+                        static_cast<std::size_t>(at - s->x.begin())});
   return values;
 }
 
+// Formats a value, with half the width of its interval if it is a mean over seeds.
+std::string tell_value(const End& end) {
+  const Series& s = *end.curve;
+  if (!s.has_bars || s.low[end.point] == s.high[end.point]) return fmt::format("{:.3g}", end.y);
+  return fmt::format("{:.3g} ± {:.2g}", end.y, (s.high[end.point] - s.low[end.point]) / 2);
+}
+
+// Tells whether the difference of two means over seeds may be chance; "" for single runs.
+std::string tell_chance(const Table& table, const End& low, const End& high) {
+  if (!low.curve->has_bars || !high.curve->has_bars) return "";
+  const auto difference =
+      compare_samples(table, low.curve->samples[low.point], high.curve->samples[high.point]);
+  if (!difference.half_width) return "";
+  return fmt::format("; the difference is {:.3g} ± {:.2g}{}", difference.mean,
+                     *difference.half_width, difference.contains(0) ? ", which may be chance" : "");
+}
+
 // Compares the curves at the largest x that at least half of them have.
-std::string tell_extremes(const Plot& plot) {
+std::string tell_extremes(const Plot& plot, const Table& table) {
   constexpr double ALIKE = 0.01;
   const auto curves = curves_of(plot);
   std::set<double, std::greater<>> xs;
@@ -226,8 +245,9 @@ std::string tell_extremes(const Plot& plot) {
   if (high.y - low.y <= ALIKE * std::abs(high.y))
     return fmt::format("at {} the {} curves have the same {} within 1 %: {:.3g}.", at,
                        values.size(), y, high.y);
-  return fmt::format("at {} {} is largest for {} ({:.3g}) and smallest for {} ({:.3g}).", at, y,
-                     high.curve->name, high.y, low.curve->name, low.y);
+  return fmt::format("at {} {} is largest for {} ({}) and smallest for {} ({}){}.", at, y,
+                     high.curve->name, tell_value(high), low.curve->name, tell_value(low),
+                     tell_chance(table, low, high));
 }
 
 // The last point of each curve.
@@ -245,7 +265,7 @@ std::vector<std::string> tell_plots(const std::vector<Plot>& plots, bool titled,
   Texts findings;
   std::set<std::size_t> told;  // rows whose limits have been mentioned
   for (const auto& plot : plots) {
-    Texts sentences = {tell_bends(plot), tell_extremes(plot)};
+    Texts sentences = {tell_bends(plot), tell_extremes(plot, table)};
     const auto ends = ends_of(plot);
     if (std::ranges::any_of(ends, [&](auto row) { return !told.contains(row); }))
       sentences.insert(sentences.begin() + 1, tell_limits(plot, table, points));

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -16,7 +17,9 @@ namespace {
 std::optional<std::size_t> choose_x(const Table& table) {
   std::optional<std::size_t> chosen;
   for (std::size_t axis = table.axes; axis-- > 0;) {
-    if (!is_numeric(table, axis) || distinct(table, all_rows(table), axis).size() < 2) continue;
+    if (is_seed(table.columns[axis]) || !is_numeric(table, axis) ||
+        distinct(table, all_rows(table), axis).size() < 2)
+      continue;
     if (table.columns[axis] == "workers") return axis;
     chosen = axis;
   }
@@ -33,6 +36,7 @@ std::vector<Series> make_series(const Table& table, std::size_t x, std::size_t y
     if (!at || !value || !std::isfinite(*at) || !std::isfinite(*value)) continue;
     add_point(all, name_values(table, row, others), row, *at, *value);
   }
+  average_points(all, table);
   sort_points(all);
   for (auto& series : all) series.column = table.columns[y];
   return all;
@@ -73,8 +77,8 @@ std::vector<std::size_t> choose_series_axes(const Table& table, const RowList& r
                                             const std::vector<std::size_t>& x) {
   std::vector<std::size_t> axes;
   for (std::size_t axis = 0; axis < table.axes; ++axis)
-    if (std::ranges::find(x, axis) == x.end() && distinct(table, rows, axis).size() > 1 &&
-        !is_determined(table, rows, axis, x))
+    if (std::ranges::find(x, axis) == x.end() && !is_seed(table.columns[axis]) &&
+        distinct(table, rows, axis).size() > 1 && !is_determined(table, rows, axis, x))
       axes.push_back(axis);
   return axes;
 }
@@ -88,9 +92,41 @@ void add_point(std::vector<Series>& all, const std::string& name, std::size_t ro
   series->rows.push_back(row);
 }
 
+void average_points(std::vector<Series>& all, const Table& table) {
+  if (find_seeds(table).empty()) return;
+  const auto group_of = number_samples(table);
+  for (auto& series : all) {
+    std::vector<RowSamples> samples;
+    std::map<std::pair<std::size_t, double>, std::size_t> known;  // by group and x
+    std::vector<double> xs;
+    for (std::size_t i = 0; i < series.x.size(); ++i) {
+      const auto at = std::pair(group_of[series.rows[i]], series.x[i]);
+      const auto [point, is_new] = known.emplace(at, samples.size());
+      if (is_new) {
+        samples.emplace_back();
+        xs.push_back(series.x[i]);
+      }
+      samples[point->second].rows.push_back(series.rows[i]);
+      samples[point->second].values.push_back(series.y[i]);
+    }
+    series.x = std::move(xs);
+    series.y.clear();
+    series.rows.clear();
+    for (const auto& sample : samples) {
+      const auto mean = find_mean_interval(sample.values);
+      series.rows.push_back(sample.rows[0]);
+      series.y.push_back(mean.mean);
+      series.low.push_back(mean.low());
+      series.high.push_back(mean.high());
+    }
+    series.samples = std::move(samples);
+    series.has_bars = true;
+  }
+}
+
 void add_bands(Plot& plot, const Table& table, const ConfidenceTables& confidence) {
   for (auto& series : plot.series) {
-    if (series.kind != SeriesKind::curve || series.column.empty()) continue;
+    if (series.kind != SeriesKind::curve || series.column.empty() || series.has_bars) continue;
     std::vector<double> low = series.y, high = series.y;
     bool is_wide = false;
     for (std::size_t i = 0; i < series.rows.size(); ++i)
@@ -111,13 +147,110 @@ void sort_points(std::vector<Series>& all) {
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return series.x[i]; });
     const auto pick = [&](auto& values) {
       auto picked = values;
-      for (std::size_t i = 0; i < order.size(); ++i) picked[i] = values[order[i]];
+      for (std::size_t i = 0; i < picked.size(); ++i) picked[i] = values[order[i]];
       values = picked;
     };
     pick(series.x);
     pick(series.y);
     pick(series.rows);
+    pick(series.low);
+    pick(series.high);
+    pick(series.samples);
   }
+}
+
+namespace {
+
+// The growth of one picture: points by time.
+using Growth = std::map<double, double>;
+
+// The value at a time, none before the first.
+std::optional<double> find_growth(const Growth& growth, double time) {
+  const auto after = growth.lower_bound(time);
+  if (after == growth.end()) return growth.rbegin()->second;
+  if (after->first == time) return after->second;
+  if (after == growth.begin()) return std::nullopt;
+  const auto before = std::prev(after);
+  const double share = (time - before->first) / (after->first - before->first);
+  return before->second + share * (after->second - before->second);
+}
+
+// Groups the rows of points that differ only in the seed; without seeds, the rows of each point.
+std::vector<RowList> group_growths(const Table& growth, const RowList& rows) {
+  if (!find_seeds(growth).empty()) return group_samples(growth, rows);
+  std::map<std::size_t, RowList> by_point;
+  for (const auto row : rows) by_point[growth.point_of(row)].push_back(row);
+  std::vector<RowList> groups;
+  for (auto& [point, group] : by_point) groups.push_back(std::move(group));
+  return groups;
+}
+
+// Makes the curve of a group of points: that of the only one, or means at the times of the last
+// picture to finish.
+Series average_growth(const Table& growth, const RowList& rows, std::size_t time, std::size_t y) {
+  std::map<std::size_t, Growth> pictures;  // by point
+  std::map<std::size_t, std::map<double, std::size_t>> row_of;
+  for (const auto row : rows)
+    if (const auto value = as_number(growth.rows[row][y]); value && std::isfinite(*value)) {
+      const double at = *as_number(growth.rows[row][time]);
+      pictures[growth.point_of(row)][at] = *value;
+      row_of[growth.point_of(row)][at] = row;
+    }
+  Series series{.name = "", .x = {}, .y = {}};
+  if (pictures.empty()) return series;
+  const auto longest = std::ranges::max_element(pictures, {}, [](const auto& picture) {
+                         return picture.second.rbegin()->first;
+                       })->first;
+  for (const auto& [at, row] : row_of[longest]) {
+    RowSamples samples;
+    for (const auto& [point, picture] : pictures)
+      if (const auto value = find_growth(picture, at)) {
+        samples.rows.push_back(row_of[point].begin()->second);
+        samples.values.push_back(*value);
+      }
+    if (samples.rows.size() < pictures.size()) continue;
+    const auto mean = find_mean_interval(samples.values);
+    series.x.push_back(at);
+    series.y.push_back(mean.mean);
+    series.rows.push_back(row);
+    if (pictures.size() < 2) continue;
+    series.low.push_back(mean.low());
+    series.high.push_back(mean.high());
+    series.samples.push_back(std::move(samples));
+    series.has_bars = true;
+  }
+  return series;
+}
+
+}  // namespace
+
+std::vector<Plot> plot_growth(const Table& growth) {
+  if (growth.rows.empty()) return {};
+  const auto rows = all_rows(growth);
+  const auto axes = choose_series_axes(growth, rows, {});
+  const auto time = *growth.find("growth_s");
+  std::vector<Plot> plots;
+  for (const auto& [column, title, label] :
+       {std::tuple{"ssim", "Growth of the picture: likeness",
+                   "structural similarity to the final picture"},
+        {"border_energy", "Growth of the picture: visible cells",
+         "second differences: across borders of cells / inside"}}) {
+    Plot plot;
+    plot.name = fmt::format("growth-{}", column);
+    plot.title = title;
+    plot.x_label = "simulated time [s]";
+    plot.y_label = label;
+    plot.log_y = std::string_view(column) == "border_energy";
+    for (const auto& group : group_growths(growth, rows)) {
+      auto series = average_growth(growth, group, time, *growth.find(column));
+      if (series.x.empty()) continue;
+      series.name = name_values(growth, group[0], axes);
+      plot.series.push_back(std::move(series));
+    }
+    if (plot.series.size() == 1) plot.series[0].name = "";
+    plots.push_back(std::move(plot));
+  }
+  return plots;
 }
 
 bool wants_log_x(const std::string& column, const std::vector<double>& values) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "experiments/laboratory/table/axis_values.hpp"
+#include "experiments/laboratory/table/samples.hpp"
 #include "experiments/laboratory/table/table.hpp"
 #include "experiments/laboratory/uncertain/confidence.hpp"
 #include "simulator/programs/declare/program.hpp"
@@ -27,11 +28,14 @@ struct Series {
   /// Index of the curve that this series belongs to and shares colour and symbol with. Unused for
   /// curves.
   std::size_t of = 0;
-  RowList rows = {};        ///< for a curve: the table row of each point
+  RowList rows = {};  ///< for a curve: the table row of each point; of a mean, its first sample
   std::string column = {};  ///< for a curve: the table column of y; "": none
-  /// For a curve: the interval that contains 90 % of randomly drawn machines, at each point; empty
-  /// without such machines.
+  /// For a curve: the ends of an interval at each point; empty without intervals. They contain 90 %
+  /// of randomly drawn machines, or are confidence intervals of means over seeds.
   std::vector<double> low = {}, high = {};
+  bool has_bars = false;  ///< true: the intervals are drawn as error bars; false: as a band
+  /// for a curve of means over seeds: the samples of each point; otherwise empty
+  std::vector<RowSamples> samples = {};
   /// result of a fit, shown after the name in the legend: "s = 0.01 ± 0.02"
   std::string fitted = {};
 
@@ -45,6 +49,7 @@ struct Plot {
   /// series of a lower panel with the same x axis, each with the index `of` of its curve
   std::vector<Series> differences = {};
   std::string difference_label = {};  ///< label of the lower panel's y axis
+  std::optional<double> level = {};   ///< adds a dashed horizontal line at this y
   bool ideal_line = false;            ///< adds y = x, dashed, named "ideal"
   bool is_speedup = false;            ///< true for speed-up over the number of processors
   bool log_x = false, log_y = false;
@@ -62,6 +67,11 @@ std::vector<Plot> make_plots(const Table& table, const std::vector<programs::Usu
 /// more than a decade.
 std::vector<Plot> make_plots(const Table& table, const std::vector<std::string>& columns);
 
+/// Makes plots of the growth of pictures, from the table growth.csv, with a curve for each point.
+/// Points that differ only in the seed share a curve of means, whose samples are interpolated
+/// linearly in time; a finished picture stays as it is. None if growth was not recorded.
+std::vector<Plot> plot_growth(const Table& growth);
+
 /// True if the scale of x should be logarithmic: the largest value is at least 16 times the
 /// smallest, or 32 times for workers.
 bool wants_log_x(const std::string& column, const std::vector<double>& values);
@@ -75,8 +85,11 @@ std::vector<std::size_t> choose_series_axes(const Table& table, const RowList& r
 void add_point(std::vector<Series>& all, const std::string& name, std::size_t row, double x,
                double y);
 
-/// Adds a band to each curve whose column has intervals. The band has zero width where all machines
-/// agree.
+/// Replaces points that differ only in the seed by their mean, with a 95 % confidence interval.
+void average_points(std::vector<Series>& all, const Table& table);
+
+/// Adds a band to each curve without error bars whose column has intervals. The band has zero width
+/// where all machines agree.
 void add_bands(Plot& plot, const Table& table, const ConfidenceTables& confidence);
 
 /// Sorts the points of each series by x. Points with equal x keep their order.

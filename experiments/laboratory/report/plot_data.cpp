@@ -50,6 +50,7 @@ ordered_json make_series(const Series& s, std::size_t of, const Table& table) {
                        {"symbol", look.symbol},
                        {"points", make_points(s, table)}};
   if (!band.empty()) made["band"] = std::move(band);
+  if (s.has_bars) made["bars"] = true;
   return made;
 }
 

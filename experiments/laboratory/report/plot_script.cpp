@@ -50,6 +50,19 @@ std::string make_band(const Plot& plot, const Series& s) {
   return text;
 }
 
+// Formats the error bars of a curve as x, y, low and high. Points without an interval have none. On
+// a logarithmic scale, a bar that would reach 0 ends at the point.
+std::string make_bars(const Plot& plot, const Series& s) {
+  std::string text;
+  for (std::size_t i = 0; i < s.low.size(); ++i) {
+    if ((plot.log_x && s.x[i] <= 0) || (plot.log_y && s.y[i] <= 0) || s.low[i] == s.high[i])
+      continue;
+    const double low = plot.log_y && s.low[i] <= 0 ? s.y[i] : s.low[i];
+    text += fmt::format("{} {} {} {}\n", s.x[i], s.y[i], low, s.high[i]);
+  }
+  return text;
+}
+
 // Makes a named data block of gnuplot, such as $data0.
 std::string make_data_block(const std::string& name, const std::vector<Dot>& points) {
   auto text = fmt::format("${} << END\n", name);
@@ -229,12 +242,16 @@ Panel make_upper(const Plot& plot) {
   if (plot.ideal_line)
     panel.curves.push_back(
         "x with lines linecolor rgb '#707070' linewidth 1.5 dashtype (18,9) title 'ideal'");
+  if (plot.level)
+    panel.curves.push_back(
+        fmt::format("{} with lines linecolor rgb '#707070' linewidth 1.5 dashtype (18,9) notitle",
+                    *plot.level));
   std::size_t banded = 0;  // number of bands, which are drawn behind the curves
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& s = plot.series[i];
     if (s.kind != SeriesKind::curve) continue;
     const auto look = look_of(banded++);
-    const auto edges = make_band(plot, s);
+    const auto edges = s.has_bars ? "" : make_band(plot, s);
     if (edges.empty()) continue;
     panel.data += fmt::format("$band{} << END\n{}END\n", i, edges);
     panel.curves.push_back(
@@ -248,6 +265,13 @@ Panel make_upper(const Plot& plot) {
     const auto look = s.kind == SeriesKind::curve ? curve++ : s.of;
     panel.add(fmt::format("data{}", i), upper_points(plot, s), make_style(s.kind, look),
               s.name.empty() ? "notitle" : "title " + quote_for_gnuplot(s.key()));
+    const auto bars = s.has_bars ? make_bars(plot, s) : "";
+    if (bars.empty()) continue;
+    panel.data += fmt::format("$bars{} << END\n{}END\n", i, bars);
+    panel.curves.push_back(fmt::format(
+        "$bars{} with yerrorbars linecolor rgb '{}' linewidth 1.5 dashtype solid pointsize 0 "
+        "notitle",
+        i, look_of(look).colour));
   }
   return panel;
 }

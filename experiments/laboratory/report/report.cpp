@@ -127,7 +127,7 @@ data make_drawings(const std::vector<Report::Drawing>& drawings, const std::stri
 }
 
 data make_results(const Report& report) {
-  auto table = report.table;
+  auto table = report.means.columns.empty() ? report.table : report.means;
   std::vector<std::string> notes;
   shorten(table, notes);
   const auto make_columns = [&](const std::vector<std::string>& columns) {

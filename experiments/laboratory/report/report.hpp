@@ -41,9 +41,10 @@ struct Report {
   std::vector<std::string> findings;  ///< one sentence for each finding
   /// properties of machine, model, topology and program: name and value
   std::vector<std::pair<std::string, std::string>> facts;
-  std::vector<Drawing> plots;              ///< plots; their captions are for screen readers
-  std::vector<Part> answers;               ///< answers to [[best]]; empty ones are omitted
-  Table table;                             ///< the complete table, as a download in the page
+  std::vector<Drawing> plots;  ///< plots; their captions are for screen readers
+  std::vector<Part> answers;   ///< answers to [[best]]; empty ones are omitted
+  Table table;                 ///< the complete table, as a download in the page
+  Table means;  ///< the table of the page if it differs: means over seeds; else without columns
   std::vector<std::string> shown_columns;  ///< columns of the table in the page; empty: all
   std::vector<PointLoads> points;  ///< details of the table's rows, shown on a click; empty: none
   /// columns of a second, folded table; empty: no such table

@@ -272,6 +272,7 @@
         axisLabelFontSize: 13, gridLineColor: "#d8d8d8", gridLineWidth: 0.8,
         series: Object.fromEntries(panel.series.map((s, k) => [k, {
           color: s.colour, strokeWidth: WIDTHS[s.kind], strokePattern: split(s.dashes),
+          fillAlpha: s.bars ? 0 : 0.15,
           drawPointCallback: (graph, name, context, x, y) => paintSymbol(context, s, x, y)}])),
         plugins: [{activate: () => ({didDrawChart: event => this.paintOver(panel, event)})}],
         // The nearest point is selected. Its series keeps its look.
@@ -302,6 +303,15 @@
       const place = ([x, y]) => [left + width * graph.toPercentXCoord(x), graph.toDomYCoord(y)];
       const line = (points, ...look) => paintLine(context, points.map(place), ...look);
       line([[low, 0], [high, 0]], "#707070", 1);
+      for (const {s, x, y, low: from, high: to} of panel.rows.filter(
+          at => at.s.bars && at.low < at.high)) {
+        const isCut = panel === this.panels[0] && this.log.y && from <= 0;
+        const [across, lower] = place([x, isCut ? y : from]), [, upper] = place([x, to]);
+        for (const ends of [[[across, lower], [across, upper]],
+                            [[across - 4, lower], [across + 4, lower]],
+                            [[across - 4, upper], [across + 4, upper]]])
+          paintLine(context, ends, s.colour, 1.5);
+      }
       if (panel !== this.panels[0]) return;
       const xs = Array.from({length: 201}, (_, i) => this.log.x
           ? low * (high / low) ** (i / 200) : low + (high - low) * i / 200).filter(x => x > 0);
@@ -324,7 +334,8 @@
       tip.append(make("div", {}, `${this.x.label} ${tell(chosen.x)}`));
       for (const at of panel.rows.filter(({x}) => x === chosen.x).sort((a, b) => b.y - a.y))
         tip.append(make("div", {class: at === chosen ? "this" : undefined}, makeSwatch(at.s),
-                        `${at.s.name || unitless(panel.label)} `, make("b", {}, tell(at.y))));
+                        `${at.s.name || unitless(panel.label)} `, make("b", {}, tell(at.y)),
+                        at.s.bars && at.low < at.high ? ` ± ${tell((at.high - at.low) / 2)}` : ""));
       if (points[chosen.point]?.loads.length)
         tip.append(make("div", {class: "hint"}, "click: why"));
       return tip;

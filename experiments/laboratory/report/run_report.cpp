@@ -17,6 +17,7 @@
 #include "experiments/laboratory/judge/best.hpp"
 #include "experiments/laboratory/judge/check_plan.hpp"
 #include "experiments/laboratory/judge/ranking.hpp"
+#include "experiments/laboratory/points/means.hpp"
 #include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/results.hpp"
@@ -30,6 +31,7 @@
 #include "experiments/laboratory/report/plot_script.hpp"
 #include "experiments/laboratory/report/report.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
+#include "experiments/laboratory/table/samples.hpp"
 #include "experiments/laboratory/uncertain/confidence.hpp"
 #include "experiments/laboratory/uncertain/tornado.hpp"
 
@@ -199,32 +201,6 @@ void add_images(Report& report, const fs::path& folder, const Simulation& s) {
                                  image.at_s.has_value() && image.path.ends_with(".png")});
 }
 
-// Makes plots of the growth of pictures, with a curve for each point. None if growth was not
-// recorded.
-std::vector<Exhibit> plot_growth(const ExperimentFile& file, const Table& growth) {
-  if (growth.rows.empty()) return {};
-  const auto rows = all_rows(growth);
-  const auto time = *growth.find("growth_s");
-  std::vector<Exhibit> exhibits;
-  for (const auto& [column, label] :
-       {std::pair{"ssim", "structural similarity to the final picture"},
-        {"border_energy", "second differences across borders of cells, over those inside cells"}}) {
-    Plot plot;
-    plot.name = fmt::format("growth-{}", column);
-    plot.title = title_of(file);
-    plot.x_label = "simulated time, s";
-    plot.y_label = label;
-    plot.log_y = std::string_view(column) == "border_energy";
-    for (const auto r : rows)
-      if (const auto y = as_number(growth.rows[r][*growth.find(column)]))
-        add_point(plot.series, name_of(file.points[growth.points[r]]), r,
-                  *as_number(growth.rows[r][time]), *y);
-    if (plot.series.size() == 1) plot.series[0].name = "";
-    exhibits.push_back({.plot = plot});
-  }
-  return exhibits;
-}
-
 void save_unless_empty(const fs::path& file, const Table& table) {
   if (!table.rows.empty()) base::save_whole(file, to_csv(guard_formulas(table)));
 }
@@ -355,10 +331,12 @@ Texts write_report(const fs::path& folder, const RunOptions& options, const Simu
   report.title = title_of(s.file);
   report.question = s.file.points[0].experiment.question;
   report.table = s.table;
-  auto view = choose_view(s.file, s.table);
+  if (!find_seeds(s.table).empty()) report.means = average_seeds(s.table);
+  auto view = choose_view(s.file, average_seeds(s.table));
   report.shown_columns = std::move(view.columns);
   append(report.notes, view.unknown);
-  report.load_columns = load_columns(s.file, s.table);
+  if (const auto seeds = describe_seeds(s.table); !seeds.empty()) append(report.findings, {seeds});
+  report.load_columns = load_columns(s.file, average_seeds(s.table));
   report.points = load_loads(folder, s);
   report.facts = make_facts(s);
   report.facts.push_back({"Points", fmt::format("{}", s.file.points.size())});
@@ -371,8 +349,11 @@ Texts write_report(const fs::path& folder, const RunOptions& options, const Simu
   add_findings(report, exhibits, !s.file.plots.empty());
   const Table growth = make_growth_table(s.file, s.results);
   save_unless_empty(folder / "growth.csv", growth);
+  save_unless_empty(folder / "means.csv", make_means_csv(s.file, s.table));
   add_plots(report, undrawn, folder / "plots", s.table, std::move(exhibits));
-  add_plots(report, undrawn, folder / "plots", growth, plot_growth(s.file, growth));
+  std::vector<Exhibit> growths;
+  for (const auto& plot : plot_growth(growth)) growths.push_back({.plot = plot});
+  add_plots(report, undrawn, folder / "plots", growth, std::move(growths));
   add_confidence(report, undrawn, folder);
   append(report.notes, notes_of(s.file, s.results));
   add_images(report, folder, s);
@@ -406,7 +387,8 @@ void report_results(const std::string& results, const Texts& columns) {
   try {
     const auto simulation = load_simulation(results, origin.file);
     if (!columns.empty())
-      for (const auto& sentence : choose_view(simulation.file, simulation.table).unknown)
+      for (const auto& sentence :
+           choose_view(simulation.file, average_seeds(simulation.table)).unknown)
         base::refuse("--columns", "{}", sentence);
     folder.fill([&] {
       link_files(results, folder.working());

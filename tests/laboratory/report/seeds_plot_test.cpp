@@ -1,0 +1,87 @@
+// Plots over results of several seeds: curves of means with error bars.
+#include <cmath>
+
+#include "experiments/laboratory/report/findings.hpp"
+#include "experiments/laboratory/report/plot.hpp"
+#include "experiments/laboratory/report/plot_data.hpp"
+#include "experiments/laboratory/report/plot_script.hpp"
+#include "tests/laboratory/support/support.hpp"
+
+namespace laboratory {
+namespace {
+
+// Two networks, three loads and five seeds in the order of a sweep; t = load + 0.1 (seed - 3), and
+// the mesh takes 1 more.
+Table make_seed_sweep() {
+  Table table{.columns = {"topology", "load", "seed", "t"}, .axes = 3, .rows = {}};
+  for (const std::int64_t mesh : {0, 1})
+    for (const double load : {1.0, 2.0, 4.0})
+      for (std::int64_t seed = 1; seed <= 5; ++seed)
+        table.rows.push_back(
+            {mesh ? "mesh" : "line", load, seed, load + double(mesh) + 0.1 * double(seed - 3)});
+  return table;
+}
+
+TEST(ExperimentsSeedPlots, HaveOnePointForAllSeeds) {
+  const auto plots = make_plots(make_seed_sweep(), {"t"});
+  ASSERT_EQ(plots.size(), 1u);
+  ASSERT_EQ(plots[0].series.size(), 2u) << "no curve for each seed";
+  const Series& line = plots[0].series[0];
+  EXPECT_EQ(line.name, "line");
+  EXPECT_EQ(line.x, (std::vector<double>{1, 2, 4}));
+  EXPECT_NEAR(line.y[1], 2, 1e-12);
+  EXPECT_EQ(line.rows, (RowList{0, 5, 10}));
+  ASSERT_TRUE(line.has_bars);
+  // s = 0.1581, t(4) = 2.776
+  EXPECT_NEAR(line.high[1] - line.low[1], 2 * 2.77645 * 0.15811 / std::sqrt(5), 1e-4);
+}
+
+TEST(ExperimentsSeedPlots, AnotherAxisThanTheSeedIsX) {
+  Table table{.columns = {"seed", "t"}, .axes = 1, .rows = {}};
+  for (std::int64_t seed = 1; seed <= 5; ++seed) table.rows.push_back({seed, 1.0});
+  EXPECT_TRUE(make_plots(table, {"t"}).empty());
+}
+
+TEST(ExperimentsSeedPlots, DrawErrorBarsAndNoBand) {
+  const auto table = make_seed_sweep();
+  const auto plot = make_plots(table, {"t"}).at(0);
+  const auto script = make_gnuplot_script(plot);
+  EXPECT_TRUE(contains(script, "with yerrorbars"));
+  EXPECT_FALSE(contains(script, "filledcurves"));
+  EXPECT_TRUE(contains(make_plot_data(plot, table), "\"bars\":true"));
+}
+
+// The paired difference between the networks is exactly 1.
+TEST(ExperimentsSeedPlots, FindingsQuoteIntervals) {
+  const auto table = make_seed_sweep();
+  const auto plots = make_plots(table, {"t"});
+  const auto findings = tell_plots(plots, false, table, std::vector<PointLoads>(30));
+  ASSERT_FALSE(findings.empty());
+  EXPECT_TRUE(contains(findings.back(), "mesh (5 ± 0.2) and smallest for line (4 ± 0.2)"))
+      << findings.back();
+  EXPECT_TRUE(contains(findings.back(), "the difference is 1 ± ")) << findings.back();
+}
+
+// Two seeds with pictures that grow at different times: the second takes twice as long.
+TEST(ExperimentsSeedPlots, GrowthIsAveragedInTime) {
+  Table growth{.columns = {"seed", "growth_s", "ssim", "border_energy"},
+               .axes = 1,
+               .rows = {},
+               .points = {}};
+  for (const std::int64_t seed : {1, 2})
+    for (const double share : {0.0, 0.5, 1.0}) {
+      growth.rows.push_back({seed, share * double(seed), share, 1.0});
+      growth.points.push_back(std::size_t(seed - 1));
+    }
+  const auto plots = plot_growth(growth);
+  ASSERT_EQ(plots.size(), 2u);
+  EXPECT_NE(plots[0].title, plots[1].title);
+  ASSERT_EQ(plots[0].series.size(), 1u) << "no curve for each seed";
+  EXPECT_EQ(plots[0].series[0].x, (std::vector<double>{0, 1, 2}));
+  EXPECT_EQ(plots[0].series[0].y, (std::vector<double>{0, 0.75, 1}))
+      << "at 1 s the first is finished and the second is half done";
+  EXPECT_TRUE(plots[0].series[0].has_bars);
+}
+
+}  // namespace
+}  // namespace laboratory
