@@ -95,8 +95,26 @@ Texts note_gaps(const Comparison& c) {
   return notes;
 }
 
-// Plots the ratio of a result to the first run's result at each point, with bands if there are
-// intervals.
+// Adds error bars to curves of the results of all runs, whose rows are those of stack_runs().
+void add_bars(Plot& plot, const MatchedRuns& matched) {
+  const auto count = matched.points.size();
+  for (auto& series : plot.series) {
+    std::vector<double> low, high;
+    for (const auto row : series.rows)
+      if (const auto interval =
+              find_interval_of(matched, matched.points[row % count], row / count, series.column)) {
+        low.push_back(interval->first);
+        high.push_back(interval->second);
+      }
+    if (low.size() < series.rows.size()) continue;
+    series.low = std::move(low);
+    series.high = std::move(high);
+    series.has_bars = true;
+  }
+}
+
+// Plots the ratio of a result to the first run's result at each point, with error bars if there are
+// intervals, and a line at 1.
 std::vector<Plot> plot_ratio(const MatchedRuns& matched, const std::string& column) {
   const auto name =
       fmt::format("{}, relative to {}", without_unit(make_label(column)), matched.runs[0].name);
@@ -119,6 +137,7 @@ std::vector<Plot> plot_ratio(const MatchedRuns& matched, const std::string& colu
   auto plots = make_plots(table, {name});
   for (auto& plot : plots) {
     plot.name = "ratio";
+    plot.level = 1;
     const double margin = std::max(0.001, 0.05 * (most - least));
     plot.y_min = least - margin;
     plot.y_max = most + margin;
@@ -129,6 +148,7 @@ std::vector<Plot> plot_ratio(const MatchedRuns& matched, const std::string& colu
         series.low.push_back(bands[row].first);
         series.high.push_back(bands[row].second);
       }
+      series.has_bars = has_bands;
     }
   }
   return plots;
@@ -212,8 +232,10 @@ std::string to_page(const Comparison& c, Texts& undrawn) {
     page.answers.push_back({column, {}, {compare_column(c.matched, column)}});
   page.table = stack_runs(c.matched, c.columns);
   for (const auto& plot : plot_ratio(c.matched, found.differing[0])) draw(page, undrawn, plot, {});
-  for (const auto& plot : make_plots(page.table, found.differing))
+  for (auto& plot : make_plots(page.table, found.differing)) {
+    add_bars(plot, c.matched);
     draw(page, undrawn, plot, make_plot_data(plot, page.table));
+  }
   page.command = join_texts(name_runs(c), "\n");
   return make_report(page);
 }
