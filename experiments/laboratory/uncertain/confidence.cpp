@@ -47,13 +47,19 @@ class Reader {
 
 // Formats the entries of most influence: "X matters most: ± 2 % (the median of 6 rows); then Y ± 1
 // %, Z ± 0.5 %".
+// Formats a share in per cent with two digits: "3.2", "480".
+std::string in_percent(double share) {
+  const double percent = 100 * share;
+  return std::abs(percent) < 99.5 ? fmt::format("{:.2g}", percent) : fmt::format("{:.0f}", percent);
+}
+
 std::string tell_weights(const std::vector<Weight>& weights) {
   constexpr std::size_t MOST_TOLD = 5;
-  auto text = fmt::format("{} matters most: ± {:.2g} %{}", weights[0].entry,
-                          100 * std::abs(weights[0].share), of_rows(weights[0].rows));
+  auto text = fmt::format("{} matters most: ± {} %{}", weights[0].entry,
+                          in_percent(std::abs(weights[0].share)), of_rows(weights[0].rows));
   for (std::size_t i = 1; i < std::min(MOST_TOLD, weights.size()); ++i)
-    text += fmt::format("{}{} ± {:.2g} %", i == 1 ? "; then " : ", ", weights[i].entry,
-                        100 * std::abs(weights[i].share));
+    text += fmt::format("{}{} ± {} %", i == 1 ? "; then " : ", ", weights[i].entry,
+                        in_percent(std::abs(weights[i].share)));
   return text;
 }
 
@@ -108,6 +114,17 @@ Table make_assumptions_table(const Table& table, const Confidence& confidence) {
     }
   }
   return made;
+}
+
+// Formats an interval relative to its value: "± 3.2 %", or two bounds "-20 % to +80 %" if it is
+// wide or does not contain the value.
+std::string tell_bounds(double below, double above) {
+  constexpr double WIDE = 0.3;
+  const double half = (above - below) / 2;
+  if (below <= 0 && above >= 0 && half <= WIDE) return fmt::format("± {} %", in_percent(half));
+  const auto sign = [](double share) { return share < 0 ? "" : "+"; };
+  return fmt::format("{}{} % to {}{} %", sign(below), in_percent(below), sign(above),
+                     in_percent(above));
 }
 
 Table load_table(const std::filesystem::path& file) {
@@ -167,14 +184,17 @@ std::vector<std::string> describe_confidence(const ConfidenceTables& confidence,
                                              const std::vector<std::string>& columns) {
   std::vector<std::string> sentences;
   for (const auto& column : columns) {
-    std::vector<double> widths;
+    std::vector<double> below, above;  // distances of the ends from the value, relative to it
     each_of(confidence.intervals, column, [&](const Reader& row) {
-      if (const double value = std::abs(row.number("value")); value > 0)
-        widths.push_back((row.number("p95") - row.number("p5")) / 2 / value);
+      const double value = row.number("value");
+      if (value == 0) return;
+      below.push_back((row.number("p5") - value) / std::abs(value));
+      above.push_back((row.number("p95") - value) / std::abs(value));
     });
-    if (widths.empty()) continue;
-    auto text = fmt::format("{}: ± {:.2g} % on nine of ten machines{}", column,
-                            100 * find_median(widths), of_rows(widths.size()));
+    if (below.empty()) continue;
+    auto text =
+        fmt::format("{}: {} on nine of ten machines{}", column,
+                    tell_bounds(find_median(below), find_median(above)), of_rows(below.size()));
     const auto weights = weigh(confidence, column);
     if (weights.empty())
       text += "; no single assumption stands out among so few machines";
