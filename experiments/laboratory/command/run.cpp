@@ -14,9 +14,12 @@
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/results_folder.hpp"
 #include "experiments/laboratory/host/streams.hpp"
+#include "experiments/laboratory/judge/best.hpp"
 #include "experiments/laboratory/judge/ranking.hpp"
+#include "experiments/laboratory/points/means.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/points.hpp"
+#include "experiments/laboratory/points/results.hpp"
 #include "experiments/laboratory/points/single_worker.hpp"
 #include "experiments/laboratory/points/view.hpp"
 #include "experiments/laboratory/report/run_report.hpp"
@@ -62,7 +65,7 @@ std::set<std::string> list_images(const Simulation& s) {
 void print_paths(const fs::path& output, const std::set<std::string>& images) {
   print_out("  report   {}\n", (output / "report.html").string());
   print_out("  table    {}\n", (output / "results.csv").string());
-  for (const char* table : {"intervals.csv", "assumptions.csv", "rankings.csv"})
+  for (const char* table : {"means.csv", "intervals.csv", "assumptions.csv", "rankings.csv"})
     if (fs::exists(output / table)) print_out("  table    {}\n", (output / table).string());
   for (const auto& image : images) print_out("  image    {}\n", (output / image).string());
   if (fs::exists(output / "plots")) print_out("  plots    {}\n", (output / "plots").string());
@@ -75,14 +78,16 @@ void print_films(const FilmOptions& films) {
 
 void print_summary(const RunOptions& options, const Simulation& s) {
   const auto output = results_folder(options);
-  const auto view = choose_view(s.file, s.table);
+  const Table means = average_seeds(s.table);
+  const auto view = choose_view(s.file, means);
   print_out("{}\n{}\n", paint(title_of(s.file), Tone::heading),
-            to_text(s.table, view, output_width()));
+            to_text(means, view, output_width()));
+  if (const auto seeds = describe_seeds(s.table); !seeds.empty()) print_out("{}\n", seeds);
   for (const auto& sentence : view.unknown) print_note(sentence);
   print_notes(s);
   if (const auto sure = load_confidence(output))
     for (const auto& sentence :
-         describe_confidence(*sure, fit_columns(s.table, view, output_width())))
+         describe_confidence(*sure, fit_columns(means, view, output_width())))
       print_out("{}\n", sentence);
   if (const auto rankings = load_rankings(output))
     for (const auto& sentence : tell_rankings(*rankings)) print_out("{}\n", sentence);
@@ -119,8 +124,18 @@ void print_verdict(const CheckResult& check, const Table& table) {
 
 namespace {
 
-// Prints the checks and failures of results already written. Throws Failure for an interrupt, a
-// failed point or a failed check.
+// The answers to [[best]] in sentences; none if no point was completed.
+std::vector<std::string> answer_questions(const CheckPlan& plan, const Simulation& s) {
+  std::vector<std::string> sentences;
+  const auto is_done = [&](const auto& row) { return is_complete_row(s.table, row); };
+  if (plan.questions.empty() || std::ranges::none_of(s.table.rows, is_done)) return sentences;
+  for (const auto& answer : find_best(plan, make_rows(plan, s.file, s.table)))
+    sentences.insert(sentences.end(), answer.findings.begin(), answer.findings.end());
+  return sentences;
+}
+
+// Prints the answers, checks and failures of results already written. Throws Failure for an
+// interrupt, a failed point or a failed check.
 void judge(const RunOptions& options, const CheckPlan& plan, const Simulation& s) {
   const auto output = results_folder(options).string();
   for (const auto& failure : s.undrawn) complain(failure);
@@ -128,8 +143,9 @@ void judge(const RunOptions& options, const CheckPlan& plan, const Simulation& s
     throw Failure(
         fmt::format("interrupted; the results so far are in {}, marked incomplete", output),
         EXIT_INTERRUPTED);
-  if (!s.checks.empty()) print_out("\n");
+  if (!s.checks.empty() || !plan.questions.empty()) print_out("\n");
   for (const auto& note : note_unknown_texts(plan, s.table)) print_note(note);
+  for (const auto& sentence : answer_questions(plan, s)) print_out("{}\n", sentence);
   for (const auto& check : s.checks) print_verdict(check, s.table);
   throw_failures(s.file, s.results,
                  fmt::format("the other results are in {}, marked incomplete", output));
