@@ -44,7 +44,8 @@ Program make_deadlock() {
   using namespace deadlock;
   return make_program<Params, Measured>(
       {.name = "deadlock",
-       .help = "a ring whose processes all output first, to show the report of a deadlock",
+       .help = "a ring whose first round succeeds; in the second all processes output first, to "
+               "show the report of a deadlock",
        .fields = {bytes_field<Params>(&Params::bytes),
                   base::Declare<Params>::whole("stations", &Params::stations, 3, 1000, "",
                                                "processors in the ring")},
