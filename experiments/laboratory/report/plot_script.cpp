@@ -237,6 +237,16 @@ struct Panel {
   std::string join() const { return join_texts(curves, ", \\\n     "); }
 };
 
+// Adds error bars, behind the symbols of their curve. Point type 0 has no symbol.
+void add_bars(Panel& panel, std::size_t series, const std::string& bars, const Look& look) {
+  if (bars.empty()) return;
+  panel.data += fmt::format("$bars{} << END\n{}END\n", series, bars);
+  panel.curves.push_back(fmt::format(
+      "$bars{} with yerrorbars linecolor rgb '{}' linewidth 1.5 dashtype solid pointtype 0 "
+      "pointsize 0 notitle",
+      series, look.colour));
+}
+
 Panel make_upper(const Plot& plot) {
   Panel panel;
   if (plot.ideal_line)
@@ -246,12 +256,16 @@ Panel make_upper(const Plot& plot) {
     panel.curves.push_back(
         fmt::format("{} with lines linecolor rgb '#707070' linewidth 1.5 dashtype (18,9) notitle",
                     *plot.level));
-  std::size_t banded = 0;  // number of bands, which are drawn behind the curves
+  std::size_t banded = 0;  // number of curves, behind which bands and bars are drawn
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& s = plot.series[i];
     if (s.kind != SeriesKind::curve) continue;
     const auto look = look_of(banded++);
-    const auto edges = s.has_bars ? "" : make_band(plot, s);
+    if (s.has_bars) {
+      add_bars(panel, i, make_bars(plot, s), look);
+      continue;
+    }
+    const auto edges = make_band(plot, s);
     if (edges.empty()) continue;
     panel.data += fmt::format("$band{} << END\n{}END\n", i, edges);
     panel.curves.push_back(
@@ -265,13 +279,6 @@ Panel make_upper(const Plot& plot) {
     const auto look = s.kind == SeriesKind::curve ? curve++ : s.of;
     panel.add(fmt::format("data{}", i), upper_points(plot, s), make_style(s.kind, look),
               s.name.empty() ? "notitle" : "title " + quote_for_gnuplot(s.key()));
-    const auto bars = s.has_bars ? make_bars(plot, s) : "";
-    if (bars.empty()) continue;
-    panel.data += fmt::format("$bars{} << END\n{}END\n", i, bars);
-    panel.curves.push_back(fmt::format(
-        "$bars{} with yerrorbars linecolor rgb '{}' linewidth 1.5 dashtype solid pointsize 0 "
-        "notitle",
-        i, look_of(look).colour));
   }
   return panel;
 }
