@@ -9,6 +9,7 @@
 namespace farm {
 namespace {
 
+using machine::Priority;
 using occam::isolated_numbers, occam::Lab, occam::Numbers, occam::Processor, occam::compute;
 
 constexpr int WAYS = 4, ROUNDS = 6;

@@ -141,7 +141,7 @@ TEST(IirraAdvance, WithoutLimitsOnlyTheOrderStays) {
   EXPECT_EQ(without_limits(limits), expected);
 }
 
-Limits random_limits(std::mt19937_64& random) {
+Limits draw_limits(std::mt19937_64& random) {
   Limits limits;
   limits.min_cell = 1 << random() % 6;
   limits.max_samples = 5 + static_cast<int>(random() % 9);
@@ -166,7 +166,7 @@ TEST(IirraAdvance, IsPossibleAndAllowed) {
     const SampledCell cell{int(random() % 20), int(random() % 20), side,
                            int(random() % (side > 2 ? 4 : 3))};
     const auto quantities = random_quantities(random);
-    const auto limits = random_limits(random);
+    const auto limits = draw_limits(random);
     const bool is_sampled = cell.level == (side > 2 ? 3 : 2);
     const bool is_inside = limits.area == Area{} ||
                            (cell.x < 14 && cell.x + side > 4 && cell.y < 14 && cell.y + side > 4);
