@@ -121,7 +121,7 @@ TEST(NffComments, ProseIsNoStatement) {
             COMMENTED_SURFACE +
             "# gloss, none\n# translucent\n# shutter closed\n# move it later\n"
             "## move 1 0 0\ns 0 0 0 1 # move it\n# a # move 1 0 0\nl 1 1 1 # lens of glass\n"
-            "# emit 1 1 1\n# gloss 10cm\n");
+            "# emit 1 1 1\n# gloss cm\n");
   EXPECT_EQ(scene.view.lens.aperture, 0);
   EXPECT_EQ(scene.lights.size(), 1u);
   EXPECT_EQ(scene.surfaces.size(), 1u);
@@ -153,6 +153,7 @@ INSTANTIATE_TEST_SUITE_P(
         WrongComment{"# lens -1 2", "9: found '-1', expected the lens's aperture"},
         WrongComment{"# lens 1 0", "9: found '0', expected the lens's focal distance"},
         WrongComment{"# lens 1 1e-300", "9: found '1e-300', expected the lens's focal distance"},
+        WrongComment{"# gloss 10cm", "9: found '10cm', expected the radius of a disc"},
         WrongComment{"# lens 1 2 3", "9: found '3', expected the end of the line"},
         WrongComment{"# lens 1 2\n\n# lens 1 2",
                      "11: found a second '# lens', expected only that of line 9"},
