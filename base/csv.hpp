@@ -11,9 +11,9 @@ struct CsvCell {
   bool is_quoted = false;
 };
 
-/// Reads a text that must outlive the reader. Lines that start with # are comments. Blanks around
-/// unquoted cells are dropped. The text may contain "\r\n" and a byte order mark, and quoted cells
-/// may contain line ends. Every error is a BadInput "name:line: ...".
+/// Reads a text that must outlive the reader. Ignores lines that start with #, blanks around
+/// unquoted cells and a byte order mark. Lines may end with "\r\n", and quoted cells may contain
+/// line ends. Every error is a BadInput whose message starts with "name:line:".
 class CsvReader {
  public:
   CsvReader(std::string_view text, std::string_view name);
@@ -24,12 +24,12 @@ class CsvReader {
   /// Skips blank records, then returns the column names of the next record. Throws BadInput unless
   /// they are unique and not empty.
   std::vector<std::string> take_header();
-  /// The first line of the record read last, counted from 1.
+  /// Line number of the first line of the record read last, counted from 1.
   int line() const { return record_line_; }
-  /// Throws BadInput about the record read last.
+  /// Throws BadInput with the line number of the record read last.
   [[noreturn]] void fail(std::string_view what) const { fail_at(record_line_, what); }
 
-  /// Throws BadInput about the given line.
+  /// Throws BadInput with the given line number.
   [[noreturn]] void fail_at(int line, std::string_view what) const;
 
  private:
@@ -45,13 +45,13 @@ class CsvReader {
   int record_line_ = 1;
 };
 
-/// True if the record stands for a blank line.
+/// True if the record is a blank line, for which take() returns one empty unquoted cell.
 bool is_blank(const std::vector<CsvCell>& record);
 
-/// Spells a text as a cell that CsvReader restores, quoted only if necessary.
+/// Writes a text as one cell, quoted only if necessary. CsvReader reads the cell as the same text.
 std::string quote_csv(std::string_view text);
 
-/// One line of cells, separated by commas, with a line end.
+/// Joins cells with commas into one line, and adds a line end. Does not quote the cells.
 std::string join_csv(const std::vector<std::string>& cells);
 
 }  // namespace base

@@ -49,7 +49,7 @@ void request_early_end() noexcept { is_ending = true; }
 
 void undo_all() {
   request_early_end();
-  // Only a program that ends for lack of memory is still in a section here.
+  // The calling thread is still inside a section only if the program ends for lack of memory.
   if (std::exchange(depth, 0) > 0) sections.unlock_shared();
   sections.lock();
   for (const auto& undo : undos | std::views::reverse) try {

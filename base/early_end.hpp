@@ -9,9 +9,10 @@
 
 namespace base {
 
-/// A critical section that delays an early end of the program. Code in it creates a resource
-/// together with the Undo that removes it. After request_early_end(), a thread that enters its
-/// first section blocks for ever. Sections must be short and may be nested.
+/// A critical section that delays an early end of the program. Code in a section creates a resource
+/// together with the Undo that removes it. After request_early_end(), a thread that enters a
+/// section blocks for ever, unless it is inside one already. Sections must be short and may be
+/// nested.
 class Undivided {
  public:
   Undivided();
@@ -23,7 +24,8 @@ class Undivided {
 /// An action that runs if a signal ends the program during this object's lifetime.
 class Undo {
  public:
-  /// `undo` runs in another thread while no thread is in a section; its exceptions are ignored.
+  /// `undo` runs in the thread that calls undo_all(), while no other thread is inside a critical
+  /// section (Undivided). Its exceptions are ignored.
   explicit Undo(std::function<void()> undo);
   ~Undo();
   Undo(const Undo&) = delete;
@@ -33,15 +35,15 @@ class Undo {
   std::list<std::function<void()>>::iterator place_;
 };
 
-/// Prevents threads from entering a critical section (Undivided). Safe to call in a signal handler.
+/// Makes threads block when they enter a critical section (Undivided). Safe in a signal handler.
 void request_early_end() noexcept;
 
-/// Waits until no thread is in a section, then runs every Undo, newest first. The caller must end
-/// the program afterwards.
+/// Waits until no thread is inside a critical section, then runs the actions of all existing Undo
+/// objects, newest first. The caller must end the program afterwards.
 void undo_all();
 
-/// Blocks these signals in the constructing thread during the object's lifetime. Threads and child
-/// processes started meanwhile by this thread inherit the block.
+/// Blocks the given signals in the constructing thread during the object's lifetime. Threads and
+/// child processes that this thread starts meanwhile inherit the block.
 class HeldSignals {
  public:
   explicit HeldSignals(std::span<const int> signals);

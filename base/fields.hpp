@@ -1,8 +1,8 @@
 #pragma once
-// Parameters and measurements, each declared once. Parameters are the members of a struct with
-// defaults. A list of fields declares the name, domain and help text of each parameter. Experiment
-// files, the command line, its help, the manual and the tables of results all follow this list.
-// Columns declare measurements in the same way.
+// Declarations of parameters and measurements, each in one place. Parameters are the members of a
+// struct, with their defaults. A list of fields declares the name, domain and help text of each
+// parameter. Experiment files, the command line, its help, the manual and the tables of results use
+// this list. A list of columns declares measurements in the same way.
 #include <algorithm>
 #include <any>
 #include <cmath>
@@ -24,8 +24,8 @@
 
 namespace base {
 
-/// A file or a generator such as "tree:7", as spelled by the user. `path` is the path of the file,
-/// or "" for a generator.
+/// The name of a file or of a generator such as "tree:7". `text` is the name as spelled by the
+/// user; `path` is the path of the file, or "" for a generator.
 struct Source {
   std::string text, path;
   bool operator==(const Source&) const = default;
@@ -36,7 +36,7 @@ using Scalar =
     std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>,
                  Source, std::vector<std::string>, std::vector<std::vector<double>>>;
 
-/// The value as text for readers; "none" for an empty value.
+/// The value as text for human readers; "none" for an empty value.
 std::string to_text(const Scalar& value);
 
 /// A cell of a table; may be empty.
@@ -51,10 +51,10 @@ struct Domain {
     choice,  ///< one of `choices`
     text,
     list,         ///< a list of numbers
-    texts,        ///< a list of texts, or a single one
+    texts,        ///< a list of texts; a single text counts as a list of one
     expression,   ///< a text, or a number as text
-    expressions,  ///< a list of these
-    any,          ///< a value of several kinds, which `expected` describes and `set` checks
+    expressions,  ///< a list of expressions
+    any,          ///< a value of several kinds, described by `expected` and checked by Field::write
     file,         ///< a file name
     source        ///< a file name with an extension, or a generator
   };
@@ -70,18 +70,19 @@ struct Domain {
   bool allows(const Scalar& value) const;
 };
 
-/// One parameter: the member of a P, found by `place`, with functions that convert its value.
+/// One parameter: a member of the struct P, with functions that read and write it.
 template <class P>
 struct Field {
   std::string name;  ///< key in experiment files, name of the option and of the column
   std::string unit;  ///< such as "bytes"; "" without a unit
   std::string help;
   Domain domain;
-  /// The address of the member, for `write`. Creates an optional structure that contains it.
+  /// The address of the member, for `write`. If the member is inside an empty std::optional, fills
+  /// the optional first.
   std::function<void*(P&)> place;
   /// The address of the member, for `read`.
   std::function<const void*(const P&)> find;
-  /// Sets the member to a value of the domain. Returns false to refuse the value.
+  /// Sets the member to a value that the domain allows. Returns false to refuse the value.
   std::function<bool(void* member, const Scalar&)> write;
   std::function<Scalar(const void* member)> read;
 
@@ -95,7 +96,7 @@ struct Field {
 template <class P>
 using Fields = std::vector<Field<P>>;
 
-/// The names of an enum's values, in the order of the help text.
+/// Pairs of a name and a value of the enum E, in the order of the help text.
 template <class E>
 using Names = std::vector<std::pair<std::string, E>>;
 
@@ -111,7 +112,8 @@ constexpr bool is_optional = requires(T t) {
   t.has_value();
 };
 
-/// The number or text in a member that may be an optional or a quantity. Creates the optional.
+/// The number or text inside a member that may be an optional, or a struct with a member `value`.
+/// Fills an empty optional.
 template <class T>
 auto& plain(T& member) {
   if constexpr (is_optional<T>)
@@ -208,13 +210,13 @@ struct Declare {
   static constexpr Plain<Domain::Kind::source> source{};
   static constexpr Plain<Domain::Kind::texts> texts{};
   static constexpr Plain<Domain::Kind::expression> expression{};
-  /// A text that is one of `choices`.
+  /// A field for a text that must be one of `choices`.
   template <class Access>
   static Field<P> one_of(const std::string& name, Access access,
                          const std::vector<std::string>& choices, const std::string& help) {
     return detail::make_field<P>(name, access, {Domain::Kind::choice, 0, 0, choices}, "", help);
   }
-  /// A field for an enum, set by name.
+  /// A field for an enum, set by the name of a value.
   template <class Access, class E>
   static Field<P> choice(const std::string& name, Access access, const Names<E>& names,
                          const std::string& help) {
@@ -234,7 +236,7 @@ struct Declare {
           throw InvariantBroken("a choice without a name");
         });
   }
-  /// A field that the functions `set(P&, value)` and `get(const P&)` convert.
+  /// A field read by `get(const P&)` and written by `set(P&, value)`.
   template <class Set, class Get>
   static Field<P> custom(const std::string& name, const Domain& domain, const std::string& unit,
                          const std::string& help, Set set, Get get) {
@@ -257,7 +259,7 @@ Field<P> lift(const Field<Inner>& field, Access access) {
           field.write,
           field.read};
 }
-/// Lifts all fields and prefixes their names with `prefix`.
+/// Applies lift() to all fields and prefixes their names with `prefix`.
 template <class P, class Inner, class Access>
 Fields<P> lift_all(const Fields<Inner>& fields, Access access, const std::string& prefix = "") {
   Fields<P> all;
@@ -287,14 +289,15 @@ Fields<P> lift_optional(const Fields<Inner>& fields, std::optional<Inner> P::*in
   return all;
 }
 
-/// Access to the P in a std::any.
+/// Returns the P inside a std::any.
 template <class P>
 struct AnyAs {
   P& operator()(std::any& any) const { return std::any_cast<P&>(any); }
   const P& operator()(const std::any& any) const { return std::any_cast<const P&>(any); }
 };
 
-/// The fields with these names, in this order. Throws InvariantBroken for an unknown name.
+/// The fields with the given names, in the order of `names`. Throws InvariantBroken for an unknown
+/// name.
 template <class P>
 Fields<P> select(const Fields<P>& fields, std::initializer_list<std::string_view> names) {
   Fields<P> chosen;
@@ -313,14 +316,15 @@ std::vector<T> join(std::vector<T> first, const std::vector<std::vector<T>>& oth
   return first;
 }
 
-/// One measurement of a result R, or a family of measurements. The family "stage{}_s" stands for
-/// stage1_s, stage2_s and so on. A family whose name has no {} is a single column that some results
-/// lack.
+/// One measurement of a result R, or a family of measurements with a variable number of columns.
+/// The family "stage{}_s" stands for stage1_s, stage2_s and so on. A family whose name has no {} is
+/// a single column that some results lack.
 template <class R>
 struct Column {
   std::string name;  ///< includes the unit: "time_s"
   std::string help;
-  std::function<std::vector<Cell>(const R&)> get;  ///< returns one cell, or any number for a family
+  /// Returns one cell; for a family, any number of cells.
+  std::function<std::vector<Cell>(const R&)> get;
   bool is_family = false;
 };
 template <class R>
@@ -356,7 +360,7 @@ requires std::is_member_object_pointer_v<T R::*> Column<R> column(const std::str
                                                                   const std::string& help) {
   return column<R, T R::*>(name, member, help);
 }
-/// A column whose cells stay empty here, to be filled by other code.
+/// A column whose cells are empty, to be filled later by other code.
 template <class R>
 Column<R> empty_column(const std::string& name, const std::string& help) {
   return {name, help, [](const R&) { return std::vector<Cell>(1); }};
@@ -371,7 +375,7 @@ Columns<R> lift_columns(const Columns<Inner>& columns, Access access) {
   return all;
 }
 
-/// Columns that exist only for results that satisfy `has`.
+/// Columns that exist only for results for which `has` is true.
 template <class R, class Has>
 Columns<R> only_if(Has has, Columns<R> columns) {
   for (auto& c : columns) {

@@ -1,6 +1,7 @@
 #pragma once
-// Expressions with named variables: "hops * (t_start + bytes / link.one_way_rate)". Operators and
-// functions are those of muParser, plus floor and ceil. Only this module uses muParser.
+// Expressions with named variables, such as "hops * (t_start + bytes / link.one_way_rate)". The
+// operators and functions are those of muParser, plus floor and ceil. Only this module uses
+// muParser.
 #include <memory>
 #include <span>
 #include <string>
@@ -12,7 +13,7 @@ class Formula {
  public:
   static constexpr std::size_t MAX_BYTES = 20'000;
 
-  /// Throws BadInput unless `text` is one expression of at most MAX_BYTES. Names of variables
+  /// Throws BadInput unless `text` is one expression of at most MAX_BYTES bytes. Names of variables
   /// consist of letters, digits, _ and dots. Every message starts with `place`, such as "e.toml:12:
   /// check \"x\": formula". For an unknown function, the message suggests the nearest name.
   Formula(const std::string& text, std::string place);
@@ -23,8 +24,8 @@ class Formula {
   const std::string& place() const { return place_; }
   /// The distinct variables of the expression.
   const std::vector<std::string>& variables() const { return variables_; }
-  /// Evaluates the expression; `values` has the order of `variables`. The result may be infinite or
-  /// NaN.
+  /// Evaluates the expression. `values` are the values of `variables()`, in the same order. The
+  /// result may be infinite or NaN.
   double eval(std::span<const double> values) const;
 
   /// True if `text` is a valid name of a variable.

@@ -92,7 +92,8 @@ std::vector<char*> to_pointers(std::vector<std::string>& texts) {
   return pointers;
 }
 
-// Everything that the new process needs. It must not allocate memory.
+// The data that the new process needs, prepared in advance: a process must not allocate memory
+// between fork and exec.
 struct Start {
   const char* path;
   char* const* arguments;
@@ -100,7 +101,8 @@ struct Start {
   int streams[3];
 };
 
-// Runs in the new process, which dies with the thread that started it.
+// Starts the program in the new process. The kernel kills the process when the thread that started
+// it ends.
 [[noreturn]] void execute(const Start& start, pid_t parent) {
   constexpr int CANNOT_START = 127;
   prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -112,7 +114,7 @@ struct Start {
   _exit(CANNOT_START);
 }
 
-// A child process, killed by the destructor or by an early end of tlab.
+// A child process. The destructor and an early end of tlab kill it.
 class Child {
  public:
   explicit Child(const Start& start) {

@@ -1,5 +1,5 @@
 #pragma once
-// Starts host programs: Graphviz, gnuplot, a pager.
+// Runs programs of the host computer, such as Graphviz, gnuplot or a pager.
 #include <string>
 #include <vector>
 
@@ -9,15 +9,15 @@ struct HostProgram {
   std::string name;                    ///< searched for in PATH
   std::vector<std::string> arguments;  ///< passed literally, without a shell
   std::string input = {};              ///< text for its standard input
-  std::string purpose;                 ///< first words of error messages: "topology ring:4"
-  std::string remedy;                  ///< such as "install graphviz"
+  std::string purpose;                 ///< start of error messages, such as "topology ring:4"
+  std::string remedy;  ///< advice if the program is missing, such as "install graphviz"
   /// True: the program writes to tlab's standard output, and run_program returns "".
   bool shows_output = false;
 };
 
-/// Runs the program to its end and returns its standard output. If tlab ends first, for any reason,
-/// the program ends too. Throws std::runtime_error: with the remedy if the program is not
-/// installed, with the text from its standard error if it fails.
+/// Runs the program to its end and returns its standard output. If tlab ends earlier, for any
+/// reason, the program is killed. Throws std::runtime_error with the remedy if the program is not
+/// installed, and with the text of its standard error if it fails.
 std::string run_program(const HostProgram& program);
 
 }  // namespace base

@@ -18,7 +18,8 @@ std::size_t measure_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const bool is_control = byte(0) < 0x20 || byte(0) == 0x7f;
   const auto length = measure_utf8(text);
-  const bool is_later_control = length == 2 && byte(0) == 0xc2 && byte(1) < 0xa0;  // C1 controls
+  // The C1 control characters, U+0080 to U+009F.
+  const bool is_later_control = length == 2 && byte(0) == 0xc2 && byte(1) < 0xa0;
   return is_control || is_later_control ? 0 : length;
 }
 
@@ -63,8 +64,9 @@ std::string make_readable(std::string_view message) {
 std::string show_controls(std::string_view text) { return escape(text, "\n\t"); }
 
 std::size_t count_edits(std::string_view a, std::string_view b) {
-  // Rows of the edit distance table, from a prefix of `a` to every prefix of `b`. `back` and
-  // `two_back` belong to prefixes of `a` that are one and two letters shorter.
+  // Rows of the table of edit distances. `row` holds the distances between one prefix of `a` and
+  // every prefix of `b`. `back` and `two_back` are the rows for the prefixes of `a` that are one
+  // and two letters shorter.
   std::vector<std::size_t> two_back, back, row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {

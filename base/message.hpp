@@ -16,21 +16,22 @@ std::string make_readable(std::string_view message);
 /// make_readable does. Cuts nothing.
 std::string show_controls(std::string_view text);
 
-/// The nearest name among `known` if at most a third of its letters, rounded up, differ. Otherwise
-/// the nearest name that contains `name` or is contained in it.
+/// The name in `known` with the smallest edit distance from `name`, if at most a third of the
+/// letters, rounded up, differ. Otherwise the nearest name that contains `name` or is contained in
+/// it; none if there is no such name.
 std::optional<std::string> find_similar(std::string_view name,
                                         const std::vector<std::string>& known);
 
-/// Makes the end of a message about an unknown name: `, PHRASE "NAME"` if a known name is similar,
-/// otherwise ", expected one of ...".
+/// The end of a message about an unknown name: `, PHRASE "NAME"` if find_similar finds a NAME,
+/// otherwise ", expected one of ..." with all known names.
 std::string suggest(std::string_view name, const std::vector<std::string>& known,
                     std::string_view phrase = "the nearest is");
 
-/// " (did you mean "NAME"?)", or "" if no name is similar.
+/// Returns ` (did you mean "NAME"?)`, or "" if find_similar finds no name.
 std::string did_you_mean(std::string_view name, const std::vector<std::string>& known);
 
-/// The edit distance by optimal string alignment: the number of letters inserted, removed or
-/// changed, and of adjacent letters swapped.
+/// The edit distance by optimal string alignment: the minimum number of edits that turn `a` into
+/// `b`. An edit inserts, removes or changes a letter, or swaps two adjacent letters.
 std::size_t count_edits(std::string_view a, std::string_view b);
 
 }  // namespace base

@@ -6,14 +6,15 @@
 namespace base {
 
 struct Order {
-  std::vector<std::size_t> sorted;  ///< all indices; each follows the indices that it needs
-  /// A cycle, empty if there is none: each index needs the next, and the last needs the first. With
-  /// a cycle, `sorted` is incomplete.
+  std::vector<std::size_t> sorted;  ///< all indices, each after the indices that it needs
+  /// The indices on one cycle; empty if the graph has no cycle. Each index needs the next one, and
+  /// the last needs the first. If there is a cycle, `sorted` is incomplete.
   std::vector<std::size_t> circle;
 };
 
-/// Sorts depth first, by ascending index. `needs[i]` lists the indices that i needs. The
-/// implementation does not recurse, so chains of any length are possible.
+/// Sorts by depth-first search, starting from the indices in ascending order. `needs[i]` lists the
+/// indices that i needs. The search uses no recursion, so that a chain of needs can have any
+/// length.
 Order sort_by_needs(const std::vector<std::vector<std::size_t>>& needs);
 
 }  // namespace base

@@ -17,11 +17,11 @@ inline std::uint64_t random_at(std::uint64_t seed, std::uint64_t counter) {
   return z ^ (z >> 31);
 }
 
-/// A stream of random numbers.
+/// A sequential generator of random numbers.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
-  /// A separate stream for each processor.
+  /// Seeds a separate sequence of numbers for each processor of the simulated machine.
   Random(std::uint64_t seed, int processor)
       : engine_(seed * 1'000'003 + static_cast<std::uint64_t>(processor)) {}
 
@@ -31,7 +31,7 @@ class Random {
   double exponential() { return -std::log(uniform()); }
   /// Uniform integer from 0 to n - 1.
   int below(int n) { return static_cast<int>(uniform() * n); }
-  /// A random processor from 0 to `processors` - 1, but not `processor`.
+  /// A random processor from 0 to `processors` - 1 other than `processor`.
   int other_than(int processor, int processors) {
     return (processor + 1 + below(processors - 1)) % processors;
   }

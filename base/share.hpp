@@ -8,8 +8,9 @@
 
 namespace base {
 
-/// Calls work(i) for every i from 0 to `count` - 1 on `threads` threads, which claim indices one by
-/// one. After an exception, no further index is claimed, and the exception is rethrown.
+/// Calls work(i) once for every i from 0 to `count` - 1, on `threads` threads. Each thread
+/// repeatedly takes the next index. After an exception in `work`, no thread takes a further index,
+/// and the exception is rethrown to the caller.
 template <class Work>
 void share(int count, int threads, const Work& work) {
   std::atomic<int> next = 0;

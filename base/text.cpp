@@ -122,7 +122,7 @@ std::string first_comment(std::string_view text) {
     comment += trim(line.substr(marker));
   }
   auto end = comment.find(". ");
-  const auto is_initial = [&] {  // true for "R. Cook"
+  const auto is_initial = [&] {  // true if the full stop ends an initial, as in "R. Cook"
     return end != comment.npos && end > 1 && comment[end - 2] == ' ' &&
            std::isupper(static_cast<unsigned char>(comment[end - 1]));
   };

@@ -36,9 +36,9 @@ bool continues_key(char c) {
   return std::isalnum(byte) || c == '_' || c == '-' || c == ' ' || c == '\t';
 }
 
-// Limits the number of parts in a key: toml++ makes a table for each part inside the one before,
-// and destroys them by recursion. Refuses bytes beyond ASCII outside strings and comments, where
-// the behaviour of toml++ is undefined.
+// Limits the number of parts in a key. toml++ makes a nested table for each part and destroys the
+// tables recursively, so that a long key could overflow the stack. Refuses bytes beyond ASCII
+// outside strings and comments, where the behaviour of toml++ is undefined.
 void check_keys(std::string_view text, std::string_view origin) {
   constexpr std::string_view MARK = "\xef\xbb\xbf";  // UTF-8 byte order mark
   if (text.starts_with(MARK)) text.remove_prefix(MARK.size());
@@ -50,7 +50,8 @@ void check_keys(std::string_view text, std::string_view origin) {
     length = is_string  ? measure_string(rest)
              : c == '#' ? std::min(rest.find('\n'), rest.size())
                         : 1;
-    // The place may be a long text of --set, so it is formatted only for an error.
+    // A value of --set can be long, and its text is part of the place. Formats the place only for
+    // an error.
     const auto place = [&] { return fmt::format("{}:{}", origin, line); };
     if (!is_string && static_cast<unsigned char>(c) >= 0x80)
       refuse(place(), "found a letter beyond ASCII, expected it in a text or a comment");
@@ -63,8 +64,8 @@ void check_keys(std::string_view text, std::string_view origin) {
   }
 }
 
-// Refuses values that toml++ writes wrongly: keys with a single quote, a tab or a line end, which
-// it does not quote, and the smallest 64-bit integer, whose sign it loses.
+// Refuses values that toml++ writes wrongly. It does not quote keys that contain a single quote, a
+// tab or a line end, and it loses the sign of the smallest 64-bit integer.
 void check_nodes(const toml::node& node, std::string_view origin) {
   const auto place = [&](const auto& at) { return fmt::format("{}:{}", origin, at.begin.line); };
   if (const auto* list = node.as_array())
@@ -109,7 +110,7 @@ toml::table parse_toml(std::string_view text, std::string_view origin) {
 }
 
 std::string to_toml(const toml::node& node) {
-  // toml++ would write all 17 digits, as in 0.10000000000000001.
+  // Uses the shortest decimal form. toml++ would write 17 digits, such as 0.10000000000000001.
   if (const auto number = node.value_exact<double>(); number && std::isfinite(*number)) {
     const auto text = fmt::format("{}", *number);
     return text.find_first_of(".e") == text.npos ? text + ".0" : text;

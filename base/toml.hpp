@@ -1,6 +1,6 @@
 #pragma once
-// Reads and writes TOML. Only this module calls the parser and the formatter of toml++.
-#define TOML_HEADER_ONLY 0  // the shared library has the functions
+// Reading and writing of TOML. Only this module calls the parser and the formatter of toml++.
+#define TOML_HEADER_ONLY 0  // use the functions compiled in the shared library
 #include <toml++/toml.h>
 
 #include <string>
@@ -11,12 +11,13 @@ namespace base {
 /// Maximum number of parts in a key such as a.b.c, or in a section's name.
 constexpr int MAX_KEY_PARTS = 16;
 
-/// Throws BadInput "origin:line: ..." for malformed TOML and for a key of more than MAX_KEY_PARTS
-/// parts. Also refuses the smallest 64-bit integer, and keys with a single quote, a tab or a line
-/// end.
+/// Parses TOML. `origin` names the text in messages. Throws BadInput "origin:line: ..." for
+/// malformed TOML, a key of more than MAX_KEY_PARTS parts, a key with a single quote, a tab or a
+/// line end, and the smallest 64-bit integer.
 toml::table parse_toml(std::string_view text, std::string_view origin);
 
-/// Writes a value as TOML, with integers in decimal. parse_toml restores a table from this text.
+/// Writes a value as TOML, with integers in decimal. parse_toml reads the text of a table as the
+/// same table.
 std::string to_toml(const toml::node& node);
 
 }  // namespace base

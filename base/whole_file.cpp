@@ -25,14 +25,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// limits on bytes read from a pipe and from another file
+// Limits on the number of bytes read from a pipe and from any other file.
 constexpr std::size_t MOST_FROM_PIPE = std::size_t{1} << 28, MOST_FROM_FILE = std::size_t{1} << 30;
 
-// Device, inode and time of the last modification.
+// Identifies the content of a file: device, inode, and seconds and nanoseconds of the last
+// modification.
 using Identity = std::tuple<dev_t, ino_t, time_t, long>;
 
 std::mutex inputs_mutex;
-std::optional<std::set<Identity>> inputs;  // none without an InputGuard
+std::optional<std::set<Identity>> inputs;  // files read so far; none if no InputGuard exists
 
 Identity identify(const struct stat& file) {
   return {file.st_dev, file.st_ino, file.st_mtim.tv_sec, file.st_mtim.tv_nsec};
@@ -45,7 +46,8 @@ using Write = std::function<void(std::ostream&)>;
                           find_final_path(path).string() + ": cannot be written");
 }
 
-// A unique name beside `path`. It fits the file system's limit on lengths if `path` fits.
+// A unique hidden name beside `path`. It is short enough for the file system if the name in `path`
+// is.
 fs::path partial_of(const fs::path& path) {
   static std::atomic<int> count = 0;
   constexpr std::size_t LONGEST = 100;
@@ -54,7 +56,7 @@ fs::path partial_of(const fs::path& path) {
   return path.parent_path() / fmt::format("{}-{}", name, ++count);
 }
 
-// Writes and closes the stream; errors name `path`.
+// Writes the content to the stream and closes it. Error messages name `path`.
 void fill_file(std::ofstream& out, const fs::path& path, const Write& write) {
   if (out) write(out);
   out.close();
@@ -67,7 +69,7 @@ void write_in_place(const fs::path& path, const Write& write) {
   fill_file(out, path, write);
 }
 
-// True if the error means that the file system does not support the operation.
+// True if the error code means that the file system does not support the operation.
 bool is_unable(int error) {
   return error == ENOSYS || error == EINVAL || error == ENOTSUP || error == EPERM;
 }
@@ -96,15 +98,16 @@ class PartialFile {
 
   const fs::path& path() const { return partial_; }
   void fill(const Write& write) { fill_file(out_, path_, write); }
-  // Renames the file to `path`; returns false if `path` exists.
+  // Renames the file to `path`. Returns false if `path` exists.
   bool rename_to_new() {
     const Undivided section;
     if (renameat2(AT_FDCWD, partial_.c_str(), AT_FDCWD, path_.c_str(), RENAME_NOREPLACE) == 0)
       return is_renamed_ = true;
-    // Without renameat2, give the file its final name by a hard link. The destructor removes the
-    // temporary name.
+    // If renameat2 is not supported, give the file its final name by a hard link. The destructor
+    // removes the temporary name.
     if (is_unable(errno) && link(partial_.c_str(), path_.c_str()) == 0) return true;
-    // Without hard links, reserve the final name with an empty file, then rename over it.
+    // If hard links are not supported, reserve the final name with an empty file, then rename the
+    // new file over it.
     if (is_unable(errno) && make_empty(path_)) {
       rename();
       return true;
@@ -141,7 +144,7 @@ void write_and_rename(const fs::path& path, const Write& write) {
   partial.rename();
 }
 
-// A file or a pipe that is open for reading.
+// A file or pipe, opened for reading.
 class Input {
  public:
   // Remembers the file as an input if `is_kept`. Throws BadInput for folders and devices.
@@ -170,7 +173,7 @@ class Input {
     const auto check_size = [&](std::size_t size) {
       require(size <= most, path_.string(), "longer than the limit of {} bytes", most);
     };
-    check_size(size_);  // of a sparse file too, without reading it
+    check_size(size_);  // refuses a sparse file before reading it
     most = std::min(most, std::max(size_, MOST_FROM_FILE));  // files of /proc state no size
     std::string text, part(1 << 16, '\0');
     while (text.size() <= most) {
@@ -190,7 +193,7 @@ class Input {
   [[noreturn]] void fail_to_read() const {
     refuse(path_.string(), "cannot be read: {}", std::generic_category().message(errno));
   }
-  // Waits until a pipe has more bytes. False at its end.
+  // Waits until the pipe has more bytes. Returns false at the end of the file or pipe.
   bool waits_for_more(ssize_t size, bool is_empty) const {
     constexpr int FOR_A_WRITER_MS = 1000;
     pollfd readable{file_, POLLIN, 0};

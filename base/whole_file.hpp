@@ -1,6 +1,6 @@
 #pragma once
-// Atomic writing of files: a file is complete or absent. A file that the program has read is not
-// overwritten.
+// Atomic writing of files: after an error or a crash, a file is either complete or absent. Also
+// prevents the program from overwriting a file that it has read.
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -12,41 +12,43 @@ struct stat;
 
 namespace base {
 
-/// Writes `bytes` beside `path` (".NAME.partial-HOST-PID-N"), then renames the file. After a
-/// failure (full disk, missing folder) or an early end (early_end.hpp), no new file is left, and an
-/// older file is unchanged. Follows symbolic links. Writes in place if `path` is not a regular file
-/// (/dev/stdout, a pipe). Throws std::system_error "path: cannot be written: ...", and BadInput for
-/// a file that the program has read.
+/// Writes `bytes` to a hidden file beside `path` (".NAME.partial-HOST-PID-N"), then renames it to
+/// `path`. After a failure, such as a full disk or a missing folder, or after an early end of the
+/// program (early_end.hpp), no new file remains, and an older file is unchanged. Follows symbolic
+/// links. Writes directly to `path` if it is not a regular file (/dev/stdout, a pipe). Throws
+/// std::system_error "path: cannot be written: ...", and BadInput if the program has read this
+/// file.
 void save_whole(const std::filesystem::path& path, std::string_view bytes);
 
-/// Saves the output of `write` as the other overload saves bytes. Exceptions of `write` pass
-/// through.
+/// Like save_whole above, but calls `write` to write the bytes to a stream. Passes on the
+/// exceptions of `write`.
 void save_whole(const std::filesystem::path& path, const std::function<void(std::ostream&)>& write);
 
 /// Writes a new file as save_whole does. Returns false and writes nothing if the file exists, even
-/// if another process has just made it.
+/// if another process created it only just before.
 bool save_new(const std::filesystem::path& path, std::string_view bytes);
 
-/// Checks in advance that save_whole can work. Throws the same error if `path` is a folder or if no
-/// file can be made beside it.
+/// Checks in advance that save_whole can write to `path`. Throws the error of save_whole if `path`
+/// is a folder or if no file can be created beside it.
 void check_can_save(const std::filesystem::path& path);
 
-/// The bytes of a file of at most `most` bytes and 1 GiB, or of a pipe of at most 256 MiB. Throws
-/// BadInput "path: cannot be read: ..." for a missing file, a folder, a device, a read error, and a
-/// pipe without a writer or without bytes. Throws BadInput with the limit for a longer file.
-/// Remembers the file, so that it is not overwritten.
+/// Returns the bytes of a file or pipe. A file may have at most `most` bytes, and at most 1 GiB; a
+/// pipe at most 256 MiB. Throws BadInput with the limit for a longer one. Throws BadInput "path:
+/// cannot be read: ..." for a missing file, a folder, a device, a read error, an empty pipe, and a
+/// pipe without a writer. Remembers the file, so that save_whole refuses to overwrite it.
 std::string read_text(const std::filesystem::path& path, std::size_t most = SIZE_MAX);
 
-/// Reads a file as read_text does, for a caller that may replace it, such as a saved state. The
-/// limit is the size of the host's memory.
+/// Reads a file as read_text does, but lets the caller overwrite it, for example a saved state. The
+/// limit on its size is the host's memory.
 std::string read_own_text(const std::filesystem::path& path);
 
-/// Opens a file as read_text does, with the same errors, and remembers it. Refuses pipes too. For
-/// files that a library reads.
+/// Checks that read_text could open the file, with the same errors, and remembers it. Refuses
+/// pipes. For files that a library reads by itself.
 void check_can_read(const std::filesystem::path& path);
 
-/// While an object lives, read files are remembered, and save_whole() refuses to replace them.
-/// There is at most one object. These functions are thread-safe.
+/// While an object of this class exists, the functions of this header remember the files that they
+/// read, and save_whole() refuses to overwrite these. At most one object may exist. These functions
+/// are thread-safe.
 class InputGuard {
  public:
   InputGuard();
@@ -55,11 +57,12 @@ class InputGuard {
   InputGuard& operator=(const InputGuard&) = delete;
 };
 
-/// Remembers an open file. Files are compared by device and inode, so that links count too. A later
-/// file with the same inode has another time of modification.
+/// Remembers an open file as read. Files are identified by device, inode and time of modification.
+/// All links to a file therefore count as the same file, but a later file that reuses the inode
+/// does not.
 void note_input(const struct stat& file);
 
-/// Throws BadInput if `path` is a remembered file, under this name or another one.
+/// Throws BadInput if `path` is a name of a remembered file.
 void check_no_input(const std::filesystem::path& path);
 
 }  // namespace base

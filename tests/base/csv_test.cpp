@@ -32,7 +32,8 @@ TEST(Csv, QuotedCellsComeBack) {
 TEST(Csv, QuotesOnlyWhatNeedsThem) {
   EXPECT_EQ(quote_csv("a b's-1.5"), "a b's-1.5");
   EXPECT_EQ(quote_csv("a,\"b\""), "\"a,\"\"b\"\"\"");
-  // Quotes \r as well: our reader does not take it for a line end, but many others do.
+  // quote_csv also quotes \r. CsvReader does not treat a lone \r as a line end, but many programs
+  // do.
   EXPECT_EQ(quote_csv("a\rb"), "\"a\rb\"");
   EXPECT_EQ(quote_csv("a\nb"), "\"a\nb\"");
   EXPECT_EQ(join_csv({"a", "", "b"}), "a,,b\n");

@@ -30,7 +30,7 @@ bool becomes_gone(pid_t process) {
 TEST(EarlyEnd, UndoesTheLatestFirstAndNothingThatHasGone) {
   const auto done = test::isolated([] {
     std::string text;
-    // leaked, since its destructor would wait for the program's end
+    // never deleted, because the destructor would block after undo_all()
     new Undo([&] { text += "first"; });
     {
       const Undo gone([&] { text += "gone "; });
@@ -43,8 +43,8 @@ TEST(EarlyEnd, UndoesTheLatestFirstAndNothingThatHasGone) {
   EXPECT_EQ(done, "second first");
 }
 
-// A thread ends the process inside nested critical sections. After that, no thread can enter a
-// section.
+// One thread ends the process while another is inside nested critical sections. After that, no
+// thread can enter a section.
 TEST(EarlyEnd, WaitsForSectionsAndLetsNoThreadIntoAnother) {
   const auto done = test::isolated([] {
     std::atomic<bool> is_inside = false, is_left = false, is_inside_again = false;
@@ -89,7 +89,7 @@ TEST(EarlyEnd, AFileThatIsBeingWrittenLeavesNothing) {
   EXPECT_EQ(read_text(folder.path / "a"), "old");
 }
 
-// Starts a thread that waits for a sleeping program. Returns the process id of the program.
+// Starts a thread that runs a host program that only sleeps. Returns the process id of the program.
 pid_t start_sleeper(const fs::path& folder) {
   const auto number = folder / "number";
   std::thread([=] {
@@ -139,8 +139,9 @@ TEST(PartialName, TellsWhoMadeIt) {
   EXPECT_FALSE(is_dead(getpid()));
 }
 
-// The names of two hosts must not be confused. A file "node-12-345" may belong to process 345 of
-// host "node-12", or to process 12 of host "node" as its file number 345.
+// The names of two hosts must not be confused. Without doubled hyphens, a name ending in
+// "node-12-345" could belong to process 345 of host "node-12", or be file 345 of process 12 of host
+// "node".
 TEST(PartialName, IsNotTakenForAnotherHosts) {
   const std::string hosts[] = {"node", "node-12", "node--12",    "node-",
                                "12",   "a-12",    "node-12-345", ""};

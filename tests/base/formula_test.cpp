@@ -1,4 +1,4 @@
-// Values of formulas, and error messages for invalid ones.
+// Tests the values of formulas, and the error messages for invalid formulas.
 #include "base/formula.hpp"
 
 #include <gtest/gtest.h>

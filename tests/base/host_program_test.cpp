@@ -26,7 +26,8 @@ TEST(HostProgram, ReadsItsInputAndArgumentsAsTheyAre) {
             "in\ntwo words|$HOME'\n");
 }
 
-// Transfers more data than a pipe holds: in both directions, and to a program that never reads it.
+// Transfers more data than the buffer of a pipe holds: in both directions, and to a program that
+// reads no input.
 TEST(HostProgram, TakesMuchInputAndOutput) {
   const std::string much(3 << 20, 'x');
   EXPECT_EQ(run_program(shell("cat", much)), much);

@@ -1,4 +1,4 @@
-// Quoted input in messages, and suggestions for unknown names.
+// Tests error messages: escapes in quoted input, and suggestions for unknown names.
 #include "base/message.hpp"
 
 #include <gtest/gtest.h>

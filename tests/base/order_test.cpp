@@ -1,4 +1,4 @@
-// Topological sort of a dependency graph.
+// Tests the topological sort of a dependency graph.
 #include "base/order.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Limit on the depth of keys in TOML files.
+// Tests reading and writing of TOML files, and the limit on the number of parts in a key.
 #include "base/toml.hpp"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,8 @@ TEST(Toml, PointsElsewhereAreNoPartsOfAKey) {
   }
 }
 
-// The place of a long --set is as long as its text. It must not be formatted for every character.
+// For a long value of --set, the place in error messages is as long as the value. Formatting the
+// place at each character would take quadratic time.
 TEST(Toml, ALongTextWithALongPlaceIsRead) {
   const auto text = "a = [" + repeat(200'000, "1,") + "]";
   EXPECT_EQ(parse_toml(text, text)["a"].as_array()->size(), 200'000u);
@@ -58,7 +59,8 @@ TEST(Toml, TheDepthOfValuesIsLimited) {
               "e.toml:2: found arrays or tables in more than 256 others, expected at most 256");
 }
 
-// toml++ itself limits the nesting of values to 256.
+// A key of MAX_KEY_PARTS parts with deeply nested values. toml++ limits the nesting of values to
+// 256.
 TEST(Toml, TheDeepestFileIsReadAndDestroyed) {
   const auto key = repeat(MAX_KEY_PARTS - 1, "a.") + "a";
   EXPECT_EQ(refusal_of("[" + key + "]\n" + key + " = " + repeat(250, "{" + key + " = ") + "1" +

@@ -113,8 +113,8 @@ TEST(WholeFile, ANewFileReplacesNone) {
   EXPECT_EQ(folder.names(), Names{"a"});
 }
 
-// Filters the system calls of this process from now on. Returns false if the kernel refuses the
-// filter.
+// Installs a seccomp filter that makes system calls of this process fail from now on. Returns false
+// if the kernel refuses the filter.
 bool install(const std::vector<sock_filter>& filter) {
   auto copy = filter;
   const sock_fprog program{static_cast<unsigned short>(copy.size()), copy.data()};
@@ -122,8 +122,9 @@ bool install(const std::vector<sock_filter>& filter) {
          prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
 }
 
-// Simulates, for the rest of this process, a file system that does not support flags of renames,
-// such as NFS, nor hard links if `links_too`. Returns false if the kernel refuses the filter.
+// Simulates, for the rest of this process, a file system such as NFS that does not support renames
+// with flags. With `links_too`, it does not support hard links either. Returns false if the kernel
+// refuses the filter.
 bool forget_renames_with_flags(bool links_too) {
   std::vector<sock_filter> filter;
   const auto load = [&](std::size_t at) {
@@ -150,7 +151,8 @@ bool forget_renames_with_flags(bool links_too) {
   return install(filter);
 }
 
-// Some file systems report a full disk only in fsync(). Others do not support fsync() at all.
+// Some file systems report a full disk only in fsync(); others do not support fsync() at all. The
+// first error must be reported, the second one ignored.
 TEST(WholeFile, WhatIsNotStoredAtLastIsAnError) {
   const auto told = [](unsigned error) {
     return test::isolated([&]() -> std::string {
@@ -223,7 +225,8 @@ TEST(WholeFile, LinksAreFollowed) {
   EXPECT_EQ(read_text(folder.path / "a"), "new");
 }
 
-// A file that was read is not replaced under any of its names. A new file in its place may be.
+// A file that was read must not be overwritten under any of its names. A new file in its place may
+// be.
 TEST(WholeFile, InputsAreNotReplaced) {
   const TemporaryFolder folder;
   const auto a = folder.path / "a", hard = folder.path / "hard", soft = folder.path / "soft";
@@ -240,7 +243,7 @@ TEST(WholeFile, InputsAreNotReplaced) {
     EXPECT_EQ(read_own_text(path), "old");
   }
   fs::remove(a);
-  for (int i = 0; i < 100; ++i) {  // the file system may reuse inodes
+  for (int i = 0; i < 100; ++i) {  // repeat, because the file system may reuse inodes
     EXPECT_NO_THROW(save_whole(folder.path / "b", std::to_string(i)));
     EXPECT_EQ(read_own_text(folder.path / "b"), std::to_string(i));
   }
@@ -260,7 +263,7 @@ TEST(WholeFile, DevicesAndSilentPipesAreNotRead) {
                                "with a writer");
 }
 
-// A sparse file is refused by its size, before it fills the memory.
+// Refuses a sparse file because of its stated size, before reading it into memory.
 TEST(WholeFile, LongFilesAreNotRead) {
   const TemporaryFolder folder;
   const auto path = folder.path / "sparse";
