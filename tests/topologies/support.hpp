@@ -1,4 +1,4 @@
-// Topologies for tests: a list of machines, random machines, and a simple search.
+// Topologies for tests: a list of specifications, random topologies, and a simple search.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -30,7 +30,7 @@ inline const std::vector<std::string> SPECS{
     "amp:2",       "amp:3",       "amp:4",     "amp:5",       "amp:6",       "amp:7",
     "amp:8",       "amp:9",       "amp:23",    "amp:64",      "amp:100"};
 
-// Names each test after its specification: "mesh:5x4" runs as mesh_5x4.
+// Names each test after its topology: the test of "mesh:5x4" is named mesh_5x4.
 struct SpecName {
   std::string operator()(const testing::TestParamInfo<std::string>& info) const {
     auto name = info.param;
@@ -40,7 +40,7 @@ struct SpecName {
   }
 };
 
-// Links from `start` to each processor, computed without Boost and without `neighbours`.
+// The number of links from `start` to each processor, computed without Boost and `neighbours`.
 inline std::vector<int> plain_distances(const Topology& t, int start) {
   std::vector<int> distance(t.processors, -1);
   distance[start] = 0;
@@ -55,8 +55,8 @@ inline std::vector<int> plain_distances(const Topology& t, int start) {
   return distance;
 }
 
-// A connected random tree with some extra links, at most four per processor, on random ports. For
-// odd seeds, some processors are joined by several links.
+// A connected random tree with some extra links on random ports, at most four links per processor.
+// For odd seeds, some pairs of processors are joined by several links.
 inline Topology random_topology(unsigned seed, int largest = 31) {
   std::mt19937 random(seed);
   const auto below = [&](size_t n) { return static_cast<int>(random() % n); };
@@ -67,7 +67,8 @@ inline Topology random_topology(unsigned seed, int largest = 31) {
   const auto link = [&](int a, int b) {
     const bool linked = std::ranges::any_of(
         t.links, [&](auto& l) { return l.a.processor == a && l.b.processor == b; });
-    const auto few = linked ? (seed % 2 == 0 ? 4u : 1u) : 0u;  // a double link leaves a free port
+    // A parallel link must leave a free port.
+    const auto few = linked ? (seed % 2 == 0 ? 4u : 1u) : 0u;
     if (a >= b || ports[a].size() <= few || ports[b].size() <= few) return false;
     t.links.push_back({{a, ports[a].back()}, {b, ports[b].back()}});
     ports[a].pop_back(), ports[b].pop_back();
@@ -80,7 +81,7 @@ inline Topology random_topology(unsigned seed, int largest = 31) {
   return t;
 }
 
-// Permutes the four ports of each processor.
+// Permutes the four ports of each processor at random.
 inline void shuffle_ports(Topology& t, std::mt19937& random) {
   std::vector<std::vector<int>> ports(t.processors, {0, 1, 2, 3});
   for (auto& p : ports) std::ranges::shuffle(p, random);
@@ -88,8 +89,7 @@ inline void shuffle_ports(Topology& t, std::mt19937& random) {
     for (End* end : {&link.a, &link.b}) end->port = ports[end->processor][end->port];
 }
 
-// Links another network to the last processor with a free port, if the other network has a free
-// port too.
+// Adds the processors of `other` to `t`, and a link between the two if both have a free port.
 inline void append(Topology& t, const Topology& other) {
   const int first = t.processors;
   int at = first - 1, there = 0;
@@ -114,7 +114,7 @@ std::string rejection(Act act) {
   return "";
 }
 
-// A temporary file of this test only, removed at its end.
+// A temporary file, deleted by the destructor.
 struct TemporaryFile {
   TemporaryFile(const std::string& name, const std::string& text)
       : path(testing::TempDir() + "tlab-" + std::to_string(getpid()) + "-" + name) {

@@ -13,9 +13,9 @@ namespace {
 
 using Curve = std::array<Place, 4>;
 
-// The position of a port number at the link's first end: beside the link, just outside the
-// processor. Without given positions, Graphviz would search for free places, which takes minutes
-// for large networks.
+// The position of the port number at the first end of a link: beside the link, just outside the
+// processor. Given positions save minutes for large networks, because Graphviz would otherwise
+// search for free places.
 Place place_port(const Curve& curve) {
   constexpr double ALONG = 0.6, ASIDE = 0.16;
   const auto at_quarter = [&](double Place::*axis) {  // the point at parameter t = 1/4 of the curve

@@ -1,5 +1,5 @@
 #pragma once
-// Calls of the Graphviz programs.
+// Quotes texts for Graphviz and runs its programs.
 
 #include <string>
 #include <vector>
@@ -9,8 +9,8 @@ namespace topologies {
 /// Quotes a text as a one-line DOT string; escapes backslashes, quotes and &.
 std::string quote_dot(const std::string& text);
 
-/// Returns the output of a Graphviz program for the DOT text `dot`. `name` is the topology's name,
-/// for messages. Throws std::runtime_error if Graphviz is not installed or fails.
+/// Runs a Graphviz program on the DOT text `dot` and returns its output. `name` is the topology's
+/// name, for error messages. Throws std::runtime_error if Graphviz is not installed or fails.
 std::string run_graphviz(const std::string& program, const std::vector<std::string>& arguments,
                          const std::string& dot, const std::string& name);
 

@@ -15,8 +15,8 @@
 namespace topologies {
 namespace {
 
-// Adds `count` places in `rows` rows of alternating direction. Each row is evenly spaced from
-// `left` to `left` + `width`.
+// Appends `count` places in `rows` rows, filled alternately from left to right and from right to
+// left. Each row is evenly spaced from `left` to `left` + `width`.
 void add_rows(Places& places, int count, int rows, double left, double width) {
   for (int row = 0; row < rows; ++row) {
     const int first = count * row / rows, last = count * (row + 1) / rows;
@@ -45,8 +45,8 @@ Places make_circle(int n) {
   return places;
 }
 
-// Draws a large ring as an even number of rows in alternating directions. A column of processors on
-// the left leads from the last row back to the first.
+// Places a large ring as an even number of rows, traversed alternately in both directions. A column
+// of processors on the left leads from the last row back to the first.
 Places make_ring_places(int n) {
   constexpr int LARGEST_CIRCLE = 36;
   if (n <= LARGEST_CIRCLE) return make_circle(n);
@@ -77,8 +77,8 @@ std::vector<std::vector<int>> make_levels(const SpanningTree& tree) {
   return levels;
 }
 
-// By processor: its horizontal position, midway between the first and last leaf of its subtree.
-// Leaves are at 0, 1, 2 ...
+// The horizontal position of each processor, by number: midway between the first and last leaf of
+// its subtree. Leaves are at 0, 1, 2 and so on, from left to right.
 std::vector<double> make_middles(const SpanningTree& tree) {
   std::vector<double> from(tree.parent.size()), to(tree.parent.size());
   double leaves = 0;
@@ -93,8 +93,9 @@ std::vector<double> make_middles(const SpanningTree& tree) {
   return from;
 }
 
-// Places each level as a ring around the root and leaves a gap above the root. If a level has too
-// many processors for one ring, their distances from the root alternate.
+// Places each level of the tree on a circle around the root. `turns` gives each processor's angle
+// as a fraction of a full turn, clockwise from the top. If a level has too many processors for one
+// circle, they alternate between two radii.
 Places make_rings(const SpanningTree& tree, const std::vector<double>& turns) {
   constexpr double PITCH = 1.15, GAP = 1.7, ZIGZAG = 1.1;
   Places places(tree.parent.size());
@@ -117,8 +118,8 @@ Places make_rings(const SpanningTree& tree, const std::vector<double>& turns) {
   return places;
 }
 
-// Places processors by the spanning tree from the root. Small topologies without cycles grow
-// downwards; all others are placed around the root.
+// Places processors by the spanning tree from the root. Small trees grow downwards from the root;
+// all other topologies are drawn as circles around it, with a gap above the root.
 Places make_tree_places(const Topology& topology) {
   const auto tree = make_spanning_tree(topology, topology.root);
   auto middles = make_middles(tree);
@@ -134,7 +135,7 @@ Places make_tree_places(const Topology& topology) {
   return places;
 }
 
-// Rotates the places about their centroid until `root` is at the top.
+// Rotates all places about their centroid until `root` is directly above the centroid.
 void turn_upwards(Places& places, int root) {
   Place middle;
   for (const auto& [x, y] : places) middle.x += x, middle.y += y;
@@ -168,8 +169,8 @@ Places make_found_places(const Topology& topology) {
   return places;
 }
 
-// Offsets of links' midpoints in a grid: none for links between adjacent processors, sideways for
-// links that would cross other processors.
+// Offsets of the midpoints of a grid's links from the straight line. Links between adjacent
+// processors stay straight. Longer links, which would cross other processors, bend sideways.
 Places make_swerves(const Topology& topology, const Places& places, double spacing) {
   std::vector<Place> swerves(topology.links.size());
   for (size_t i = 0; i < swerves.size(); ++i) {
@@ -182,7 +183,7 @@ Places make_swerves(const Topology& topology, const Places& places, double spaci
   return swerves;
 }
 
-// Spreads parallel links between the same two processors to both sides of the direct line.
+// Moves several links between the same two processors apart, to both sides of the straight line.
 void part_parallel_links(const Topology& topology, Layout& layout) {
   constexpr double APART = 0.3;
   const auto& links = topology.links;
@@ -228,7 +229,7 @@ std::string format_points(const Place& place) {
 
 Layout make_layout(const Topology& topology) {
   constexpr double SPACING = 1.6;
-  constexpr int MAX_FOUND = 1024;  // Graphviz places that many in one or two seconds
+  constexpr int MAX_FOUND = 1024;  // Graphviz places this many processors in one or two seconds
   const int n = topology.processors;
   base::require(n <= MAX_DRAWN, "topology " + topology.name,
                 "found {} processors, expected at most {} in a drawing (formats dot, graphml and "

@@ -62,7 +62,7 @@ std::string write_processor(int id, const Node& node, bool is_root, bool is_extr
       is_root ? 3 : 0.75, quote_dot(fmt::format("{}: busy {}", node.name, percent(node.load))));
 }
 
-// Draws the half of a link that is next to `from`. It shows the traffic sent by `from`.
+// Draws the half of a link next to processor `from`, coloured by the traffic that `from` sends.
 std::string write_half(const Half& half, const std::vector<Node>& nodes) {
   const auto& [from, to, swerve, load] = half;
   const auto [p0, p1, p2, p3] = make_half_curve(nodes[from].place, nodes[to].place, swerve);
@@ -109,8 +109,8 @@ void check_loads(const Topology& topology, const Loads& loads) {
   }
 }
 
-// Places extra processors in rows above the topology. A processor's row is its distance from the
-// root in links.
+// Places extra processors in rows above the topology. The row is the number of links between the
+// extra processor and the root, counted along extra processors.
 std::vector<Place> place_extras(const Loads& loads, const Place& root, double top) {
   std::vector<size_t> row;
   std::vector<int> width, place;
@@ -130,7 +130,7 @@ std::vector<Place> place_extras(const Loads& loads, const Place& root, double to
 std::string write_legend(const Place& place) {
   constexpr int STEPS = 20;
   constexpr double WIDTH = 0.3, HEIGHT = 0.35;
-  constexpr double LETTER = 0.1;  // inches per letter, so that Graphviz reserves room for text
+  constexpr double LETTER = 0.1;  // in inches per letter; Graphviz reserves this room for the text
   const auto text = [&](const char* name, double x, double y, const std::string& words) {
     return fmt::format(
         "{} [class=legend, shape=plaintext, style=solid, label={}, width={:.2f}, height=0.25, "
@@ -185,8 +185,8 @@ std::vector<Half> make_halves(const Topology& topology, const Loads& loads, cons
   return halves;
 }
 
-// Orders processors by the load of their busiest outgoing link, ascending. Graphviz draws links in
-// this order, so that busy ones cover idle ones.
+// The processors in ascending order of the load of their busiest outgoing link. Graphviz draws
+// links in this order, so that busy links cover idle ones.
 std::vector<int> make_order(size_t nodes, const std::vector<Half>& halves) {
   std::vector<double> busiest(nodes, 0);
   for (const auto& half : halves) busiest[half.from] = std::max(busiest[half.from], half.load);

@@ -9,41 +9,44 @@
 
 namespace topologies {
 
-/// Loads as fractions of time, 0 to 1.
+/// Loads as fractions of the simulated time, 0 to 1.
 struct Loads {
   std::string title;
-  std::vector<double> processors;            ///< loads, by processor
-  std::vector<std::array<double, 2>> links;  ///< by link: from a to b, from b to a
-  std::vector<std::string> labels = {};      ///< by processor; default: the topology's
+  std::vector<double> processors;  ///< load of each processor, by number
+  /// Load of each link: [0] from a to b, [1] from b to a.
+  std::vector<std::array<double, 2>> links;
+  std::vector<std::string> labels = {};  ///< of processors; by default the topology's labels
 
-  /// A processor outside the topology, linked to the root or to an earlier extra processor.
+  /// A processor outside the topology, with a link to the root or to an earlier extra processor.
   struct Extra {
     std::string name;
     double load = 0;
-    std::string to = {};                  ///< name of an earlier extra; "": the root
-    std::array<double, 2> link = {0, 0};  ///< load towards `to`, and load from `to`
+    std::string to = {};  ///< name of an earlier extra processor, or "" for the root
+    std::array<double, 2> link = {0, 0};  ///< [0] load towards `to`, [1] load from `to`
   };
   std::vector<Extra> extras = {};  ///< names must be distinct
 };
 
-/// Draws an SVG by Graphviz. Load determines the fill of processors, and the colour and width of
-/// links. Each half of a link shows the traffic sent by the nearer processor. The root has a thick
-/// rim. Tooltips show the loads, and a colour scale is below.
+/// Draws the loads as SVG text, by Graphviz. Load determines the fill of processors, and the colour
+/// and width of links. Each half of a link shows the traffic sent by the nearer processor. The root
+/// has a thick rim. Tooltips show the loads as numbers, and a colour scale is below the drawing.
 ///
-/// Each processor, and each extra processor, is one element of class "processor"; each link is two
-/// elements of class "link". The bytes depend only on the version of Graphviz.
+/// Each processor, including extra ones, is one SVG element of class "processor". Each link is two
+/// elements of class "link". For one version of Graphviz, the text is always the same.
 ///
-/// Throws BadInput if sizes do not match, a load is not in [0, 1] or an extra's `to` is unknown.
-/// Throws std::runtime_error if Graphviz is not installed.
+/// Throws BadInput if the sizes of `loads` do not match the topology, if a load is not in [0, 1],
+/// or if an extra processor's `to` is unknown. Throws std::runtime_error if Graphviz is not
+/// installed.
 std::string to_load_svg(const Topology& topology, const Loads& loads);
 
 /// The colour of a load as "#rrggbb", from light grey at 0 to dark violet at 1.
 std::string load_colour(double share);
-/// The colour of a load as red, green and blue from 0 to 1. is_dark_load returns true if text on
-/// that colour must be white.
+/// The colour of a load as red, green and blue, each from 0 to 1. is_dark_load returns true if text
+/// on this colour must be white to be legible.
 std::array<double, 3> eval_load_colour(double share);
 bool is_dark_load(double share);
-/// The width in points of a link with this load. For comparison, processors are 27 points wide.
+/// The width in points of a link with this load. For comparison, processors have a diameter of 27
+/// points.
 double eval_load_width(double share);
 
 }  // namespace topologies

@@ -24,10 +24,10 @@ class DotReader {
   RawGraph read();
 
  private:
-  // Nodes, or a subgraph, on one side of an edge.
+  // One side of an edge: either nodes or a subgraph.
   struct Operand {
-    int group = -1;                 // -1: nodes
-    std::vector<DotEnd> ends = {};  // without a group
+    int group = -1;                 // number of the subgraph; -1 for nodes
+    std::vector<DotEnd> ends = {};  // the nodes, if there is no subgraph
   };
 
   bool sees_name() const;
@@ -70,7 +70,7 @@ bool DotReader::sees_name() const {
   return tokens_.peek().kind == Kind::word || tokens_.peek().kind == Kind::string;
 }
 
-// A word, or strings joined by +.
+// Takes a name: a word, or strings joined by +.
 std::string DotReader::take_name(std::string_view expected) {
   if (!sees_name()) tokens_.refuse(expected);
   auto token = tokens_.take();
@@ -82,7 +82,8 @@ std::string DotReader::take_name(std::string_view expected) {
   return token.text;
 }
 
-// The attributes in any number of square brackets. If a name occurs twice, the last value is valid.
+// Takes the attributes in any number of square brackets. If a name occurs twice, the last value
+// counts.
 DotAttributes DotReader::take_attributes() {
   DotAttributes attributes;
   while (tokens_.accept("["))
@@ -127,8 +128,9 @@ void DotReader::read_defaults(int group) {
   if (kind == "edge") graph_.set_edge_defaults(group, attributes);
 }
 
-// Reads the rest of an edge statement after its first operand. Makes the edges only at the end,
-// because a subgraph can occur twice and get new nodes at the second place.
+// Reads the rest of an edge statement after its first operand. Adds the edges only after all
+// operands have been read: a subgraph can occur in several operands, and each of them can add nodes
+// to it.
 void DotReader::read_edges(int group, Operand first, int line) {
   std::vector<Operand> chain{std::move(first)};
   while (tokens_.accept(edge_)) chain.push_back(take_operand(group));
@@ -148,8 +150,8 @@ DotReader::Operand DotReader::take_operand(int group) {
   return {.group = take_subgraph(group)};
 }
 
-// The nodes of a list with commas, each perhaps with a port and a compass point. `name` is the
-// first node, which has already been taken from the tokens.
+// Takes a list of nodes separated by commas; each node may have a port and a compass point. The
+// name of the first node has already been taken; it is `name`.
 DotReader::Operand DotReader::take_nodes(int group, std::string name, int line) {
   Operand operand;
   while (true) {
@@ -184,7 +186,7 @@ std::vector<DotEnd> DotReader::list_ends(const Operand& operand) const {
   return ends;
 }
 
-// Links each node of one operand to each node of the other.
+// Adds an edge from each node of `tails` to each node of `heads`.
 void DotReader::link(int group, const Operand& tails, const Operand& heads,
                      const DotAttributes& attributes, int line) {
   const auto pairs = count_ends(tails) * count_ends(heads);
@@ -197,8 +199,8 @@ void DotReader::link(int group, const Operand& tails, const Operand& heads,
     for (const auto& head : to) graph_.add_edge(group, tail, head, attributes, line);
 }
 
-// True if a quoted string can hold the text. DOT keeps single and double backslashes as they are.
-// Only a single one before a quote or a line end is an escape.
+// True if a quoted string can hold the text. DOT keeps a backslash as it is, except directly before
+// a quote or a line end, where a single backslash is an escape.
 bool can_quote(std::string_view text) {
   for (size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '\\') continue;
@@ -238,7 +240,7 @@ std::string to_dot(const Topology& topology) {
                   name);
     names.push_back(quote(name));
   }
-  auto title = topology.name;  // read_dot ignores the label
+  auto title = topology.name;  // only written for readers: read_dot ignores it
   if (!can_quote(title)) std::ranges::replace(title, '\\', '/');
   std::string text =
       fmt::format("graph G {{\nlabel={};\nroot={};\nnode [shape=circle];\nedge [fontsize=8];\n",

@@ -8,14 +8,15 @@
 namespace topologies {
 
 /// Reads a DOT text by the rules of load_topology; `name` replaces the path in messages. Accepts
-/// the language of Graphviz 2.42 and makes the same nodes and edges. A port in node:port equals the
-/// attribute `tailport` or `headport`. Refuses, with the line, a second graph, subgraphs nested
-/// deeper than 100, more than 2^20 edges, macros, and words such as 2x, which Graphviz splits.
+/// the language of Graphviz 2.42 and makes the same nodes and edges as Graphviz. A port in
+/// node:port counts as the attribute `tailport` or `headport`. Throws BadInput with the line for a
+/// second graph, subgraphs nested deeper than 100, more than 2^20 edges, macros, and words such as
+/// 2x, which Graphviz splits.
 Topology read_dot(const std::string& text, const std::string& name);
 
-/// Writes DOT that `read_dot` restores with the same processors, root, ports and labels. Throws
-/// BadInput for a label that DOT cannot hold: one with an odd number of backslashes at its end,
-/// before a quote or before a line end.
+/// Writes DOT that read_dot reads as the same processors, root, ports and labels. Throws BadInput
+/// for a label that DOT cannot hold: one with an odd number of backslashes at its end, before a
+/// quote or before a line end.
 std::string to_dot(const Topology& topology);
 
 }  // namespace topologies

@@ -7,7 +7,7 @@ namespace {
 
 constexpr auto EDGE_ATTRIBUTES = {"port_a", "port_b", "tailport", "headport"};
 
-// Copies the attributes that networks use.
+// Copies only the attributes whose names are in `known`.
 void copy_known(const DotAttributes& from, std::initializer_list<const char*> known,
                 DotAttributes& to) {
   for (const auto* name : known)
@@ -56,7 +56,7 @@ int DotGraph::find_edge(int tail, int head, const Key& key) const {
   return -1;
 }
 
-// Returns -1 if Graphviz would make no edge here.
+// Returns the number of the edge, or -1 if Graphviz would make no edge here.
 int DotGraph::find_or_add_edge(int group, int tail, int head, const Key& key, int line) {
   if (is_strict_ || key) {
     int found = find_edge(tail, head, key);

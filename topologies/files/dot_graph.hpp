@@ -1,5 +1,5 @@
 #pragma once
-// A graph that the statements of a DOT file make one by one, by the rules of Graphviz's library.
+// The graph described by a DOT file, built statement by statement as Graphviz's library does.
 
 #include <map>
 #include <optional>
@@ -14,30 +14,31 @@ namespace topologies {
 
 using DotAttributes = std::map<std::string, std::string>;
 
-/// A node at the end of an edge.
+/// A node at one end of an edge.
 struct DotEnd {
   int node = 0;
-  std::optional<std::string> port;  ///< as in node:port
+  std::optional<std::string> port;  ///< the port in node:port
 };
 
-/// Groups are the graph itself, number 0, and its subgraphs. A node belongs to its group and to all
-/// groups around that. A group can set defaults of attributes; otherwise it has those of the group
-/// around it.
+/// The graph and its subgraphs are groups; group 0 is the graph itself. A node belongs to its group
+/// and to all enclosing groups. Each group can set default attributes; otherwise, those of the
+/// enclosing group apply.
 class DotGraph {
  public:
   DotGraph(bool is_strict, bool is_directed) : is_strict_(is_strict), is_directed_(is_directed) {}
 
-  /// The subgraph with this name in group `around`. Makes a new one for an unknown name or without
-  /// a name.
+  /// Returns the number of the subgraph with this name inside group `around`. Makes a new subgraph
+  /// if the name is unknown or absent.
   int open_group(int around, const std::optional<std::string>& name);
   /// Nodes of a group in the order of their first mention in the file.
   const std::set<int>& nodes_of(int group) const { return groups_[index(group)].nodes; }
 
-  /// The number of the node with this name, counted from 0. Makes a node with the group's defaults
-  /// if the name is new.
+  /// Returns the number of the node with this name, counted from 0. If the name is new, makes a
+  /// node with the default attributes of the group.
   int add_node(int group, const std::string& name, int line);
-  /// Adds an edge with the group's defaults. Adds none if an edge between the nodes has the same
-  /// `key`, or if the graph is strict and has any edge between them.
+  /// Adds an edge with the default attributes of the group. If the graph is strict and already has
+  /// an edge between the two nodes, or if such an edge has the same attribute `key`, changes that
+  /// edge instead.
   void add_edge(int group, DotEnd tail, DotEnd head, const DotAttributes& attributes, int line);
 
   void set_attributes(int node, const DotAttributes& attributes);
@@ -45,7 +46,7 @@ class DotGraph {
   void set_edge_defaults(int group, const DotAttributes& attributes);
   void set_graph_attributes(int group, const DotAttributes& attributes);
 
-  /// The graph so far.
+  /// The graph as read so far.
   RawGraph make_raw() const;
 
  private:
@@ -73,7 +74,7 @@ class DotGraph {
   std::vector<RawVertex> nodes_;
   std::map<std::string, int> node_of_;  // by name
   std::vector<Edge> edges_;
-  std::multimap<std::pair<int, int>, int> between_;  // edges by tail and head
+  std::multimap<std::pair<int, int>, int> between_;  // numbers of the edges by tail and head
   std::string root_;
 };
 

@@ -34,7 +34,8 @@ std::size_t count_leading(std::string_view text, Belongs belongs) {
   return static_cast<std::size_t>(std::ranges::find_if_not(text, belongs) - text.begin());
 }
 
-// The length of a number such as 12, -1.5, 3. or -.5; 0 without one.
+// The length in bytes of the number at the start of the text, such as 12, -1.5, 3. or -.5; 0 if
+// there is none.
 std::size_t measure_number(std::string_view text) {
   const std::size_t sign = text.starts_with('-') ? 1 : 0;
   const auto whole = count_leading(text.substr(sign), is_digit);
@@ -134,7 +135,7 @@ DotToken DotTokens::read() {
   return {Kind::symbol, symbol, line_};
 }
 
-// Refuses a number directly followed by a letter: Graphviz splits 2x into the words 2 and x.
+// Refuses a number that a letter follows directly. Graphviz would split 2x into the words 2 and x.
 DotToken DotTokens::read_number() {
   const auto length = measure_number(rest());
   const auto longer = count_leading(

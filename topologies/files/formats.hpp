@@ -1,5 +1,5 @@
 #pragma once
-// File formats of topologies. DOT and GraphML are read and written; CSV and tables of metrics are
+// File formats of topologies. DOT and GraphML are read and written. CSV and tables of metrics are
 // only written.
 
 #include <string>
@@ -10,24 +10,25 @@
 
 namespace topologies {
 
-/// Reads a .dot, .gv or .graphml file. Each edge, directed or not, is one link.
-/// - Processors are numbered in the order of first mention, or by name if the names are exactly 0
-///   .. n-1. The name of a GraphML node is its attribute `name`, or its id if that is missing.
+/// Reads a .dot, .gv or .graphml file. Each edge, directed or not, becomes one link.
+/// - Processors are numbered in the order of first mention in the file. If the names are exactly 0
+/// to
+/// n-1, the names are the numbers. The name of a GraphML node is its attribute `name`, or its id.
 /// - Edge attributes `port_a` and `port_b` (or numeric `tailport` and `headport`) are the ports, 0
-///   to 3, at the first and second vertex. Ends without a port get the lowest free one, in the
-///   file's order.
+/// to 3, at the first and second vertex. Ends without a port get the lowest free port, in the
+/// file's order.
 /// - The root is the vertex whose attribute `root` is true, or the vertex named by the graph's
-///   attribute `root`. By default it is processor 0.
+/// attribute `root`. By default it is processor 0.
 /// The returned topology passes `check`. Throws BadInput with the path if the file cannot be read,
-/// is malformed or is not a topology. The message has the line if the parser reports it.
+/// is malformed or is not a topology. The message includes the line if the parser reports it.
 Topology load_topology(const std::string& path);
 
 /// Writes CSV with one row per link: processor_a,port_a,processor_b,port_b.
 std::string to_csv(const Topology& topology);
 
-/// Formats the metrics as an aligned table, one per row.
+/// Formats the topology's metrics as an aligned table with one metric per row.
 std::string to_metrics(const Topology& topology);
-/// Also lists the mean distance and the busiest link of `routes`, and whether messages on these
+/// Adds rows for the mean distance and the busiest link on `routes`, and whether messages on these
 /// routes can deadlock in a cycle of links.
 std::string to_metrics(const Topology& topology, const RoutingTable& routes);
 

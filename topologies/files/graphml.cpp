@@ -17,10 +17,11 @@
 namespace topologies {
 namespace {
 
-constexpr int DEPTH = 4;  // graphml, graph, node, data
+constexpr int DEPTH = 4;  // levels of elements: graphml, graph, node, data
 
-// Child elements that tlab reads, by the parent's name. It ignores other children, but refuses
-// those in PARTS in any other place: second or nested graphs, hyperedges and links to other files.
+// Child elements that tlab reads, by the parent's name. It ignores other children. Elements in
+// PARTS, such as graphs, hyperedges and links to other files, are an error in any place not listed
+// here.
 const std::map<std::string, std::set<std::string>> KNOWN{
     {"graphml", {"key", "graph"}}, {"graph", {"node", "edge"}}, {"node", {"port"}}, {"edge", {}}};
 const std::set<std::string> PARTS{"graph", "node", "edge", "hyperedge", "locator"};
@@ -40,7 +41,7 @@ class GraphmlReader {
   [[nodiscard]] std::string place_of(const XmlElement& element) const {
     return fmt::format("{}: line {}", file_, element.line);
   }
-  // The child elements with this name in GraphML's namespace.
+  // The child elements named `name` in GraphML's XML namespace.
   auto children(const XmlElement& element, std::string_view name) const {
     return element.children | std::views::filter([this, name](const XmlElement& child) {
              return child.name == name && child.space == graphml_.space;
@@ -59,7 +60,8 @@ class GraphmlReader {
   std::map<std::string, Key> keys_;      // by id
   std::map<std::string, int> vertices_;  // by id
   std::set<std::string> names_;
-  std::set<std::tuple<int, int, std::string>> edges_;  // those with an id
+  // Source, target and id of the edges that have an id.
+  std::set<std::tuple<int, int, std::string>> edges_;
   RawGraph raw_;
 };
 
@@ -69,7 +71,8 @@ GraphmlReader::GraphmlReader(const XmlElement& graphml, std::string file)
                 graphml.name);
 }
 
-// Refuses a second or nested graph, hyperedges, and graphs in other files.
+// Refuses child elements of PARTS in places that KNOWN does not list: a second or nested graph,
+// hyperedges, and graphs in other files.
 void GraphmlReader::refuse_other_parts(const XmlElement& element) const {
   const auto& known = KNOWN.at(element.name);
   for (const auto& child : element.children)
@@ -98,7 +101,8 @@ void GraphmlReader::read_key(const XmlElement& key) {
                 id);
 }
 
-// The value of the element's attribute `name`, or that attribute's default; "" if it has neither.
+// The value of the element's attribute `name`, or the attribute's default value; "" if there is
+// neither.
 std::string GraphmlReader::find(const XmlElement& element, const char* name) const {
   std::string value;
   for (const auto& [id, key] : keys_)

@@ -7,12 +7,13 @@
 
 namespace topologies {
 
-/// Reads a text by the rules of load_topology; `name` stands for the path. Edge attributes
-/// `sourceport` and `targetport` name ports as `tailport` and `headport` do. Refuses, with the
-/// line, a second or nested graph, hyperedges, locators, and data without a key.
+/// Reads a GraphML text by the rules of load_topology; `name` replaces the path in messages. Edge
+/// attributes `sourceport` and `targetport` name ports as `tailport` and `headport` do in DOT.
+/// Throws BadInput with the line for a second or nested graph, hyperedges, locators (links to other
+/// files), and data without a key.
 Topology read_graphml(const std::string& text, const std::string& name);
 
-/// Writes GraphML that `read_graphml` restores with the same processors, root, ports and labels.
+/// Writes GraphML that read_graphml reads as the same processors, root, ports and labels.
 std::string to_graphml(const Topology& topology);
 
 }  // namespace topologies

@@ -13,8 +13,9 @@
 namespace topologies {
 namespace {
 
-// The processor number of each vertex. It is the vertex's name if the names are exactly 0 .. n-1.
-// Otherwise it is the vertex's position in the file, and the names become labels.
+// Returns the processor number of each vertex. If the vertices' names are exactly 0 to n-1, the
+// names are the numbers. Otherwise, vertices are numbered in the file's order, and their names
+// become labels.
 std::vector<int> number_vertices(const RawGraph& graph, Topology& topology) {
   std::vector<int> in_file(graph.vertices.size()), processor;
   std::iota(in_file.begin(), in_file.end(), 0);
@@ -30,19 +31,19 @@ std::vector<int> number_vertices(const RawGraph& graph, Topology& topology) {
   return processor;
 }
 
-// True if JSON and every file format can hold the name.
+// True if JSON and all file formats can hold the text as a name.
 bool is_name(const std::string& text) {
   const auto is_control = [](unsigned char c) { return c < ' ' && c != '\t' && c != '\n'; };
   return !text.empty() && base::trim(text) == text && base::is_utf8(text) &&
          std::ranges::none_of(text, is_control);
 }
 
-// The beginning of a message about a line of the file, or about the file if the line is 0.
+// The start of a message: the file and its line, or the file alone if the line is 0.
 std::string place_in(const std::string& file, int line) {
   return line > 0 ? fmt::format("{}: line {}", file, line) : file;
 }
 
-// Reads a flag as networkx does, in any letter case, because Python writes True and False.
+// Reads a true or false value in any letter case, as networkx does: Python writes True and False.
 bool read_flag(const RawVertex& vertex, const std::string& file) {
   std::string text = vertex.root;
   for (char& c : text)
@@ -54,7 +55,8 @@ bool read_flag(const RawVertex& vertex, const std::string& file) {
                base::quote(vertex.root));
 }
 
-int find_root(const RawGraph& graph, const std::string& file) {  // returns -1 without a root
+// Returns -1 if the file names no root.
+int find_root(const RawGraph& graph, const std::string& file) {
   int root = -1;
   const auto designate = [&](int v) {
     base::require(root < 0 || root == v, file, "found two roots, \"{}\" and \"{}\", expected one",
@@ -71,7 +73,7 @@ int find_root(const RawGraph& graph, const std::string& file) {  // returns -1 w
   return root;
 }
 
-// The number in a name such as "2" or, with a compass point, "2:ne"; "" for any other name.
+// The number in a port's name such as "2" or, with a compass point, "2:ne"; "" for any other name.
 std::string find_number(const std::string& name) {
   const auto number = name.substr(0, name.find(':'));
   const auto digits = number.starts_with('-') ? number.substr(1) : number;
@@ -85,8 +87,8 @@ bool is_compass_point(const std::string& name) {
   return std::ranges::find(POINTS, name) != POINTS.end();
 }
 
-// The port at one end of an edge: the attribute if it is set, else the number in the port's name,
-// else -1. Notes a name that is neither number nor compass point.
+// The port at one end of an edge: the attribute if it is set, otherwise the number in the port's
+// name `name`, otherwise -1. Sets has_port_names if `name` is neither a number nor a compass point.
 int read_port(const RawGraph& graph, const RawEdge& edge, const std::string& attribute,
               const std::string& name, const std::string& file, Topology& topology) {
   const auto text = attribute.empty() ? find_number(name) : attribute;
@@ -100,8 +102,8 @@ int read_port(const RawGraph& graph, const RawEdge& edge, const std::string& att
                base::quote(text), PORTS - 1);
 }
 
-// Gives each end without a port the lowest free one. If no port is free, leaves -1, which `check`
-// refuses.
+// Gives each end of a link without a port the lowest free port of its processor. If all four ports
+// are used, the port stays -1, which `check` refuses.
 void assign_ports(Topology& topology) {
   std::vector<std::array<bool, PORTS>> used(topology.processors);
   const auto each_end = [&](auto visit) {

@@ -10,16 +10,16 @@
 namespace topologies {
 namespace {
 
-constexpr char SEPARATOR = '\n';  // separates a namespace from a name; neither contains it
+constexpr char SEPARATOR = '\n';  // Expat puts it between namespace and name; neither contains it
 
 // What the parser has seen so far.
 struct Reading {
   XML_Parser parser;
-  int depth;                          // level of the deepest elements to keep
+  int depth;                          // levels of elements to keep; deeper elements are omitted
   int level = 0;                      // number of open elements
   std::vector<XmlElement> open = {};  // the open elements to keep, the root first
   XmlElement root = {};
-  std::string skipped = {};  // an entity that Expat cannot resolve
+  std::string skipped = {};  // name of an entity that Expat cannot resolve
 };
 
 // Expat 2.9 deprecates XML_GetCurrentLineNumber in favour of XML_GetCurrentLineNumber64.

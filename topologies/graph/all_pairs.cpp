@@ -25,8 +25,9 @@ ShortPeers make_short_peers(const Topology& topology) {
   return peers;
 }
 
-// Breadth-first search that also finds each processor's port towards the start. As in the routing
-// table, this is the lowest port to a neighbour that is one link nearer.
+// Breadth-first search from one processor, the start. Also finds the port by which each processor
+// sends towards the start: the lowest port to a neighbour that is one link nearer, as in the
+// routing table.
 class Gathering {
  public:
   explicit Gathering(const ShortPeers& peers)
@@ -36,7 +37,7 @@ class Gathering {
         port_(peers.size()),
         forwarded_(peers.size()) {}
 
-  // In a connected topology that is not a tree, all distances are less than UNSEEN.
+  // Must not be used for trees. In any other connected topology, all distances are below UNSEEN.
   void search(int to) {
     std::ranges::fill(distance_, UNSEEN);
     Short* const distance = distance_.data();
@@ -48,7 +49,8 @@ class Gathering {
       const int p = order[i], here = distance[p];
       const auto& peers = peers_[p];
       int back = 0;
-      for (int port = PORTS - 1; port >= 0; --port) {  // branches would be unpredictable
+      // No branches, since a processor could not predict them.
+      for (int port = PORTS - 1; port >= 0; --port) {
         const Short peer = peers[port], there = distance[peer];
         back = there < here ? port : back;
         order[found] = peer;
@@ -61,9 +63,9 @@ class Gathering {
     longest_ = std::max<int>(longest_, distance[order[found - 1]]);
   }
 
-  // Sends one message from every processor to the start of the last search, and counts messages per
-  // orbit of processors. Visits the farthest processors first, so that each count is complete
-  // before it is forwarded.
+  // Sends one message from every processor to the start of the last search. Adds up the messages
+  // sent through each port, per orbit of equivalent processors. Visits the farthest processors
+  // first, so that each count is complete before its messages are forwarded.
   void add_messages(const Orbits& orbits) {
     sent_.resize(static_cast<std::size_t>(orbits.count()) * PORTS);
     std::ranges::fill(forwarded_, 1);
@@ -94,11 +96,11 @@ class Gathering {
   Sent sent_;
 };
 
-// Searches from one processor of each orbit, on all cores of the host. The sums are integers and
-// therefore independent of the order of threads.
+// Runs one search from one processor of each orbit, on all cores of the host. The sums are integers
+// and therefore independent of the order in which threads finish.
 template <typename Visit>
 std::vector<Gathering> search_orbits(const ShortPeers& peers, const Orbits& orbits, Visit visit) {
-  constexpr std::int64_t LEAST = 1 << 22;  // minimum number of pairs that justifies a thread
+  constexpr std::int64_t LEAST = 1 << 22;  // minimum number of pairs per thread
   const std::int64_t pairs = static_cast<std::int64_t>(peers.size()) * orbits.count();
   const std::int64_t cores = std::max(1u, std::thread::hardware_concurrency());
   const int parts = static_cast<int>(std::clamp<std::int64_t>(pairs / LEAST, 1, cores));
@@ -141,7 +143,8 @@ AllPairs search_all_pairs(const Topology& topology) {
   return {add_distances(topology, orbits, gatherings), make_load(topology, sent)};
 }
 
-// For trees: each link carries one message for every ordered pair that it separates.
+// For trees. A link separates two sets of processors and carries one message for every ordered pair
+// with one processor in each set.
 AllPairs eval_tree(const Topology& topology) {
   const std::int64_t n = topology.processors;
   const auto search = make_search(topology, topology.root);
@@ -169,17 +172,17 @@ bool has_ports_of_mesh(const Topology& topology, const Grid& grid) {
   });
 }
 
-// For meshes. The lowest port first means: north along the source's column, along the row, then
-// south along the destination's column.
+// For meshes. A message takes the lowest suitable port: first north along the source's column, then
+// along the row, then south along the destination's column.
 AllPairs eval_mesh(const Topology& topology, const Grid& grid) {
   const std::int64_t rows = grid.down.size, columns = grid.along.size;
   AllPairs all{{grid.sum_of_distances(), grid.diameter()}, {}};
   for (const auto& [a, b] : topology.links) {
     const std::int64_t row = a.processor / columns, column = a.processor % columns;
     const std::int64_t above = row + 1, below = rows - above, left = column + 1;
-    if (a.port == 3)  // north-south link: from all above to the column below, and back
+    if (a.port == 3)  // north-south link: from all rows above to one column below, and back
       all.load.push_back({above * below * columns, below * above * columns});
-    else  // east-west link: along the row of source or destination
+    else  // east-west link: along the row of the source or of the destination
       all.load.push_back({(below + below + 1) * left * (columns - left),
                           (below + below + 1) * left * (columns - left)});
   }
@@ -190,8 +193,9 @@ AllPairs eval_mesh(const Topology& topology, const Grid& grid) {
 
 Load make_load(const Topology& topology, const Sent& sent) {
   const auto parallel = parallel_ports(topology);
-  // Computes one link's share of the messages to a neighbour. `sum` is the number of these
-  // messages. `turn` is the link's rank among the parallel links, by ascending port.
+  // One link's share of the messages that a processor sends to a neighbour over several parallel
+  // links. `sum` is the number of these messages. `turn` is the rank of this link, by ascending
+  // port.
   const auto at = [&](const End& end) {
     const auto& next = parallel[end.processor];
     std::int64_t sum = 0, count = 0, turn = 0;

@@ -13,9 +13,9 @@ namespace {
 
 using Set = std::uint32_t;
 
-// Branch and bound: assigns processors to two sides one by one, in breadth-first order from the
-// root. Backtracks if the links already cut, plus a lower bound on further cuts, are not fewer than
-// the best result so far.
+// Branch and bound search for the minimum number of cut links. Assigns processors to two sides one
+// by one, in breadth-first order from the root. Backtracks if the links already cut, plus a lower
+// bound on further cuts, are not fewer than in the best solution so far.
 class Halves {
  public:
   explicit Halves(const Topology& topology)
@@ -43,8 +43,8 @@ class Halves {
         std::ranges::count_if(links_[of], [&](int other) { return (into >> other & 1U) != 0; }));
   }
 
-  // A lower bound on further cuts: every unassigned processor goes to the side where it cuts fewer
-  // links.
+  // A lower bound on the links that later assignments cut. Each unassigned processor counts its
+  // links to the side where it has fewer of them.
   int bound(int next, const std::array<Set, 2>& sides) const {
     int least = 0;
     for (int rest = next; rest < count_; ++rest)
@@ -63,7 +63,7 @@ class Halves {
     const int better = cut_on_second < cut_on_first ? 1 : 0;
     for (const int side : {better, 1 - better}) {
       if (std::popcount(sides[side]) == larger_) continue;
-      if (next == 0 && side == 1) continue;  // the first processor is on side 0, by symmetry
+      if (next == 0 && side == 1) continue;  // by symmetry, the first processor is always on side 0
       auto grown = sides;
       grown[side] |= Set{1} << next;
       put(next + 1, grown, cut + (side == 0 ? cut_on_first : cut_on_second));
@@ -71,7 +71,8 @@ class Halves {
   }
 
   int count_, larger_, fewest_ = 0;
-  std::array<std::vector<int>, MOST_BISECTED> links_;  // by position in the breadth-first order
+  // Neighbours, by position in the breadth-first order.
+  std::array<std::vector<int>, MOST_BISECTED> links_;
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace topologies {
 namespace {
 
-// Number of links along one line of an axis. A closed axis of size two has a single link.
+// Number of links along one axis. A closed axis of two places has one link, not two.
 std::int64_t count_links(const Axis& axis) {
   return axis.closed && axis.size > 2 ? axis.size : axis.size - 1;
 }
@@ -21,8 +21,8 @@ bool is_grid(const Topology& topology, const Grid& grid) {
          });
 }
 
-// Returns candidate numbers of rows and columns from the topology's shape, or a single row if the
-// shape does not fit.
+// Candidate numbers of rows and columns from the topology's shape. Without a suitable shape, a
+// single row.
 std::pair<int, int> find_sizes(const Topology& topology) {
   const auto& [form, rows, columns] = topology.shape;
   const bool fits =
@@ -30,7 +30,8 @@ std::pair<int, int> find_sizes(const Topology& topology) {
   return fits ? std::pair{rows, columns} : std::pair{1, topology.processors};
 }
 
-// True if the permutation `shift` maps each link to a link with the same ports.
+// True if renumbering processors by the permutation `shift` maps each link to a link with the same
+// ports.
 template <typename Shift>
 bool keeps(const Peers& peers, Shift shift) {
   for (int p = 0; p < static_cast<int>(peers.size()); ++p)

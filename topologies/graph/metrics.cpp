@@ -16,19 +16,19 @@ BusiestLink eval_farm(const Topology& topology, const std::vector<std::vector<Ne
     const int parent = search.parent[*p];
     const auto way = std::ranges::find(around[*p], parent, &Neighbour::processor);
     below[parent] += below[*p];
-    load[way->link] = {below[*p], below[*p]};  // messages to the root, and replies
+    load[way->link] = {below[*p], below[*p]};  // messages to the root, and replies from it
   }
   return find_busiest(topology, load);
 }
 
 constexpr int NEVER = MAX_PROCESSORS;  // exceeds the number of links in any tree
 
-// At [k]: the minimum number of links cut within a subtree if k of its processors are on one side.
-// The subtree's root is one of these k.
+// A table for a subtree. At [k]: the minimum number of links cut inside the subtree if k of its
+// processors, including its root, are on one side.
 using Cuts = std::vector<int>;
 
-// Merges the table of subtree `child` into that of `parent`. The child's root is on the parent's
-// side, or on the opposite side at the cost of one more cut.
+// Merges the table of the subtree below `child` into the table of its parent. The child is on the
+// parent's side, or on the opposite side at the cost of one more cut link.
 Cuts merge_cuts(const Cuts& parent, const Cuts& child) {
   const size_t size = child.size() - 1;
   Cuts joined(child.size());

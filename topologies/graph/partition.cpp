@@ -10,7 +10,7 @@ namespace topologies {
 
 namespace {
 
-// Renumbers parts without gaps, by ascending first processor.
+// Renumbers the parts from 0 without gaps, in the order of their lowest processors.
 void number_anew(std::vector<idx_t>& parts) {
   std::map<idx_t, idx_t> numbers;
   for (idx_t& part : parts)
@@ -24,7 +24,7 @@ std::vector<int> make_partition(const Topology& topology, int parts) {
   auto count = std::min(static_cast<idx_t>(parts), processors);
   std::vector<idx_t> part_of(processors, 0);
   if (count == 1) return {part_of.begin(), part_of.end()};
-  std::vector<idx_t> begins{0}, ends;  // METIS's adjacency lists, xadj and adjncy
+  std::vector<idx_t> begins{0}, ends;  // adjacency lists for METIS, there called xadj and adjncy
   for (const auto& around : neighbours(topology)) {
     for (const Neighbour& neighbour : around) ends.push_back(neighbour.processor);
     begins.push_back(static_cast<idx_t>(ends.size()));

@@ -3,10 +3,10 @@
 
 namespace topologies {
 
-/// Partitions the processors into at most `parts` > 0 parts of nearly equal size with few links
-/// between them (METIS, k-way). Returns the part of each processor, numbered from 0 without gaps.
-/// There are fewer parts if the topology is too small or METIS leaves parts empty. The result is
-/// the same on any host.
+/// Partitions the processors into at most `parts` parts of nearly equal size with few links between
+/// them (METIS, k-way). `parts` must be positive. Returns the part of each processor, numbered from
+/// 0 without gaps. There are fewer parts if the topology is too small or if METIS leaves parts
+/// empty. The result is the same on every host.
 std::vector<int> make_partition(const Topology& topology, int parts);
 
 }  // namespace topologies

@@ -6,7 +6,7 @@
 namespace topologies {
 namespace {
 
-// A graph in compressed rows keeps the order of insertion, here by ascending port.
+// In compressed-row form, neighbours keep their order of insertion, here by ascending port.
 using Graph = boost::compressed_sparse_row_graph<boost::directedS>;
 
 Graph make_graph(const Topology& topology) {

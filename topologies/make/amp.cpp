@@ -18,7 +18,7 @@ bool linked(const Peers& peers, int a, int b) { return std::ranges::count(peers[
 
 void replace(Peers& peers, int at, int from, int to) { *std::ranges::find(peers[at], from) = to; }
 
-// Replaces the links a-b and c-d by a-c and b-d.
+// Replaces the links a-b and c-d by the links a-c and b-d.
 void exchange(Peers& peers, int a, int b, int c, int d) {
   replace(peers, a, b, c), replace(peers, b, a, d);
   replace(peers, c, d, a), replace(peers, d, c, b);
@@ -43,10 +43,10 @@ Peers make_complete(int n) {
 }
 
 template <size_t WORDS>
-using Sources = std::array<std::uint64_t, WORDS>;  // a set of searches, one bit each
+using Sources = std::array<std::uint64_t, WORDS>;  // a set of breadth-first searches, one bit each
 
 template <size_t WORDS>
-std::int64_t count(const Sources<WORDS>& sources) {  // inline, branch-free population count
+std::int64_t count(const Sources<WORDS>& sources) {  // population count without branches
   std::uint64_t bytes = 0;
   for (std::uint64_t x : sources) {
     x -= (x >> 1) & 0x5555555555555555u;
@@ -57,9 +57,10 @@ std::int64_t count(const Sources<WORDS>& sources) {  // inline, branch-free popu
   return static_cast<std::int64_t>((bytes * 0x0001000100010001u) >> 48);
 }
 
-// The sum of distances over all ordered pairs, or any number above `limit` if the sum exceeds it.
-// Runs 64 * WORDS breadth-first searches at a time, one bit for each start. A pair at distance d
-// adds 1 in each of the rounds 0 .. d - 1, in which the search has not yet arrived.
+// The sum of distances over all ordered pairs of processors, or any number above `limit` if the sum
+// exceeds it. Runs 64 * WORDS breadth-first searches at the same time; one bit of a processor's set
+// shows whether a search has reached it. Each round adds the number of pairs not yet reached, so
+// that a pair at distance d is counted d times.
 template <size_t WORDS>
 std::int64_t eval_distances(const Peers& peers, std::int64_t limit) {
   const auto n = static_cast<std::int64_t>(peers.size());
@@ -89,8 +90,9 @@ struct Exchange {
   int a, b, c, d;
 };
 
-// Picks two random links a-b and c-d with ports not less than `first`, and exchanges their ends if
-// possible.
+// Picks two random links a-b and c-d on ports from `first` upwards and exchanges their ends.
+// Returns none, and changes nothing, if the links share a processor or a new link would exist
+// already.
 std::optional<Exchange> try_exchange(Peers& peers, std::mt19937_64& random, int first) {
   const auto draw = [&](size_t below) { return static_cast<int>(random() % below); };
   const int a = draw(peers.size()), b = peers[a][first + draw(PORTS - first)];
@@ -101,17 +103,18 @@ std::optional<Exchange> try_exchange(Peers& peers, std::mt19937_64& random, int 
   return Exchange{a, b, c, d};
 }
 
-// Number of exchanges to try. It depends only on n, not on time, so that every host makes the same
-// network.
+// Number of exchanges to try for n processors. It does not depend on elapsed time, so that every
+// host makes the same network.
 std::int64_t steps_for(std::int64_t n) {
-  constexpr std::int64_t MOST = 16384;  // in processors; larger networks would get too few steps
+  // Larger networks could try only a few exchanges in reasonable time.
+  constexpr std::int64_t MOST = 16384;
   if (n > MOST) return 0;
   return std::min({std::int64_t{100'000}, 10'000'000 / n, 10'000'000'000 / (n * n)});
 }
 
-// Exchanges random chords. Then tries further exchanges and keeps those that do not increase the
-// distances. Large networks skip this second step, because mean distances of random networks differ
-// little.
+// Randomises the chords by exchanges. Then tries further exchanges and keeps those that do not
+// increase the mean distance. Large networks omit this second step, because the mean distances of
+// large random networks hardly differ.
 void shorten(Peers& peers) {
   const auto n = static_cast<std::int64_t>(peers.size());
   const auto eval = n <= 64 ? eval_distances<1> : eval_distances<4>;
@@ -131,7 +134,7 @@ void shorten(Peers& peers) {
     }
 }
 
-// Renumbers processors level by level from processor 0, and sorts each processor's peers.
+// Renumbers processors level by level from processor 0, and sorts each processor's neighbours.
 Peers in_levels(const Peers& peers) {
   std::vector<int> order{0}, number(peers.size(), -1);
   number[0] = 0;

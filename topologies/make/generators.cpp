@@ -109,8 +109,8 @@ Topology make_mesh(int rows, int columns) {
     if ((p + 1) % columns) add(t, {p, 2}, {p + 1, 1});
     if (p + columns < t.processors) add(t, {p, 3}, {p + columns, 0});
   }
-  // The cut crosses the longer side. If that side is odd, the cut has a step in its middle row or
-  // column.
+  // A cut that halves the mesh crosses the longer side. If that side has an odd length, the cut has
+  // a step in the middle row or column, which cuts one more link.
   const auto [narrow, wide] = std::minmax(rows, columns);
   t.bisection_width = wide == 1 ? 0 : narrow + (wide % 2 && narrow > 1 ? 1 : 0);
   return sorted(std::move(t));
@@ -233,7 +233,8 @@ namespace {
 Topology make_generated(std::string_view spec) {
   const auto colon = std::min(spec.find(':'), spec.size());
   const auto& generator = find_generator(spec, spec.substr(0, colon));
-  const auto form = generator.form.substr(generator.form.find(':') + 1);  // "N[:ARITY]"
+  // The sizes in the form, such as "N[:ARITY]".
+  const auto form = generator.form.substr(generator.form.find(':') + 1);
   const char separator = form.find('x') == form.npos ? ':' : 'x';
   const auto most = 1 + std::ranges::count(form, separator);
   const auto fewest = most - std::ranges::count(form, '[');

@@ -25,7 +25,7 @@ struct Row {
   std::vector<int> path;
 };
 
-// The next processor on a given path, and the row that contains the path.
+// The next processor on a path from the file, and the row of the file that holds the path.
 struct Step {
   int next;
   const Row* row;
@@ -33,7 +33,7 @@ struct Step {
 
 class Reader {
  public:
-  using Steps = std::map<int, Step>;  // by the processor where the step starts
+  using Steps = std::map<int, Step>;  // by the processor that takes the step
 
   Reader(const Topology& topology, const std::string& text, const std::string& name)
       : topology_(topology), around_(neighbours(topology)), csv_(text, name) {
@@ -90,7 +90,7 @@ class Reader {
                               path[i + 1], topology_.name));
   }
 
-  // Adds the steps of a row's path in one direction to the known steps.
+  // Adds the steps of a row's path, in one of its directions, to the steps already known.
   void add_steps(const Row& row, const std::vector<int>& path) {
     for (size_t i = 0; i + 1 < path.size(); ++i) {
       const int at = path[i], next = path[i + 1];
@@ -113,7 +113,7 @@ class Reader {
   std::map<int, Steps> steps_;           // by destination
 };
 
-// Follows given paths to their destinations; other pairs use the routes in `others`.
+// Follows given paths to their destinations. All other pairs use the routes in `others`.
 class GivenRule : public Rule {
  public:
   GivenRule(const Topology& topology, RoutingTable others,
@@ -152,7 +152,8 @@ class GivenRule : public Rule {
   }
 
   RoutingTable others_;
-  std::map<int, PackedPorts> given_;  // by destination
+  // First ports of routes by destination, for destinations of given paths.
+  std::map<int, PackedPorts> given_;
 };
 
 }  // namespace

@@ -5,8 +5,8 @@
 namespace topologies {
 namespace {
 
-// Sample destinations on an axis for add_turns(). Their routes contain every turn, a pair of
-// successive ports, that is possible at place `at` and its neighbours.
+// Sample destinations on one axis for add_turns(). A turn is a pair of successive ports on a route.
+// Routes to the samples contain every turn that any route makes at place `at` and its neighbours.
 std::vector<int> find_witnesses(const Axis& axis, int at) {
   constexpr int BESIDE = 3;
   std::vector<int> places;

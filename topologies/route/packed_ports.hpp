@@ -1,5 +1,5 @@
 #pragma once
-// An array of ports with two bits per processor.
+// An array of port numbers, one per processor, with two bits each.
 
 #include <cstdint>
 #include <vector>
@@ -11,7 +11,7 @@ namespace topologies {
 class PackedPorts {
  public:
   PackedPorts() = default;
-  /// Starts with port 0 for every processor.
+  /// Sets the port of every processor to 0.
   explicit PackedPorts(int processors) : bytes_((processors + IN_BYTE - 1) / IN_BYTE) {}
 
   bool empty() const { return bytes_.empty(); }

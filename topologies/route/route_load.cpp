@@ -3,7 +3,7 @@
 namespace topologies {
 namespace {
 
-// Counts messages along routing trees. The routes to one destination form a tree with the
+// Counts messages on the links of given routes. The routes to one destination form a tree with the
 // destination as its root.
 class Collecting {
  public:
@@ -14,7 +14,7 @@ class Collecting {
         messages_(routes.processors),
         sent_(static_cast<std::size_t>(routes.processors) * PORTS) {}
 
-  // Adds a message from each processor to `to`. A processor forwards messages only after all its
+  // Sends a message from each processor to `to`. A processor forwards messages only after all its
   // predecessors in the tree have sent theirs.
   void add_messages_to(int to) {
     const auto& peers = routes_.rule->peers();
@@ -38,7 +38,7 @@ class Collecting {
   static constexpr int DONE = -1;
 
   const RoutingTable& routes_;
-  std::vector<int> port_, before_;  // `before_`: number of neighbours that still have to send
+  std::vector<int> port_, before_;  // `before_`: number of predecessors that have not yet sent
   std::vector<std::int64_t> messages_;
   Sent sent_;
 };

@@ -6,9 +6,9 @@
 
 namespace topologies {
 
-/// The number of messages on each link, by index into `links`, if every ordered pair with a route
-/// sends one. Takes O(processors) memory besides the routes, and time proportional to the number of
-/// pairs.
+/// The number of messages on each link, by index into Topology::links, if every ordered pair of
+/// processors with a route sends one message. Takes time proportional to the number of pairs, and
+/// O(processors) memory in addition to the routes.
 Load eval_load(const Topology& topology, const RoutingTable& routes);
 
 }  // namespace topologies

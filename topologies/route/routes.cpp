@@ -71,8 +71,8 @@ TreeLinks check_tree_links(const Topology& topology, const TreeLinks& links) {
   };
   std::set<std::pair<int, int>> known;
   for (const auto& link : topology.links) known.emplace(link.a.processor, link.b.processor);
-  // Union-find: following `leads` from a processor ends at the representative of its component.
-  // Components are connected by the links added so far.
+  // Union-find over the links added so far. Following `leads` from a processor ends at the
+  // representative of its connected component.
   std::vector<int> leads(topology.processors);
   std::iota(leads.begin(), leads.end(), 0);
   const auto part_of = [&](int p) {

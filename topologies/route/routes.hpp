@@ -9,12 +9,12 @@
 
 namespace topologies {
 
-/// The routes between all pairs of processors. Copies share one rule; its class determines memory
-/// and time. Threads may query ports and distances concurrently.
+/// The routes between all pairs of processors. Copies share one Rule, which determines memory and
+/// time. Several threads may query ports and distances at the same time.
 struct RoutingTable {
   int processors = 0;
   std::shared_ptr<const Rule> rule;
-  bool is_shortest = false;  ///< the routes come from make_routes
+  bool is_shortest = false;  ///< make_routes made these routes
 
   /// The port of `from` that leads to `to`; -1 if from == to or if there is no route.
   int next_port(int from, int to) const { return from == to ? -1 : rule->next_port(from, to); }
@@ -24,24 +24,26 @@ struct RoutingTable {
   double mean_distance() const;
 };
 
-/// Makes shortest routes. The topology must pass `check`, but may have lost links since. A message
-/// takes the lowest port to a neighbour that is one link nearer to `to`.
+/// Makes shortest routes. The topology must have passed `check`, but may have lost links
+/// afterwards. A message takes the lowest port to a neighbour that is one link nearer to its
+/// destination.
 ///
-/// A hypercube thus corrects its dimensions in a fixed order. A mesh goes north, then along the
-/// row, then south. Neither can deadlock in a cycle of waiting links. Trees and grids need no table
-/// and only O(processors) memory. In other topologies, routes are found on demand and take two bits
-/// per pair: at most 1 GB for 65536 processors.
+/// A message in a hypercube therefore corrects the dimensions in a fixed order. In a mesh, it goes
+/// north, then along the row, then south. Neither can deadlock in a cycle of waiting links. Trees
+/// and grids need no table and only O(processors) memory. In other topologies, routes are found
+/// when needed and take two bits per pair: at most 1 GB for 65536 processors.
 RoutingTable make_routes(const Topology& topology);
 
 /// Makes dimension-order routes for meshes, tori and hypercubes: along the row to the destination's
-/// column, then along the column. A torus takes the shorter way round, or the lower port if both
-/// ways are equal. A hypercube takes its dimensions by ascending port, as make_routes does.
+/// column, then along the column. In a torus, a message takes the shorter way round, or the lower
+/// port if both ways are equally long. In a hypercube, it corrects dimensions by ascending port, as
+/// with make_routes.
 ///
 /// Messages in meshes and hypercubes cannot deadlock in a cycle of waiting links. Throws BadInput
 /// for any other topology.
 RoutingTable make_xy_routes(const Topology& topology);
 
-/// Makes a table that shares `rule` with its other owners.
+/// Makes a table that shares the ownership of `rule`.
 RoutingTable make_table(std::shared_ptr<const Rule> rule);
 
 struct SpanningTree {
@@ -51,18 +53,21 @@ struct SpanningTree {
   std::vector<int> depth;                  ///< shortest distance from the root
 };
 
-/// Searches breadth first, with neighbours by ascending port. The topology must pass `check`.
+/// Makes the tree by breadth-first search from `root`, with neighbours by ascending port. The
+/// topology must pass `check`.
 SpanningTree make_spanning_tree(const Topology& topology, int root);
 
 /// Pairs of neighbours, each with the lower number first, in ascending order.
 using TreeLinks = std::vector<std::pair<int, int>>;
 
-/// The links of make_spanning_tree from the topology's root. A disconnected topology has one tree
-/// per component; a component without the root starts at its lowest processor.
+/// The links of the spanning tree from the topology's root (make_spanning_tree). A disconnected
+/// topology has one tree per connected component; in a component without the root, the tree starts
+/// at the lowest processor.
 TreeLinks make_tree_links(const Topology& topology);
 
-/// Sorts pairs that may be in any order. Throws BadInput that names the first violation unless the
-/// pairs are distinct links of the topology and form a spanning tree.
+/// Returns the links in the order of TreeLinks; `links` may be in any order. Throws BadInput that
+/// names the first violation unless they are distinct links of the topology and form a spanning
+/// tree.
 TreeLinks check_tree_links(const Topology& topology, const TreeLinks& links);
 
 }  // namespace topologies

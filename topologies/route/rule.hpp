@@ -1,5 +1,6 @@
 #pragma once
-// Interface of all routing rules: next port, distance, turns.
+// Interface of a routing rule, which determines the next port, the distance and the turns of
+// routes.
 
 #include <cstdint>
 #include <vector>
@@ -8,7 +9,7 @@
 
 namespace topologies {
 
-/// Total length of routes, and the number of ordered pairs with a route.
+/// Total length of some routes in links, and the number of ordered pairs that they join.
 struct RouteSum {
   std::int64_t links = 0, pairs = 0;
   RouteSum& operator+=(const RouteSum& other) {
@@ -17,13 +18,15 @@ struct RouteSum {
   }
 };
 
-/// Turns: pairs of ports that some route takes in succession. At [processor * PORTS + port]: a bit
-/// for each port by which a route leaves the neighbour at `port`.
+/// Turns: pairs of ports that some route takes in succession. The entry at [processor * PORTS +
+/// port] is a set of bits. It has a bit for each port by which a route that left `processor`
+/// through `port` leaves the neighbour there.
 using Turns = std::vector<std::uint8_t>;
 
 /// The routes of one topology. Each ordered pair of processors has at most one route, without
 /// loops. The next port depends only on the current processor and the destination. Rules that
-/// compute routes on demand cache them. Threads may query ports and distances concurrently.
+/// compute routes when needed keep them in a cache. Several threads may query ports and distances
+/// at the same time.
 class Rule {
  public:
   explicit Rule(const Topology& topology) : peers_(make_peers(topology)) {}
@@ -31,15 +34,15 @@ class Rule {
 
   /// The port of `from` that leads to a different processor `to`; -1 if there is no route.
   virtual int next_port(int from, int to) const = 0;
-  /// Number of links on the route; -1 if there is none. The default implementation follows the
+  /// Length of the route in links; -1 if there is no route. The default implementation follows the
   /// route.
   virtual int distance(int from, int to) const;
-  /// Total length of all routes to one processor.
+  /// Total length of the routes from all processors to `to`.
   virtual RouteSum sum_to(int to) const;
   /// Total length of all routes.
   virtual RouteSum sum() const;
-  /// Adds all turns on routes to the processors `first` to `last` - 1. An implementation may also
-  /// add turns of routes to other processors.
+  /// Adds all turns on routes to the destinations `first` to `last` - 1. An implementation may also
+  /// add turns on routes to other destinations.
   virtual void add_turns(Turns& turns, int first, int last) const;
 
   int processors() const { return static_cast<int>(peers_.size()); }

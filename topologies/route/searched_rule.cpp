@@ -7,12 +7,12 @@
 
 namespace topologies {
 
-// State of simultaneous searches from the destinations of a group. Each step extends all searches
+// State of the simultaneous searches from a group of destinations. Each step extends all searches
 // by one link.
 struct SearchedRule::Work {
-  std::vector<Word> met;          // by processor: destinations whose search has arrived
-  std::vector<Word> news;         // by processor: destinations whose search arrives in this step
-  std::vector<int> seen;          // by processor: step in which it was last examined
+  std::vector<Word> met;   // by processor: set of destinations whose search has arrived
+  std::vector<Word> news;  // by processor: set of destinations whose search arrives in this step
+  std::vector<int> seen;   // by processor: step in which it was last examined
   std::vector<int> active, next;  // processors reached in the previous step, and in this step
   int step = 0;
 };
@@ -29,7 +29,7 @@ SearchedRule::SearchedRule(const Topology& topology)
 }
 
 // Extends all searches by one link. A search reaches a processor if it has already reached a
-// neighbour. Each such neighbour is one link nearer to the destination.
+// neighbour of the processor. That neighbour is one link nearer to the destination.
 void SearchedRule::add_step(const Peers& peers, Work& work, Routes& routes) {
   ++work.step;
   work.next.clear();
@@ -101,7 +101,7 @@ SearchedRule::Word SearchedRule::ends_reached(int from, int group) const {
 void SearchedRule::add_turns(Turns& turns, int first, int last) const {
   for (int group = first / GROUP; group * GROUP < last; ++group) {
     const auto routes = find_routes(group);
-    // by processor and port: destinations of routes through the port
+    // By processor and port: set of destinations whose routes take this port.
     std::vector<std::array<Word, PORTS>> led(peers().size());
     for (int p = 0; p < processors(); ++p) {
       const auto [low, high] = routes.port[p];

@@ -1,5 +1,5 @@
 #pragma once
-// Shortest routes of arbitrary topologies, found on demand.
+// Shortest routes of arbitrary topologies, found when needed.
 
 #include <array>
 #include <memory>
@@ -9,12 +9,13 @@
 
 namespace topologies {
 
-/// Takes the lowest port to a neighbour that is one link nearer to the destination. Finds the
-/// routes to 64 destinations at a time by bit-parallel search, and caches them in two bits per
-/// pair. In a machine of 65536 processors, 64 destinations take 1 MB and some milliseconds.
+/// A route takes the lowest port to a neighbour that is one link nearer to the destination. A
+/// bit-parallel search finds the routes to 64 destinations at a time. A cache keeps them in two
+/// bits per pair. In a machine of 65536 processors, 64 destinations take 1 MB and some
+/// milliseconds.
 class SearchedRule : public Rule {
  public:
-  /// The topology may have lost links since its check.
+  /// The topology may have lost links since it passed `check`.
   explicit SearchedRule(const Topology& topology);
 
   int next_port(int from, int to) const override;
@@ -25,7 +26,8 @@ class SearchedRule : public Rule {
   static constexpr int GROUP = 64;  // destinations per search, one bit of a word each
   using Word = std::uint64_t;
   struct Routes {
-    std::vector<std::array<Word, 2>> port;  // by processor: low and high bits of ports
+    // By processor: low and high bits of its ports to the destinations.
+    std::vector<std::array<Word, 2>> port;
     RouteSum sum;
   };
   struct Work;
@@ -33,7 +35,8 @@ class SearchedRule : public Rule {
   Routes find_routes(int group) const;
   static void add_step(const Peers& peers, Work& work, Routes& routes);
   int groups() const { return (processors() + GROUP - 1) / GROUP; }
-  Word ends_reached(int from, int group) const;  // excludes `from`
+  // Destinations of the group that `from` can reach, except itself.
+  Word ends_reached(int from, int group) const;
 
   std::vector<int> piece_;                                    // connected component, by processor
   bool is_whole_ = false;                                     // true if the topology is connected

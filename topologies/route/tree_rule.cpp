@@ -11,7 +11,8 @@ TreeRule::TreeRule(const Topology& topology)
   const auto search = make_search(topology, topology.root);
   parent_ = search.parent, depth_ = search.distance;
   for (auto p = search.order.rbegin(); *p != topology.root; ++p) size_[parent_[*p]] += size_[*p];
-  std::vector<int> next(topology.processors, 1);  // offset of the next child's interval
+  // By processor: offset of the next child's interval.
+  std::vector<int> next(topology.processors, 1);
   for (const int p : search.order) {
     if (p == topology.root) continue;
     begin_[p] = begin_[parent_[p]] + next[parent_[p]];
@@ -41,7 +42,7 @@ int TreeRule::distance(int from, int to) const {
 RouteSum TreeRule::sum() const {
   const std::int64_t n = processors();
   RouteSum sum{0, n * (n - 1)};
-  for (const std::int64_t below : size_) sum.links += 2 * below * (n - below);  // root: 0
+  for (const std::int64_t below : size_) sum.links += 2 * below * (n - below);  // the root adds 0
   return sum;
 }
 

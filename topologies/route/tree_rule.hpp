@@ -5,8 +5,9 @@
 
 namespace topologies {
 
-/// Numbers processors in preorder from the root, so that every subtree has consecutive numbers. All
-/// destinations outside the children's subtrees are reached through the parent.
+/// Interval routing. Processors are numbered in preorder from the root, so that every subtree has
+/// consecutive numbers. A destination below a child is reached through this child, any other
+/// destination through the parent.
 class TreeRule : public Rule {
  public:
   /// The topology must be connected and have no cycles.

@@ -13,13 +13,13 @@ namespace topologies {
 
 namespace {
 
-// A processor's route to one destination: length in links, and first port.
+// A processor's route to one destination: its length in links, and its first port.
 struct Way {
   static constexpr int FAR = std::numeric_limits<int>::max() / 2;
   int length = FAR, port = 0;
 };
 
-// Up*/down* routes, found on demand and cached by destination.
+// Up*/down* routes, found when needed and kept in a cache by destination.
 class UpDown : public Rule {
  public:
   explicit UpDown(const Topology& topology)
@@ -57,14 +57,14 @@ class UpDown : public Rule {
   std::vector<Way> find_ways(int to) const {
     std::vector<Way> ways(peers().size());
     ways[to].length = 0;
-    // Downward routes: visit processors from the bottom up, so that those below already have
-    // routes.
+    // Routes that only go down. Visit processors from the bottom up, because a route continues
+    // below.
     for (auto p = downwards_.rbegin(); p != downwards_.rend(); ++p)
       for (int port = 0; port < PORTS; ++port)
         if (const int peer = peers()[*p][port]; is_above(*p, peer))
           improve(ways[*p], ways[peer], port);
-    // All other processors send upwards: visit from the top down, so that those above already have
-    // routes.
+    // All other routes first go up. Visit processors from the top down, because a route continues
+    // above.
     for (const int p : downwards_)
       if (ways[p].length >= Way::FAR)
         for (int port = 0; port < PORTS; ++port)
@@ -78,13 +78,14 @@ class UpDown : public Rule {
   }
 
   std::vector<int> piece_, depth_, downwards_;
-  mutable std::vector<PackedPorts> found_;     // by destination; empty until the first query
+  // Ports of all processors, by destination; empty until the first query.
+  mutable std::vector<PackedPorts> found_;
   mutable std::vector<std::once_flag> finds_;  // by destination
 };
 
-// True if the graph of turns has a cycle. Its vertices are link directions, numbered PORTS *
-// processor + outgoing port. Repeatedly removes vertices without predecessors. If any vertices
-// remain, there is a cycle.
+// True if the graph of turns has a cycle. A turn joins two directions of links, which are the
+// vertices of this graph, numbered PORTS * processor + outgoing port. Repeatedly removes vertices
+// without predecessors. If any vertices remain, there is a cycle.
 bool has_cycle(const Turns& turns, const Peers& peers) {
   const auto for_each_next = [&](std::size_t way, auto visit) {
     const int peer = peers[way / PORTS][way % PORTS];
@@ -104,10 +105,12 @@ bool has_cycle(const Turns& turns, const Peers& peers) {
   return free.size() < turns.size();
 }
 
-// The turns of broadcast messages, which can start at any processor and follow the edges of `tree`.
+// The turns of broadcast messages. A broadcast can start at any processor and follows the links of
+// `tree`.
 Turns make_tree_turns(const Topology& topology, const Peers& peers, const TreeLinks& tree) {
   const std::set<std::pair<int, int>> links(tree.begin(), tree.end());
-  std::vector<std::uint8_t> branches(peers.size());  // bit sets of ports
+  // By processor: set of its ports in the tree, one bit each.
+  std::vector<std::uint8_t> branches(peers.size());
   const auto distinct = distinct_links(topology);
   for (const auto& [a, b] : distinct)
     if (links.contains({a.processor, b.processor}))
@@ -129,7 +132,7 @@ RoutingTable make_up_down_routes(const Topology& topology) {
 }
 
 bool closes_cycle(const Topology& topology, const RoutingTable& routes, const TreeLinks& tree) {
-  constexpr int FIRST_LOOK = 64;  // destinations in the first batch, where most cycles show
+  constexpr int FIRST_LOOK = 64;  // destinations in the first batch, which shows most cycles
   const auto peers = make_peers(topology);
   auto turns = make_tree_turns(topology, peers, tree);
   int last = 0;

@@ -1,4 +1,5 @@
-// Drawings of topologies: positions of their elements, read by an XML parser, and the layouts.
+// Tests drawings of topologies: layouts, and positions of elements in the SVG, read by an XML
+// parser.
 #include "topologies/draw/drawing.hpp"
 
 #include <gtest/gtest.h>
@@ -25,7 +26,8 @@ Place place_of(const Tree& element, const char* x, const char* y) {
 
 double distance(const Place& a, const Place& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-// Elements of a drawing: circles by processor; ports by link, that of the second end first.
+// Positions of elements in a drawing: circles by processor, and port numbers by link, in the SVG's
+// order (the second end of a link first).
 struct Drawn {
   std::map<std::string, std::vector<Place>> circles;
   std::map<std::string, std::vector<std::pair<std::string, Place>>> ports;
@@ -49,11 +51,11 @@ Drawn read_drawing(const std::string& svg) {
   return drawn;
 }
 
-// The root has a second circle around its own. The number of a port stands beside its processor,
-// 0.6 units from its middle along the link and 0.16 units across.
+// The root has a second circle. The label with the port number of a link's end is near the end's
+// processor: 0.6 units from its centre along the link, and 0.16 units to the side.
 TEST(Drawing, ShowsTheRootAndWritesPortsBesideTheirProcessors) {
   if (std::system("dot -V 2> /dev/null") != 0) GTEST_SKIP() << "Graphviz is missing";
-  // in points; BASELINE: from a letter's middle to its foot
+  // In points. BASELINE is the distance from the middle of a letter to its baseline.
   constexpr double UNIT = 36, BASELINE = 2;
   for (const auto* spec : {"ring:3", "ring:7", "torus:4x4", "tree:7", "star:5", "amp:12"}) {
     SCOPED_TRACE(spec);
@@ -78,7 +80,8 @@ TEST(Drawing, ShowsTheRootAndWritesPortsBesideTheirProcessors) {
   }
 }
 
-// The midpoint of a Bezier curve is (a + 3 b + 3 c + d) / 8.
+// The midpoint of a Bezier curve with control points a, b, c, d is (a + 3 b + 3 c + d) / 8. It must
+// differ from the midpoint of the straight line by the swerve.
 TEST(Layout, CurvesAreOffTheLineByTheirSwerveHalfWay) {
   std::mt19937 random(1);
   const auto place = [&] {
@@ -104,7 +107,8 @@ TEST(Layout, PlacesEveryProcessorAndLink) {
   }
 }
 
-// Graphviz would take seconds to place a thousand processors, and minutes for ten thousand.
+// A large network must use the layout in rings. Graphviz would take seconds to place a thousand
+// processors, and minutes for ten thousand.
 TEST(Layout, OfALargeNetworkIsInRingsAroundItsRoot) {
   auto t = make_mesh(64, 128);
   t.shape = {};
@@ -121,7 +125,7 @@ TEST(Layout, HasALimit) {
             "(formats dot, graphml and csv have no limit)");
 }
 
-// Up to sixteen processors are in a row, in as few rows as possible.
+// A row holds up to sixteen processors. A line has as few rows as possible.
 TEST(Layout, ALineOfMoreThan16HasRows) {
   for (const auto& [processors, rows] : {std::pair(16, 1), {17, 2}, {32, 2}, {33, 3}}) {
     std::set<double> heights;
@@ -131,7 +135,7 @@ TEST(Layout, ALineOfMoreThan16HasRows) {
   }
 }
 
-// Neighbours in a ring stand together for any size, and any division into rows.
+// Neighbours in a ring are close together in the drawing, for any size and number of rows.
 TEST(Layout, NeighboursInARingStandTogether) {
   for (int n = 3; n <= 300; ++n) {
     const auto t = make_ring(n);

@@ -1,4 +1,5 @@
-// Drawings of loads: their elements, read by an XML parser. Their appearance was judged by eye.
+// Tests drawings of loads: their elements, read by an XML parser. The appearance was checked by
+// eye.
 #include "topologies/draw/load_drawing.hpp"
 
 #include <fmt/format.h>
@@ -30,7 +31,7 @@ Loads make_loads(const Topology& t, unsigned seed) {
   return loads;
 }
 
-// The tooltips of all elements of a class.
+// Collects the tooltips of all elements of the class `of_class`.
 void find_tips(const Tree& tree, const std::string& of_class, std::vector<std::string>& tips) {
   for (const auto& [name, child] : tree) {
     if (child.get("<xmlattr>.class", "") == of_class)
@@ -93,7 +94,7 @@ TEST(LoadDrawing, TakesAnyWiringAndAwkwardNames) {
   }
 }
 
-// Positions of the processors' names, which are the middles of the processors.
+// Collects the positions of the processors' names, which are also the centres of the processors.
 void find_names(const Tree& tree, std::map<std::string, Place>& names) {
   for (const auto& [name, child] : tree) {
     if (child.get("<xmlattr>.class", "") == "node processor") {
@@ -104,7 +105,7 @@ void find_names(const Tree& tree, std::map<std::string, Place>& names) {
   }
 }
 
-// The middle of each row is above the root. (y grows downwards in an SVG.)
+// The middle of each row of extra processors is above the root. (y grows downwards in an SVG.)
 TEST(LoadDrawing, ExtraProcessorsStandInRowsAboveTheRoot) {
   for (const char* spec : {"line:5", "ring:9", "tree:40", "mesh:3x4"}) {
     SCOPED_TRACE(spec);
@@ -164,7 +165,7 @@ TEST(LoadDrawing, MistakesAreNamed) {
   expect("wired to \"database\"", [](Loads& l) { l.extras[0].to = "database"; });
 }
 
-// Each processor has room for a circle of three quarters of a unit.
+// No two processors are nearer than 0.8 units. The diameter of a processor is 0.75 units.
 TEST(LoadLayout, ProcessorsDoNotTouch) {
   for (const auto& spec : SPECS) {
     const auto places = make_layout(make_topology(spec)).processors;

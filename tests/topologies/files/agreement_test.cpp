@@ -1,4 +1,4 @@
-// Agreement with Graphviz and networkx on the graphs in files.
+// Compares the graphs that tlab reads from files with those that Graphviz and networkx read.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 using Fields = std::vector<std::string>;
 
-// A line of write_graphs: node, edge or root, and its texts.
+// Splits a line of the script write_graphs: the word node, edge or root, then its texts.
 Fields split_fields(const std::string& line) {
   Fields fields{""};
   for (const char c : line)
@@ -27,7 +27,8 @@ Fields split_fields(const std::string& line) {
   return fields;
 }
 
-// The ends of an edge as "name" and "port", in an order that does not depend on its direction.
+// Spells the ends of an edge as "name TAB port", in an order that does not depend on the edge's
+// direction.
 Fields spell_edge(const std::string& a, const std::string& b, const std::string& port_a,
                   const std::string& port_b) {
   Fields edge{a + "\t" + port_a, b + "\t" + port_b};
@@ -57,7 +58,7 @@ void expect_edges(const Topology& topology, const std::vector<Fields>& edges) {
 void expect_graph(const Topology& topology, Fields nodes, const std::vector<Fields>& edges,
                   const std::string& root) {
   const auto names = names_of(topology);
-  if (topology.labels.empty()) {  // the names are 0 to n-1
+  if (topology.labels.empty()) {  // the names are 0 to n-1, in any order
     for (const auto& name : names) EXPECT_EQ(std::ranges::count(nodes, name), 1) << name;
     nodes = names;
   }

@@ -37,7 +37,7 @@ TEST(TopologyRandomFormats, RoundTripWithPortsRootAndAwkwardLabels) {
   }
 }
 
-// Names that XML or JSON could not hold, or that would change when read again.
+// Names are refused if XML or JSON cannot hold them, or if they would change when read again.
 TEST(TopologyNames, AreUtf8WithoutControlCharactersAndBlanksAtTheirEnds) {
   auto ring = make_topology("ring:3");
   for (const auto* name : {"a b", "a\nb", "\xc3\xa9", "a\x7f"}) {
@@ -128,7 +128,7 @@ TEST(TopologyDot, NumbersVerticesAsTheFileNamesThem) {
   EXPECT_EQ(describe_processor(t, 1), "\"w 10\"");
 }
 
-// Names in the order of first mention, and the number of links.
+// Expects names in the order of first mention, and the number of links.
 TEST(TopologyDot, IsReadAsGraphvizReadsIt) {
   struct Case {
     std::string text;
@@ -187,7 +187,7 @@ TEST(TopologyDot, AssignsFreePortsInTheOrderOfEdges) {
   EXPECT_EQ(t.links, expected);
 }
 
-// In a strict undirected graph, b -- a means the edge a -- b if that exists already.
+// In a strict undirected graph, the edge b -- a is the edge a -- b if that exists already.
 TEST(TopologyDot, PortsAreThoseOfNodesAndOfDefaults) {
   for (const auto* text :
        {"graph { 0:1 -- 1:2:ne }", "graph { edge [port_a=1]; 0 -- 1:3 [headport=\"2:n\"] }",
@@ -312,7 +312,7 @@ TEST(TopologySvg, IsDrawnOrSaysThatGraphvizIsMissing) {
       EXPECT_NE(svg.find("<svg"), svg.npos);
       EXPECT_NE(svg.find("</svg>"), svg.npos);
     }
-  // Positions come from the shape: neighbours of a mesh are 1.6 units of 36 points apart.
+  // The layout follows the shape: neighbours of a mesh are 1.6 units of 36 points apart.
   const auto mesh = to_svg(make_topology("mesh:16x16"));
   EXPECT_NE(mesh.find("width=\"9"), mesh.npos) << mesh.substr(0, 800);
   const std::string path = getenv("PATH");

@@ -11,8 +11,9 @@
 namespace topologies {
 namespace {
 
-// Follows every message from hop to hop. Each hop goes to the neighbour on the lowest port that
-// leads nearer to the end. Parallel links to this neighbour take turns.
+// Computes the loads of links by following every message hop by hop. Each hop goes to the neighbour
+// on the lowest port that leads nearer to the destination. Messages alternate between parallel
+// links to this neighbour.
 AllPairs walk_all_pairs(const Topology& t) {
   const auto around = neighbours(t);
   std::map<std::pair<int, int>, std::size_t> sent;
@@ -99,7 +100,7 @@ TEST(TopologyOrbits, AreFoundWhereEachProcessorLooksTheSame) {
   EXPECT_EQ(count("amp:9"), 9);
 }
 
-// Tests more pairs than one thread takes. One search covers 64 ends at once.
+// Networks with more pairs than one thread processes. One search covers 64 destinations at once.
 TEST(TopologyAllPairsOf, LargeNetworksAgreeWithTheirRoutes) {
   for (const unsigned seed : {1U, 2U}) {
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -80,7 +80,7 @@ TEST(TopologyErrors, SizesOfGeneratorsCalledDirectly) {
   EXPECT_NE(rejection([] { make_hypercube(1 << 30); }), "");
 }
 
-// A subgraph of many nodes.
+// A DOT subgraph of many nodes.
 std::string make_group(int nodes) {
   std::string text = "{";
   for (int i = 0; i < nodes; ++i) text += " " + std::to_string(i);
@@ -219,7 +219,8 @@ TEST(TopologyErrors, GarbageAndCutFilesAreRejectedNotFatal) {
   }
 }
 
-// Invalid topologies that no reader makes, but a program may. `check` names the mistake.
+// Invalid topologies that no reader of files returns, but a program can build. `check` names the
+// violation.
 TEST(TopologyErrors, HandMadeTopologies) {
   const auto made = [](int processors, int root, std::vector<Link> links) {
     return rejection([&] { check({"made", processors, root, std::move(links), {}, {}}); });

@@ -31,7 +31,8 @@ void expect_metrics(const Topology& t, const Expected& expected) {
 }
 
 // Sums of distances over ordered pairs: n * floor(n^2 / 4) for a ring, n (n^2 - 1) / 3 for a line.
-// In a product of graphs, a factor's distances count once per pair in the other factor.
+// In a Cartesian product of two graphs, the distances of one factor count once for each ordered
+// pair of vertices of the other factor.
 double ring_sum(double n) { return n * std::floor(n * n / 4); }
 double line_sum(double n) { return n * (n * n - 1) / 3; }
 double product_mean(double sum_r, double r, double sum_c, double c) {
@@ -76,8 +77,9 @@ TEST(TopologyClosedForms, Hypercube) {
   }
 }
 
-// Distances in a tree add up over its links: a link above s processors lies on 2 s (n - s) ordered
-// routes. Nodes of the deepest level go to subtrees in turn, so two of them are always far apart.
+// The distances in a tree are a sum over its links: a link with s processors below it lies on 2 s
+// (n - s) routes. The children of the last level are dealt out to subtrees in turn, so that two
+// processors of the deepest level are always far apart.
 TEST(TopologyClosedForms, Tree) {
   for (int n = 2; n <= 60; ++n) {
     const auto t = make_tree(n);
@@ -98,7 +100,7 @@ TEST(TopologyClosedForms, Tree) {
   }
 }
 
-// Tries every way to halve the machine.
+// Tries every division of the machine into two halves.
 int brute_bisection(const Topology& t) {
   int best = static_cast<int>(t.links.size());
   for (unsigned half = 0; half < 1u << (t.processors - 1); ++half) {
@@ -122,8 +124,8 @@ TEST(TopologyBisection, IsTheLeastOfAllHalvings) {
   }
 }
 
-// For random networks of up to 16 processors, tries every way to halve them. For grids, rings and
-// trees of up to 32, compares with known results.
+// For random networks of up to 16 processors, compares with a search of all divisions into halves.
+// For grids, rings and trees of up to 32, compares with known results.
 TEST(TopologyBisection, BranchAndBoundFindsTheLeast) {
   const std::uint64_t seed = 20261125;
   std::mt19937_64 random(seed);
@@ -151,7 +153,7 @@ TEST(TopologyBisection, IsUnknownOfManyWhereTheGeneratorDoesNotTellAndThereAreCy
   EXPECT_THROW(eval_bisection(t), base::BadInput);
 }
 
-// All-to-all load, counted along every route.
+// Compares the all-to-all load with counts along every route.
 TEST(TopologyTraffic, AllToAllIsTheBusiestDirectionOfEveryRouteWalked) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -174,12 +176,12 @@ TEST(TopologyTraffic, AllToAllIsTheBusiestDirectionOfEveryRouteWalked) {
   }
 }
 
-// The topology 0 = 1 - 2 has two links between 0 and 1.
+// The topology has two parallel links between 0 and 1, and one link between 1 and 2.
 TEST(TopologyTraffic, ParallelLinksShareAllToAllAndTreesTakeOne) {
   Topology t{"parallel", 3, 0, {}, {}, {}};
   t.links = {{{0, 0}, {1, 0}}, {{1, 1}, {2, 0}}, {{0, 1}, {1, 2}}};
   const auto load = eval_all_pairs(t).load;
-  // each link carries one of two messages each way
+  // each of the two parallel links carries one of two messages each way
   EXPECT_EQ(load[0], (std::array<std::int64_t, 2>{1, 1}));
   EXPECT_EQ(load[1], (std::array<std::int64_t, 2>{2, 2}));
   EXPECT_EQ(load[2], (std::array<std::int64_t, 2>{1, 1}));
@@ -193,8 +195,9 @@ TEST(TopologyTraffic, ParallelLinksShareAllToAllAndTreesTakeOne) {
 
 TEST(TopologyTraffic, KnownLoads) {
   const auto line = eval_metrics(make_line(8));
-  EXPECT_EQ(line.farm.messages, 7);         // every processor but the root uses the root's link
-  EXPECT_EQ(line.all_to_all.messages, 16);  // 4 x 4 pairs cross the middle each way
+  // The replies to all seven other processors use the root's link.
+  EXPECT_EQ(line.farm.messages, 7);
+  EXPECT_EQ(line.all_to_all.messages, 16);  // 4 x 4 pairs cross the middle in each direction
   EXPECT_EQ(eval_metrics(make_tree(7)).farm.messages, 2);
   EXPECT_EQ(eval_metrics(make_hypercube(4)).all_to_all.messages, 8);
   const auto alone = eval_metrics(make_line(1));

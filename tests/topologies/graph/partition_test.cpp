@@ -9,7 +9,7 @@
 namespace topologies {
 namespace {
 
-// All parts are in use and of nearly equal size, for every kind of network.
+// For every kind of network, no part is empty, and all parts have nearly equal size.
 TEST(Partition, MakesPartsOfNearlyOneSize) {
   for (const char* spec :
        {"line:7", "ring:64", "mesh:16x16", "torus:8x8", "hypercube:4", "tree:40"})

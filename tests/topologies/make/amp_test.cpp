@@ -1,4 +1,4 @@
-// The minimum-path network: its links, its distances compared with the least possible,
+// Tests the minimum-path network: its links, its distances compared with a lower bound, and its
 // reproducibility.
 #include "topologies/make/amp.hpp"
 #include "tests/topologies/support.hpp"
@@ -8,9 +8,9 @@
 namespace topologies {
 namespace {
 
-// A lower bound for any network. A processor with d links has at most d others at a distance of one
-// link, 3 d at two links, and so on. The bound is the mean over the processors, with the links they
-// have.
+// A lower bound on the mean distance of any network with as many links per processor as `t`. A
+// processor with d links has at most d other processors at a distance of one link, 3 d at two
+// links, and so on. The result is the mean of this bound over all processors.
 double least_mean_distance(const Topology& t) {
   double sum = 0;
   for (const auto& around : neighbours(t)) {
@@ -31,9 +31,9 @@ TEST(TopologyAmp, HasEveryLinkItsPortsAllowAndThreeAtTheRoot) {
     EXPECT_EQ(static_cast<int>(t.links.size()), (PORTS * n - 1) / 2) << n;
     EXPECT_EQ(neighbours(t)[0].size(), 3u) << n;
   }
-  // all pairs are linked
+  // every pair of processors has a link
   for (int n = 2; n <= 4; ++n) EXPECT_EQ(mean_distance(make_amp(n)), 1) << n;
-  EXPECT_EQ(make_amp(5).links.size(), 9u);  // all pairs except one are linked
+  EXPECT_EQ(make_amp(5).links.size(), 9u);  // every pair except one has a link
 }
 
 TEST(TopologyAmp, IsNumberedLevelByLevel) {
@@ -54,7 +54,8 @@ TEST(TopologyAmp, DistancesAreNearTheLeast) {
   }
 }
 
-// The other networks give up a link at the root, where the farm attaches its coordinator.
+// A regular network whose root uses all four ports gives up one link of the root, because the
+// minimum-path network also leaves a port free for the coordinator of a farm.
 TEST(TopologyAmp, IsNeverLongerThanARegularNetworkOfTheSameSize) {
   for (const auto* spec : {"torus:3x3", "torus:3x4", "torus:4x4", "torus:8x8", "hypercube:4",
                            "hypercube:3", "mesh:2x3", "mesh:5x5", "mesh:16x16", "ring:7", "tree:40",
@@ -65,7 +66,7 @@ TEST(TopologyAmp, IsNeverLongerThanARegularNetworkOfTheSameSize) {
   }
 }
 
-// The FNV-1a hash of the links' numbers.
+// An FNV-1a hash of the numbers of processors and ports in all links.
 std::uint64_t hash_of(const Topology& t) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const auto& [a, b] : t.links)

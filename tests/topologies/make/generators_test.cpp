@@ -42,8 +42,8 @@ TEST_P(TopologyGenerated, RootKeepsPortZeroWhenItHasAFreePort) {
   EXPECT_EQ(free_port(t, 0), full ? -1 : 0);
 }
 
-// The trees of figure 4.21 for 1 to 7 workers, and larger ones: workers go to the parents of a
-// level in turn.
+// The trees of thesis figure 4.21 for 1 to 7 workers, and larger ones. The parents of a level get
+// the workers of the next level in turn.
 TEST(TopologyTree, ParentsAreThoseOfFigure421) {
   const std::vector<int> parents{-1, 0, 0, 0, 1, 2, 3, 1, 2, 3, 1, 2, 3, 4, 5, 6};
   for (int n = 1; n <= 16; ++n) {
@@ -58,7 +58,8 @@ TEST(TopologyTree, ParentsAreThoseOfFigure421) {
 class TopologyBalance : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(OfArity, TopologyBalance, testing::Values(1, 2, 3));
 
-// Nodes of a level go to parents in turn, and so to ancestors. Subtrees stay balanced.
+// The parents of a level get the processors of the next level in turn. Subtrees of siblings
+// therefore differ by at most one processor.
 TEST_P(TopologyBalance, SiblingsDifferByOneProcessorAtMost) {
   for (int n = 1; n <= 40; ++n) {
     const auto around = neighbours(make_tree(n, GetParam()));

@@ -12,7 +12,7 @@ namespace {
 
 using Path = std::vector<int>;
 
-// Follows a route of the table hop by hop, and stops if it is a loop.
+// Follows a route of the table hop by hop. Stops if the route is a loop.
 Path walk(const Topology& t, const RoutingTable& routes, int from, int to) {
   const auto around = neighbours(t);
   Path path{from};
@@ -63,7 +63,7 @@ TEST(TopologyGivenRoutes, WithoutAnyAreTheShortest) {
   }
 }
 
-// Paths along one random spanning tree cannot contradict each other.
+// Paths along one random spanning tree never disagree about the next hop to a destination.
 TEST(TopologyGivenRoutes, OfRandomPathsAllArrive) {
   for (unsigned seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -137,7 +137,7 @@ TEST(TopologyTreeLinks, OfAnyRootJoinAll) {
 }
 
 TEST(TopologyTreeLinks, MistakesAreNamed) {
-  const auto mesh = make_topology("mesh:2x2");  // a mesh with the links 0-1, 0-2, 1-3, 2-3
+  const auto mesh = make_topology("mesh:2x2");  // links 0-1, 0-2, 1-3, 2-3
   for (const auto& [links, message] : std::vector<std::pair<TreeLinks, std::string>>{
            {{{0, 1}, {0, 3}, {1, 2}}, "found [0, 3], which is not a link of the network"},
            {{{0, 1}, {1, 0}, {1, 3}}, "found [1, 0], twice"},

@@ -8,8 +8,9 @@
 namespace topologies {
 namespace {
 
-// Expects every route to reach its end over existing links, in as many hops as a breadth-first
-// search counts. Each hop takes the lowest port that leads nearer.
+// Expects every route to reach its destination over existing links, in as many hops as a
+// breadth-first search counts. Each hop must take the lowest port that leads nearer to the
+// destination.
 void expect_valid_routes(const Topology& t) {
   const auto routes = make_routes(t);
   const auto around = neighbours(t);
@@ -31,7 +32,7 @@ void expect_valid_routes(const Topology& t) {
   }
 }
 
-// Expects the same of routes from all processors to a few.
+// Expects the same as expect_valid_routes, but only of routes to the processors in `ends`.
 void expect_valid_routes_to(const Topology& t, const std::vector<int>& ends) {
   const auto routes = make_routes(t);
   const auto peers = make_peers(t);
@@ -104,7 +105,7 @@ TEST(TopologyRandomRoutes, OfGridsOnAnyPortsAndWithALinkLost) {
   }
 }
 
-// There are more ends than a word has bits.
+// More destinations than a word has bits, so that the search runs in several groups.
 TEST(TopologyRandomRoutes, OfSomeHundredProcessors) {
   for (unsigned seed = 0; seed < 5; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -150,7 +151,8 @@ TEST(TopologyRouteRules, MeshGoesNorthThenAlongTheRowThenSouth) {
   EXPECT_EQ(routes.next_port(0, 6), 3);
 }
 
-// Routes hold a link's direction while they wait for the next one. This must not close a cycle.
+// A message holds one direction of a link while it waits for the next. These waits must not form a
+// cycle.
 TEST(TopologyRouteRules, MeshAndHypercubeHaveNoCycleOfWaitingLinks) {
   for (const auto* spec : {"mesh:4x5", "mesh:5x3", "hypercube:3", "hypercube:4", "tree:20"}) {
     const auto t = make_topology(spec);

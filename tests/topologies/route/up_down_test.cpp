@@ -11,8 +11,8 @@
 namespace topologies {
 namespace {
 
-// The connected part of each processor, named by its lowest processor. The root's part is named by
-// the root.
+// The connected component of each processor, named by its lowest processor, or by the root if it
+// contains the root.
 std::vector<int> find_parts(const Topology& t) {
   std::vector<int> part(t.processors, -1);
   const auto fill = [&](int start) {
@@ -26,8 +26,8 @@ std::vector<int> find_parts(const Topology& t) {
   return part;
 }
 
-// Expects a route exactly if a path exists. Each hop must be a link, and the table must have the
-// number of hops.
+// Expects a route exactly if a path exists. Each hop must use a link, and the table must state the
+// correct number of hops.
 void expect_routes_reach_all(const Topology& t, const RoutingTable& routes) {
   const auto around = neighbours(t);
   for (int to = 0; to < t.processors; ++to) {
@@ -52,12 +52,12 @@ void expect_routes_reach_all(const Topology& t, const RoutingTable& routes) {
   }
 }
 
-// Expects that no route goes up after down. A hop goes up if it leads nearer to the root or, at
-// equal distance, to a lower number.
+// Expects that no route goes up after it went down. A hop goes up if it leads nearer to the root
+// or, at equal distance from the root, to a processor with a lower number.
 void expect_up_then_down(const Topology& t, const RoutingTable& routes) {
   const auto around = neighbours(t);
   const auto part = find_parts(t);
-  std::vector<std::pair<int, int>> height;  // heights of the processors, in descending order
+  std::vector<std::pair<int, int>> height;  // heights of the processors; the root is highest
   for (int p = 0; p < t.processors; ++p) height.emplace_back(plain_distances(t, part[p])[p], p);
   for (int to = 0; to < t.processors; ++to)
     for (int from = 0; from < t.processors; ++from) {
@@ -79,7 +79,7 @@ void expect_valid_up_down(const Topology& t) {
   EXPECT_FALSE(closes_cycle(t, routes, make_tree_links(t)));
 }
 
-// A random_topology with any processor as its root, plus up to eight more processors.
+// A random_topology with a random root and up to eight more processors.
 Topology random_machine(unsigned seed) {
   auto t = random_topology(seed);
   std::mt19937 random(seed + 1);
@@ -135,8 +135,8 @@ TEST(TopologyClosesCycle, OfShortestRoutesOnRingsAndTori) {
     EXPECT_FALSE(closes(spec)) << spec;
 }
 
-// Collects all waits between links, of every route and of the tree. Then repeatedly removes links
-// that wait for none. If links remain, there is a cycle.
+// Collects all waits of one link for another, on every route and in the tree. Then repeatedly
+// removes links that wait for no link. If links remain, there is a cycle.
 bool closes_cycle_plainly(const Topology& t, const RoutingTable& routes, const TreeLinks& tree) {
   const int n = t.processors;
   const auto peers = make_peers(t);
@@ -203,8 +203,8 @@ TEST(TopologyClosesCycle, OfTheLargest) {
   }
 }
 
-// Broadcasts count too. The tree's path 0, 2, 3, 1 turns from a column into a row, which no route
-// does.
+// Broadcasts can close a cycle even if the routes alone have none. The tree's path 0, 2, 3, 1 turns
+// from a column into a row, which no route does.
 TEST(TopologyClosesCycle, OfTheTreesLinksToo) {
   const auto t = make_topology("mesh:2x2");
   const auto routes = make_routes(t);
@@ -212,7 +212,8 @@ TEST(TopologyClosesCycle, OfTheTreesLinksToo) {
   EXPECT_TRUE(closes_cycle(t, routes, {{0, 2}, {1, 3}, {2, 3}}));
 }
 
-// Routes between 1 and 3 pass the root, not 2, which is below both (compare promela/network.pml).
+// In a ring of four, routes between 1 and 3 pass the root, not processor 2, which is below both.
+// (promela/network.pml verifies the same ring.)
 TEST(TopologyUpDownRules, RingOfFourTurnsOneRoute) {
   const auto routes = make_up_down_routes(make_topology("ring:4"));
   const std::vector<int> ports_to_3{1, 1, 2, -1};

@@ -1,4 +1,4 @@
-// Dimension-order routes, and link loads of all-to-all messages on given routes.
+// Tests dimension-order routes, and the loads of links for all-to-all messages on given routes.
 #include <map>
 #include <numeric>
 
@@ -13,7 +13,7 @@
 namespace topologies {
 namespace {
 
-// Visits each route: its processors from one end to the other.
+// Calls `visit` for each route with the processors on it, from one end to the other.
 template <typename Visit>
 void for_each_route(const Topology& t, const RoutingTable& routes, Visit visit) {
   const auto peers = make_peers(t);
@@ -52,7 +52,7 @@ TEST(TopologyXyRoutes, GoAlongTheRowFirstAndAreShortest) {
   }
 }
 
-// Hypercubes have the fourth dimension on port 0, and the others on ports 1 to 3.
+// In a hypercube, port 0 is the fourth dimension; ports 1 to 3 are the others.
 TEST(TopologyXyRoutes, OfHypercubesCorrectDimensionsByAscendingPort) {
   for (int d = 0; d <= 4; ++d) {
     const auto t = make_topology("hypercube:" + std::to_string(d));
@@ -76,7 +76,8 @@ TEST(TopologyXyRoutes, CloseNoCycleOnMeshesAndHypercubes) {
     EXPECT_TRUE(closes(spec)) << spec;
 }
 
-// Half of a row's processors send to the other half of the machine over the row's middle link.
+// The middle link of a row carries all messages from this half of the row to the other half of the
+// machine.
 TEST(TopologyXyRoutes, LoadTheBusiestLinkOfAMeshAsItsBisectionSays) {
   for (const int side : {2, 4, 8, 16}) {
     const auto t = make_mesh(side, side);
@@ -96,7 +97,7 @@ TEST(TopologyXyRoutes, AreOfMeshesToriAndHypercubesOnly) {
 
 TEST(TopologyRouteLoad, IsThatOfEveryMessageWalked) {
   const auto expect_walked = [](const Topology& t, const RoutingTable& routes) {
-    // messages by pair of neighbours, over all links
+    // number of messages by pair of neighbours, summed over parallel links
     std::map<std::pair<int, int>, std::int64_t> sent;
     for_each_route(t, routes, [&](const std::vector<int>& path) {
       for (std::size_t i = 0; i + 1 < path.size(); ++i) ++sent[{path[i], path[i + 1]}];
