@@ -42,7 +42,7 @@ std::string format_points(const Place& place);
 /// - Minimum-path networks become concentric circles around the root, with a gap above it.
 /// - Small trees grow downwards from the root; large trees surround it.
 /// - Other topologies are placed by Graphviz's program neato from a fixed start, then rotated until
-/// the root is at the top. With more than 1024 processors they become circles around the root.
+///   the root is at the top. With more than 1024 processors they become circles around the root.
 /// Throws std::runtime_error if Graphviz is not installed, and BadInput for more than MAX_DRAWN
 /// processors.
 Layout make_layout(const Topology& topology);

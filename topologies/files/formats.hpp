@@ -12,13 +12,13 @@ namespace topologies {
 
 /// Reads a .dot, .gv or .graphml file. Each edge, directed or not, becomes one link.
 /// - Processors are numbered in the order of first mention in the file. If the names are exactly 0
-/// to
-/// n-1, the names are the numbers. The name of a GraphML node is its attribute `name`, or its id.
+///   to n-1, the names are the numbers. The name of a GraphML node is its attribute `name`, or its
+///   id if it has no `name`.
 /// - Edge attributes `port_a` and `port_b` (or numeric `tailport` and `headport`) are the ports, 0
-/// to 3, at the first and second vertex. Ends without a port get the lowest free port, in the
-/// file's order.
+///   to 3, at the first and second vertex. Ends without a port get the lowest free port, in the
+///   file's order.
 /// - The root is the vertex whose attribute `root` is true, or the vertex named by the graph's
-/// attribute `root`. By default it is processor 0.
+///   attribute `root`. By default it is processor 0.
 /// The returned topology passes `check`. Throws BadInput with the path if the file cannot be read,
 /// is malformed or is not a topology. The message includes the line if the parser reports it.
 Topology load_topology(const std::string& path);
