@@ -12,7 +12,7 @@ namespace renderer {
 
 namespace {
 
-// Target that ignores a scene's content and collects only the names of the files it refers to.
+// A target that ignores the content of a scene and collects only the names of other files.
 struct FileNames : NffTarget {
   std::vector<std::string> files;
 

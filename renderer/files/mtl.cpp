@@ -29,7 +29,7 @@ bool is_png(const std::string& path) {
   return head == SIGNATURE;
 }
 
-// Words of a map statement: options, then a file name that may have blanks.
+// The words of a statement that names a picture: options, then a file name that may contain blanks.
 class MapWords {
  public:
   explicit MapWords(std::string_view text) : rest_(text) {}
@@ -65,8 +65,8 @@ class MtlReader {
 
  private:
   struct Draft : MtlEntry {
-    std::optional<double> opacity{}, transmission{};  // statements d and Tr
-    std::optional<Rgb> filter{};                      // statement Tf
+    std::optional<double> opacity{}, transmission{};  // from the statements d and Tr
+    std::optional<Rgb> filter{};                      // from the statement Tf
     bool has_diffuse = false;
   };
 
@@ -126,7 +126,7 @@ class MtlReader {
 
   double take(std::string_view what, double most) { return tokens_.take_number(what, 0, most); }
 
-  // Takes a colour. A single number stands for all three.
+  // Takes a colour of three numbers. A single number stands for all three.
   Rgb take_colour(std::string_view what, double most) {
     const double r = take(what, most);
     if (!tokens_.continues()) return {r, r, r};
@@ -139,7 +139,7 @@ class MtlReader {
     draft.has_diffuse = true;
   }
 
-  // Reads an index of refraction; opaque materials may state 0.
+  // Reads an index of refraction. For opaque materials, files may state 0, which becomes 1.
   void read_ior(MtlMaterial& material) {
     const double ior = take("Ni", MAX_IOR);
     material.ior = ior > 0 ? ior : 1;
@@ -177,7 +177,7 @@ class MtlReader {
                                 file ? "a PNG picture" : "the name of an existing file"));
   }
 
-  // Takes an option and its values. Returns false if the next word is no option.
+  // Takes an option and its values. Returns false if the next word is not an option.
   bool take_option(MapWords& words, PictureMap& map) {
     struct Option {
       std::string_view name;
@@ -208,7 +208,7 @@ class MtlReader {
     return true;
   }
 
-  // Takes one to three numbers and returns the first two.
+  // Takes one to three numbers and returns the first two. A missing number is `otherwise`.
   static std::pair<double, double> take_pair(MapWords& words, double otherwise) {
     double values[] = {otherwise, otherwise, otherwise};
     for (double& value : values) {

@@ -1,12 +1,13 @@
 #pragma once
-// Reader of materials from Wavefront MTL files, the libraries of OBJ files.
+// Reader of Wavefront MTL files, the libraries of materials for OBJ files.
 //
 // The reader uses newmtl, Kd, Ks, Ke, Ns, d, Tr, Ni, illum, and map_Kd with its options -o and -s.
 // It skips Ka, sharpness, map_aat, and the keys of physically based rendering (Pr, Pm, ...). It
-// leaves out and counts all others. Names of statements may have any case. A material's name is the
-// rest of its line. A comment `# surface R G B KD` at the start of a line splits the preceding Kd
-// into a colour and a factor, as NFF needs them. It is ignored unless R G B times KD equals that
-// Kd.
+// ignores all other statements, but counts them. Upper and lower case are the same in statements.
+// The name of a material is the rest of its line.
+//
+// A comment `# surface R G B KD` at the start of a line splits the preceding Kd into a colour and a
+// factor, as NFF states them. The comment is ignored unless R G B times KD equals that Kd.
 
 #include <string>
 #include <string_view>
@@ -17,50 +18,53 @@
 
 namespace renderer {
 
-/// A material of an MTL file. By default it is black and opaque. Ranges are those of `f` in NFF.
+/// A material of an MTL file, by default black and opaque. Its numbers have the same limits as
+/// those of the NFF statement `f`.
 struct MtlMaterial {
   std::string name{};
   Rgb diffuse{}, specular{}, emission{};  ///< Kd, Ks, Ke
   double shine = 0;                       ///< Ns, Phong exponent
-  double transparency = 0;                ///< Tr if d is absent or agrees with it, else 1 - d
+  double transparency = 0;                ///< Tr if d is absent or equals 1 - Tr, else 1 - d
   double ior = 1;                         ///< Ni, index of refraction
-  int illum = 2;                          ///< illumination model; 3 and above have reflected rays
-  std::string picture{};                  ///< map_Kd, path of an existing PNG file; may be empty
-  Rgb colour{1, 1, 1};                    ///< colour whose product with kd is `diffuse`
+  int illum = 2;          ///< illumination model; 3 and higher models have reflected rays
+  std::string picture{};  ///< map_Kd, path of an existing PNG file; "" if none
+  Rgb colour{1, 1, 1};    ///< `diffuse` is the product of `colour` and `kd`
   double kd = 0;
   bool operator==(const MtlMaterial&) const = default;
 
-  /// Sets `diffuse` to the product of a colour and a factor, and keeps both in `colour` and `kd`.
+  /// Sets `colour` and `kd` to the given values, and `diffuse` to their product.
   void set_diffuse(const Rgb& of, double factor) {
     colour = of, kd = factor, diffuse = factor * of;
   }
-  /// Sets `diffuse` to a colour with the factor 1. Black becomes white with the factor 0.
+  /// Sets `diffuse` and `colour` to the same colour, with `kd` 1. For black, `colour` is white and
+  /// `kd` is 0.
   void set_diffuse(const Rgb& rgb) {
     rgb == Rgb{} ? set_diffuse({1, 1, 1}, 0) : set_diffuse(rgb, 1);
   }
 };
 inline constexpr int ILLUM_REFLECTS = 3, ILLUM_REFRACTS = 6;
 
-/// Colour of faces without a material, and of materials without a colour.
+/// Colour of faces without a material, and of materials for which the file gives no colour.
 inline constexpr Rgb LIGHT_GREY{0.8, 0.8, 0.8};
 
-/// Linear map from the texture coordinates of a face to those of its picture.
+/// Linear map from a face's texture coordinates (u, v) to coordinates of its picture, 0 to 1.
 struct PictureMap {
   double u_scale = 1, v_scale = 1, u_offset = 0, v_offset = 0;
   bool operator==(const PictureMap&) const = default;
 };
 
-/// A material as read, with the map of its picture.
+/// A material read from a file, with the map of its picture's coordinates.
 struct MtlEntry {
   MtlMaterial material{};
   PictureMap map{};
-  int line = 0;  ///< line of its newmtl
+  int line = 0;  ///< line of the newmtl statement, counted from 1
 };
 
-/// Reads a library. `left_out` counts unreadable values and missing pictures, which get their
-/// defaults. A material without Kd is white if it has a picture. If it has none, it is light grey
-/// unless it emits, reflects or transmits light. `Tr 1` without `d` means opaque if `illum` has no
-/// transparency, because MeshLab writes it so. Throws BadInput for UTF-16.
+/// Reads a library of materials. Unreadable values and missing pictures get their defaults, and
+/// `left_out` counts them. A material without Kd is white if it has a picture. Without a picture,
+/// it is light grey unless it emits, reflects or transmits light. `Tr 1` without `d` means opaque
+/// if the model `illum` has no transparency, because MeshLab writes opaque materials this way.
+/// `path` is the path of the library. Throws BadInput for a text in UTF-16.
 std::vector<MtlEntry> read_mtl(std::string_view text, const std::string& path, LeftOut& left_out);
 
 }  // namespace renderer

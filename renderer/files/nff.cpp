@@ -17,8 +17,8 @@ namespace {
 constexpr int MAX_VERTICES = 1 << 24;
 constexpr double MAX_TIME = 1e6;
 
-// Predicates for statements in comments. A comment is prose unless the words after the name have
-// the form of that statement.
+// Predicates that decide whether a comment is a statement. The words after the statement's name
+// must have the form of that statement; otherwise the comment is prose.
 bool always(const Words&) { return true; }
 bool has_file(const Words& words) {
   const auto name = base::to_lower(words.second);
@@ -31,7 +31,7 @@ bool has_picture(const Words& words) {
   const bool is_mapping =
       words.third == "planar" || words.third == "spherical" || words.third == "mesh";
   const auto name = base::to_lower(words.second);
-  // Pictures in other formats are refused later.
+  // Endings of pictures. Only PNG is supported; the loader of textures refuses the other formats.
   constexpr const char* ENDINGS[] = {".png", ".jpg", ".jpeg", ".gif", ".bmp", ".tif", ".webp"};
   return std::ranges::any_of(ENDINGS, [&](const char* end) { return name.ends_with(end); }) ||
          (is_mapping && words.second.find('.') != words.second.npos);
@@ -74,7 +74,7 @@ class Reader {
     read(*this);
   }
 
-  // A statement in a comment, which other NFF readers ignore.
+  // A statement inside a comment, which other NFF readers ignore.
   struct Comment {
     std::string_view name;
     bool is_of_rooms;
@@ -121,7 +121,7 @@ class Reader {
     tokens_.within_line([&] { known->read(*this); });
   }
 
-  // Throws if a statement that may appear only once appears again.
+  // Throws BadInput if a statement that may appear only once appears a second time.
   void require_first(std::string_view statement, int& line) {
     if (line != 0)
       tokens_.fail(target_.line, fmt::format("found a second '{}', expected only that of line {}",
@@ -172,7 +172,7 @@ class Reader {
     tell([&] { target_.set_motion({velocity, {}}); });
   }
 
-  // Takes a file name and makes it relative to the folder of this file.
+  // Takes a file name and makes its path relative to the folder of the NFF file.
   std::string take_file() {
     const auto folder = std::filesystem::path(tokens_.name()).parent_path();
     const auto file = (folder / tokens_.take_word("a file")).string();
@@ -250,7 +250,7 @@ class Reader {
     }
   }
 
-  // Throws if '# uv' is not followed by a polygon.
+  // Throws BadInput if the statement after '# uv' is not a polygon.
   void require_polygon(std::string_view statement) {
     if (coordinates_.empty() || statement == "p" || statement == "pp" || statement == "uv") return;
     const auto found = statement.empty() ? "the end of the file" : base::quote(statement);
@@ -268,7 +268,7 @@ class Reader {
     const double ior = tokens_.take_number("the index of refraction", 0, MAX_IOR);
     if (ior > 0)
       s.ior = ior;
-    else if (s.t > 0)  // opaque surfaces may state an index of 0
+    else if (s.t > 0)  // opaque surfaces may state an index of refraction of 0
       tokens_.fail(tokens_.line(),
                    "found an index of refraction of 0, expected more than 0 because T > 0");
     has_surface_ = true;
@@ -310,7 +310,7 @@ class Reader {
   NffTarget& target_;
   int view_line_ = 0, lens_line_ = 0, shutter_line_ = 0, camera_line_ = 0;
   bool has_surface_ = false;
-  Surface surface_;                  // surface set by the latest statement
+  Surface surface_;  // surface of the latest 'f' statement and the comments after it
   std::vector<Corner> coordinates_;  // texture coordinates of the next polygon
 };
 

@@ -20,9 +20,10 @@ bool is_statement(std::string_view comment) {
          (words.name == "light" && has_light_shape(words));
 }
 
-constexpr double LEAST_HEIGHT = 2e-6;  // least height of a triangle, relative to its longest edge
+// Smallest height of a triangle, as a fraction of its longest edge.
+constexpr double LEAST_HEIGHT = 2e-6;
 
-// The parts of a corner: v, v/vt, v//vn or v/vt/vn. Wings3D writes v//.
+// The numbers of a corner, spelled v, v/vt, v//vn or v/vt/vn. Wings3D also writes v//.
 struct CornerWords {
   std::string_view v, vt, vn;
 };
@@ -41,14 +42,15 @@ std::optional<CornerWords> split_corner(std::string_view word) {
 bool is_readable(const Vec& item) { return !std::isnan(item.x); }
 bool is_readable(const Corner& item) { return !std::isnan(item.u); }
 
-// Items of one kind, such as vertices. `above` is the number of those above the current line.
+// The items of one kind, such as vertices. `above` is the number of items above the current line.
 template <class Item>
 struct Items {
   const std::vector<Item>& all;
   const char* what;
   std::size_t above = 0;
 
-  // The item with a number, counted from 1, or backwards from -1; null if it is not there.
+  // Finds an item by its number. Positive numbers count from 1 at the start of the file, negative
+  // ones backwards from the current line. Returns null if the item is missing or unreadable.
   const Item* find(std::string_view number) const {
     const auto n = base::parse_number<long long>(number).value_or(0);
     const auto count = static_cast<long long>(all.size()), before = static_cast<long long>(above);
@@ -58,11 +60,11 @@ struct Items {
   }
 };
 
-// Normals or texture coordinates of a face's corners.
+// The normals or the texture coordinates of a face's corners.
 template <class Item>
 struct Attributes {
   std::vector<Item> items;
-  std::string problem;  // message about the first missing item
+  std::string problem;  // message about the first missing or unreadable item
 
   void add(const Items<Item>& items_of_file, std::string_view number) {
     if (number.empty()) return;
@@ -84,8 +86,8 @@ ObjFace pick(const ObjFace& face, std::span<const std::uint32_t> corners) {
   return part;
 }
 
-// Keeps one of several neighbouring corners at the same point. Some programs write a triangle as a
-// quadrilateral that repeats a corner.
+// Removes corners that repeat the point of the previous corner. Some programs write a triangle as a
+// quadrilateral with a repeated corner.
 ObjFace drop_repeated(ObjFace face) {
   std::vector<std::uint32_t> kept;
   const auto count = static_cast<std::uint32_t>(face.corners.size());
@@ -119,7 +121,7 @@ class ObjReader {
   struct Statement {
     std::string_view name;
     void (*read)(ObjReader&);
-    const char* left_out = nullptr;  // kind for LeftOut
+    const char* left_out = nullptr;  // name under which LeftOut counts the statement
   };
 
   static std::span<const Statement> statements() {
@@ -134,7 +136,7 @@ class ObjReader {
         {"vt", [](ObjReader& r) { r.count(r.coordinates_.above); }},
         {"vn", [](ObjReader& r) { r.count(r.normals_.above); }},
         {"f", [](ObjReader& r) { r.read_face(); }},
-        {"fo", [](ObjReader& r) { r.read_face(); }},  // name of a face in old files
+        {"fo", [](ObjReader& r) { r.read_face(); }},  // old name of the statement 'f'
         {"usemtl", [](ObjReader& r) { r.use_material(); }},
         {"#", [](ObjReader& r) { r.read_comment(); }},
         {"p", &leave_out, "points"},
@@ -153,7 +155,7 @@ class ObjReader {
         {"usemap", leave_out_if_on, "texture maps of faces"},
         {"lod", leave_out_if_on, "levels of detail"},
         {"bevel", leave_out_if_on, "bevels"},
-        {"mtllib", skip},  // already read by ObjMaterials
+        {"mtllib", skip},  // ObjMaterials has already read the libraries
         {"g", skip},
         {"o", skip},
         {"s", skip},
@@ -226,7 +228,7 @@ class ObjReader {
                                       base::quote(text), materials_.describe()));
   }
 
-  // Selects the material of the next face unless the target already uses it.
+  // Calls use_material() of the target for the next face unless its material is already in use.
   void tell_material() {
     if (!material_ && why_grey_.empty())
       why_grey_ = at_line("found 'f', expected 'usemtl' before it");
@@ -298,7 +300,8 @@ class ObjReader {
     return face;
   }
 
-  // Returns the items if each corner has one. Otherwise returns none and counts the loss.
+  // Returns the items if every corner has one. Otherwise returns none, and counts the incomplete
+  // items.
   template <class Item>
   std::vector<Item> take_all(Attributes<Item>& found, std::size_t count, const char* kind) {
     auto& [items, problem] = found;
@@ -333,11 +336,12 @@ class ObjReader {
   Items<Vec> points_{items_.points, "vertex (v)"}, normals_{items_.normals, "normal (vn)"};
   Items<Corner> coordinates_{items_.coordinates, "coordinate (vt)"};
   const Statement* statement_ = nullptr;
-  std::optional<std::size_t> material_;  // material of the next faces; none for light grey
+  // Material of the next faces; none for the light grey default.
+  std::optional<std::size_t> material_;
   PictureMap map_;
   bool is_told_ = false, has_view_ = false;
   std::size_t faces_ = 0, grey_ = 0;
-  std::string unknown_, bad_face_, why_grey_;  // message about the first of each kind
+  std::string unknown_, bad_face_, why_grey_;  // message about the first problem of each kind
 };
 
 }  // namespace
@@ -364,7 +368,7 @@ View look_from_outside(const Bounds& bounds) {
   View view;
   const Vec across = bounds.hi - bounds.lo;
   if (std::hypot(across.x, across.z) < 1e-3 * across.y) view.up = {0, 0, 1};
-  const double sine = 0.38268343236508977;  // sine of half the view's angle, 45 degrees
+  const double sine = 0.38268343236508977;  // sine of half the view's angle of 45 degrees
   view.at = 0.5 * (bounds.lo + bounds.hi);
   view.from = view.at + (0.5 / sine) * across;
   return view;

@@ -49,7 +49,7 @@ class ItemReader {
     tokens_.skip_line();
   }
 
-  // Takes a vertex. A weight (one number), a colour (three or four) or both may follow.
+  // Takes a vertex. A weight (one number), a colour (three or four numbers) or both may follow.
   Vec take_point() {
     const Vec point = tokens_.take_vec("a vertex");
     if (!tokens_.continues()) return point;

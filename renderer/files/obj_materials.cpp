@@ -12,7 +12,7 @@ namespace renderer {
 
 namespace {
 
-// Splits a text at blanks. The words are parts of the text.
+// Splits a text at blanks. The returned words point into the text.
 std::vector<std::string_view> split_words(std::string_view text) {
   std::vector<std::string_view> words;
   for (;;) {
@@ -23,7 +23,7 @@ std::vector<std::string_view> split_words(std::string_view text) {
   }
 }
 
-// Returns the text from the start of one word to the end of another.
+// The part of a text from the start of the word `first` to the end of the word `last`.
 std::string_view span_words(std::string_view first, std::string_view last) {
   return {first.data(), static_cast<std::size_t>(last.data() + last.size() - first.data())};
 }
@@ -37,8 +37,8 @@ ObjMaterials::ObjMaterials(const std::string& name,
   for (const auto& of_line : libraries) read_libraries(name, of_line);
 }
 
-// Blanks separate the names of libraries, but can be part of a name. At each word, takes the
-// longest name of an existing file.
+// Reads the libraries that a line names. Blanks separate names, but may also be part of a name.
+// From each word on, the longest name of an existing file counts.
 void ObjMaterials::read_libraries(const std::string& name, const ObjItems::Libraries& libraries) {
   target_.line = libraries.line;
   const auto place = fmt::format("{}:{}", name, libraries.line);

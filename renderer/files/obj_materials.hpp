@@ -1,5 +1,5 @@
 #pragma once
-// Materials of an OBJ file, from its libraries.
+// The materials of an OBJ file, read from its libraries.
 
 #include <map>
 #include <optional>
@@ -13,21 +13,22 @@ namespace renderer {
 
 class ObjMaterials {
  public:
-  /// Reads the libraries of the OBJ file `name` and adds their materials to `target`. Of several
-  /// materials with the same name it keeps the first.
+  /// Reads the libraries of the OBJ file `name` and adds their materials to `target`. If several
+  /// materials have the same name, only the first is kept.
   ObjMaterials(const std::string& name, const std::vector<ObjItems::Libraries>& libraries,
                ObjTarget& target, LeftOut& left_out);
 
-  /// Finds a material's index from the rest of a usemtl line.
+  /// Returns the index of the material that a usemtl statement names; none if it is unknown. `text`
+  /// is the rest of the statement's line.
   std::optional<std::size_t> find(std::string_view text) const;
-  /// Returns the index of the light grey material, which it adds at the first call.
+  /// Returns the index of the light grey material. The first call adds this material to the target.
   std::size_t find_grey();
   const PictureMap& map(std::size_t material) const { return maps_[material]; }
-  /// Lists up to ten names, for errors.
+  /// Lists up to ten names of materials, for error messages.
   std::string describe() const;
 
   std::size_t missing() const { return missing_; }
-  /// Message about the first missing library.
+  /// Message about the first library that does not exist; "" if all exist.
   const std::string& missing_remark() const { return missing_remark_; }
 
  private:

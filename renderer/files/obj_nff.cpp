@@ -38,7 +38,7 @@ void ObjAsNff::add_material(const MtlMaterial& material) {
   looks_.push_back(look);
 }
 
-// Selects the surface of the next polygon, without its picture if the polygon has no texture
+// Selects the surface of the next polygon. Removes the picture if the polygon has no texture
 // coordinates.
 void ObjAsNff::use_look(bool has_coordinates) {
   auto [surface, emission] = looks_[material_];
@@ -125,7 +125,7 @@ std::uint32_t NffAsObj::add_texture(const std::string& file, const Mapping& mapp
   return static_cast<std::uint32_t>(pictures_.size() - 1);
 }
 
-// Switches to the material of the next faces, and adds it if it is new.
+// Selects the material of the next faces in the target, and adds it first if it is new.
 void NffAsObj::use_next() {
   const auto is_next = [&](const MtlMaterial& known) {
     next_.name = known.name;

@@ -1,13 +1,13 @@
 #pragma once
-// Translates OBJ to NFF statements and NFF to OBJ statements. A surface becomes a material with
-// reflected and refracted rays, `illum` 3, 5 or 6:
+// Translates OBJ statements to NFF statements, and back. The surface of an NFF file corresponds to
+// a material whose model `illum` has reflected and refracted rays (3, 5 or 6):
 //
 //   f R G B KD KS SHINE T IOR  =  Kd KD*R KD*G KD*B   Ks KS KS KS   Ns SHINE   Tr T   Ni IOR
 //
-// KS is the greatest component of a coloured Ks. A material with `illum` below 3 gets KS 0, because
-// NFF has no highlights without mirror images. A surface that only mirrors (KS 1, KD 0) gets
-// `illum` 3, the mirror of a room; other mirrors get 5. Pictures (map_Kd) become textures by
-// coordinates.
+// If Ks is coloured, KS is its greatest component. A material with `illum` below 3 gets KS 0,
+// because every NFF surface with highlights is also a mirror. A surface that only reflects (KS 1,
+// KD 0) gets `illum` 3, which marks a mirror of a room; other reflecting surfaces get 5. Pictures
+// (map_Kd) become textures with texture coordinates at the corners.
 
 #include "renderer/files/nff.hpp"
 #include "renderer/files/obj.hpp"
@@ -15,13 +15,14 @@
 
 namespace renderer {
 
-/// Adapter that forwards an OBJ file to an NffTarget. Faces that are not flat become triangles.
+/// Adapter that forwards the content of an OBJ file to an NffTarget. Splits faces that are not flat
+/// into triangles.
 class ObjAsNff : public ObjTarget {
  public:
-  /// `left_out` counts what NFF cannot express, such as coloured mirrors.
+  /// `left_out` counts properties that NFF cannot express, such as coloured mirrors.
   ObjAsNff(NffTarget& target, LeftOut& left_out) : target_(target), left_out_(left_out) {}
-  /// Completes the scene after the last statement. If the file has no view, adds one from outside
-  /// the objects. If it has neither view nor lights, also adds a light at the eye.
+  /// Completes the scene; to be called after the last statement. If the file has no view, adds one
+  /// from outside the objects. If it has no light either, also adds a light at the eye.
   void finish();
 
   void add_library(const std::string& path) override { target_.add_file(path); }
@@ -39,7 +40,7 @@ class ObjAsNff : public ObjTarget {
     Surface surface;
     Rgb emission;
   };
-  // A material with or without its picture.
+  // A material, used with or without its picture.
   struct Use {
     std::size_t material;
     bool has_picture;
@@ -51,15 +52,15 @@ class ObjAsNff : public ObjTarget {
 
   NffTarget& target_;
   LeftOut& left_out_;
-  std::vector<Look> looks_;   // appearance of each material
+  std::vector<Look> looks_;   // appearance of each material, by index
   std::size_t material_ = 0;  // material of the next faces
-  std::optional<Use> used_;   // current surface of the target
+  std::optional<Use> used_;   // material of the target's current surface
   Bounds bounds_;
   bool has_view_ = false, has_light_ = false;
 };
 
-/// Adapter that forwards an NFF file to an ObjTarget. Counts what OBJ cannot express: spheres,
-/// cones, gloss and the like.
+/// Adapter that forwards the content of an NFF file to an ObjTarget. Counts parts that OBJ cannot
+/// express, such as spheres, cones and gloss.
 class NffAsObj : public NffTarget {
  public:
   NffAsObj(ObjTarget& target, LeftOut& left_out) : target_(target), left_out_(left_out) {}
@@ -93,11 +94,11 @@ class NffAsObj : public NffTarget {
 
   ObjTarget& target_;
   LeftOut& left_out_;
-  Surface surface_;     // surface set by the latest NFF statement
+  Surface surface_;     // surface of the latest NFF statement 'f'
   MtlMaterial next_;    // material of the next faces
-  bool is_new_ = true;  // true if `next_` has not been added to the target
+  bool is_new_ = true;  // `next_` has not yet been selected in the target
   std::vector<MtlMaterial> materials_;
-  std::vector<std::string> pictures_;  // picture file of each texture
+  std::vector<std::string> pictures_;  // picture file of each texture, by index
   std::vector<Corner> coordinates_;    // texture coordinates of the next polygon
 };
 

@@ -8,7 +8,7 @@ namespace renderer {
 namespace {
 
 constexpr std::size_t MAX_LIGHTS = 65535;
-constexpr double MAX_DISPLACEMENT = 1e15;  // equal to the largest number in a file
+constexpr double MAX_DISPLACEMENT = 1e15;  // the largest number that files may contain
 
 Vec eval_displacement(const Motion& motion, double time) {
   return motion.path.empty() ? time * motion.velocity : eval_path(motion.path, time).place;
@@ -76,7 +76,7 @@ void SceneTarget::add_cone(const Vec& base, double base_radius, const Vec& apex,
   renderer::add_cone(scene_, base, base_radius, apex, apex_radius);
 }
 
-// Divides a fixed total energy among the lights without a colour, as the SPD requires.
+// Gives each light without a colour the intensity 1 / sqrt(number of lights), as the SPD specifies.
 void SceneTarget::share_energy() {
   const double share =
       1 / std::sqrt(static_cast<double>(std::max<std::size_t>(1, scene_.lights.size())));

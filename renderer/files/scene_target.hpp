@@ -1,5 +1,5 @@
 #pragma once
-// NFF target that builds a scene.
+// An NffTarget that builds a scene.
 
 #include <map>
 
@@ -9,12 +9,12 @@ namespace renderer {
 
 class SceneTarget : public NffTarget {
  public:
-  /// `name` is the file's name for error messages.
+  /// `name` is the file's name in error messages.
   explicit SceneTarget(std::string name) : name_(std::move(name)) {}
 
-  /// Makes the scene at a frame. Called once, after the last statement.
+  /// Returns the scene at a frame, counted from 0. Must be called once, after the last statement.
   Scene make_scene(int frame);
-  /// The files that the scene refers to.
+  /// The other files that the scene file names.
   const std::vector<std::string>& files() const { return files_; }
 
   void set_view(const View& view) override;
@@ -36,8 +36,8 @@ class SceneTarget : public NffTarget {
   void add_cone(const Vec& base, double base_radius, const Vec& apex, double apex_radius) override;
 
  private:
-  // A motion, and the index of the first object that it moves. It ends where the next motion
-  // begins.
+  // A motion and the index of the first object that it moves. It applies to all objects up to the
+  // first object of the next motion.
   struct Moving {
     Motion motion;
     std::size_t first;
@@ -51,15 +51,15 @@ class SceneTarget : public NffTarget {
   std::string name_;
   std::vector<std::string> files_;
   Scene scene_;
-  std::vector<bool> has_colour_;                   // for each light, whether it states a colour
+  std::vector<bool> has_colour_;                   // by light: true if the file states a colour
   std::vector<Corner> coordinates_;                // texture coordinates of the next polygon
-  std::map<std::string, std::uint32_t> pyramids_;  // textures already loaded, by file
+  std::map<std::string, std::uint32_t> pyramids_;  // index of each loaded texture, by file
   Lens lens_;
   Shutter shutter_;
   std::vector<Moving> motions_;
   Path camera_;
   int view_line_ = 0;               // line of the view statement
-  std::size_t objects_before_ = 0;  // number of objects when the latest surface was set
+  std::size_t objects_before_ = 0;  // number of objects before the latest surface
 };
 
 }  // namespace renderer

@@ -1,5 +1,5 @@
 #pragma once
-// Writes NFF that `read_nff` restores bit for bit.
+// Writes NFF from which read_nff restores all numbers bit for bit.
 
 #include <set>
 #include <string>
@@ -8,7 +8,7 @@
 
 namespace renderer {
 
-/// Turns names into single words, each different from those before.
+/// Converts names to words without blanks. Different names give different words.
 class WordNames {
  public:
   std::string make(std::string name);
@@ -19,13 +19,13 @@ class WordNames {
 
 class NffText : public NffTarget {
  public:
-  /// Makes NFF text with picture paths relative to `folder`. Throws BadInput for invalid polygons,
-  /// and for picture paths that NFF cannot express: those with blanks or '#', or without a full
-  /// stop.
+  /// Makes NFF text with picture paths relative to `folder`. The member functions throw BadInput
+  /// for invalid polygons, and for picture paths that NFF cannot express: those that contain blanks
+  /// or '#', or no full stop.
   explicit NffText(std::string folder) : folder_(std::move(folder)) {}
 
-  /// The complete text: view, background and lights first, then the other statements in their
-  /// order.
+  /// The complete text: view, background and lights first, then the other statements in the order
+  /// of the calls.
   std::string text() const { return head_ + body_; }
 
   Knows knows() const override { return Knows::both; }
@@ -42,19 +42,19 @@ class NffText : public NffTarget {
 
  private:
   std::string folder_, head_, body_;
-  std::vector<std::string> pictures_;  // picture path of each texture
+  std::vector<std::string> pictures_;  // path of each texture's picture, by index
   std::vector<Corner> coordinates_;    // texture coordinates of the next polygon
 };
 
-// Formats a view or light as the words of an NFF statement, without '#'.
+// Formats a view or light as the words of an NFF statement, without a '#' before them.
 std::string describe_view(const View& view);
 std::string describe_light(const Light& light, const std::optional<Rgb>& colour);
-/// Formats "X Y Z" or "R G B" such that it reads back bit for bit.
+/// Formats "X Y Z" or "R G B" so that reading restores the numbers bit for bit.
 std::string describe(const Vec& v);
 std::string describe(const Rgb& colour);
-/// Throws BadInput for a name that contains blanks or '#', which end a word in NFF.
+/// Throws BadInput for a name that contains blanks or '#', which would end a word in NFF.
 void check_word(const std::string& name);
-/// Makes the path of `file` relative to `folder`. Throws as check_word() does.
+/// Returns the path of `file` relative to `folder`. Throws BadInput as check_word() does.
 std::string find_from(const std::string& folder, const std::string& file);
 
 }  // namespace renderer

@@ -1,5 +1,5 @@
 #pragma once
-// Writes OBJ with an MTL file that `read_obj` restores bit for bit.
+// Writes OBJ and MTL files from which read_obj restores all numbers bit for bit.
 
 #include <map>
 #include <string>
@@ -10,9 +10,9 @@ namespace renderer {
 
 class ObjText : public ObjTarget {
  public:
-  /// `library` is the name of the MTL file, which is in `folder` beside the OBJ file. Picture paths
+  /// `library` is the name of the MTL file. It is in `folder`, beside the OBJ file. Picture paths
   /// are relative to `folder`. The member functions throw BadInput for invalid faces, and for names
-  /// with blanks or '#'.
+  /// that contain blanks or '#'.
   ObjText(std::string folder, std::string library);
 
   std::string text() const;
@@ -27,12 +27,13 @@ class ObjText : public ObjTarget {
   void add_light(const Light& light, const std::optional<Rgb>& colour) override;
 
  private:
-  // Returns the number of a point, normal or texture coordinate. Writes its statement if it is new.
+  // Returns the number of a point, normal or texture coordinate, counted from 1. Writes its
+  // statement if it is new.
   std::size_t number_of(const std::string& statement, std::map<std::string, std::size_t>& known);
 
   std::string folder_, library_name_, head_, body_, library_;
   std::vector<std::string> names_;  // names of the materials
-  // number of each vertex, normal and texture coordinate, by its statement
+  // Number of each vertex, normal and texture coordinate, by the text of its statement.
   std::map<std::string, std::size_t> points_, normals_, coordinates_;
 };
 

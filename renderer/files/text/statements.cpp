@@ -20,7 +20,8 @@ Words first_words(std::string_view comment) {
 
 namespace {
 
-// True for numbers, and for words that are meant as numbers: "0,5", "10%", "1/2", "nan", "1e999".
+// True for numbers, and for words that someone probably meant as numbers: "0,5", "10%", "1/2",
+// "nan", "1e999".
 bool looks_like_number(std::string_view word) {
   if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);
   const auto first = word.find_first_not_of(".,");
@@ -55,7 +56,7 @@ View take_view(Tokens& tokens) {
          view.width = tokens.take_count("the resolution's width", 1, MAX_SIDE);
          view.height = tokens.take_count("the resolution's height", 1, MAX_SIDE);
        }}};
-  // number of required words; hither and resolution have defaults
+  // Number of words that must be present. hither and resolution may be absent.
   constexpr std::size_t REQUIRED = 4;
   bool seen[std::size(settings)] = {};
   for (;;) {

@@ -1,5 +1,5 @@
 #pragma once
-// NFF statements for views and lights, which other formats use in comments.
+// NFF statements for views and lights. Other formats contain the same statements in comments.
 
 #include "renderer/files/text/tokens.hpp"
 #include "renderer/scene/scene.hpp"
@@ -10,29 +10,29 @@ namespace renderer {
 inline constexpr double MAX_SHINE = 1e9, MAX_IOR = 1e6, MAX_COLOUR = 1000;
 inline constexpr double MAX_COORDINATE = 1e6;  // largest magnitude of a texture coordinate
 
-/// The first words of a comment.
+/// The first three words of a comment.
 struct Words {
   std::string_view name, second, third;
 };
 Words first_words(std::string_view comment);
 
-// Test whether the words after a comment's name have the form of its statement. Otherwise the
-// comment is prose.
-/// A word that almost is a number, such as "0,5" or "nan", counts too, so that it is refused.
+// Test whether the words after a comment's name have the form of its statement. If not, the comment
+// is prose. Words that are almost numbers, such as "0,5" or "nan", count as numbers here, so that
+// the statement is refused with a message instead of being skipped as prose.
 bool has_number(const Words& words);
 bool has_light_shape(const Words& words);
 
-/// Takes the words after 'v' in any order: from, at, up and angle, optionally hither and
+/// Takes the words after 'v', in any order: from, at, up, angle, and optionally hither and
 /// resolution.
 View take_view(Tokens& tokens);
 
 struct StatedLight {
-  Light light;  ///< light, without the colour
+  Light light;  ///< without its colour
   std::optional<Rgb> colour;
 };
-/// Takes the words after 'l', a point light.
+/// Takes the words of a point light, after 'l'.
 StatedLight take_light(Tokens& tokens);
-/// Takes the words after '# light', an area light.
+/// Takes the words of an area light, after '# light'.
 StatedLight take_area_light(Tokens& tokens);
 
 /// Takes a colour with components from 0 to MAX_COLOUR.

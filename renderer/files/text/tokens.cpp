@@ -10,7 +10,8 @@ namespace {
 
 constexpr std::string_view BLANKS = " \t\v\f", LINE_ENDS = "\r\n", BYTE_ORDER_MARK = "\xEF\xBB\xBF";
 
-// Converts a number of Fortran, such as 1.0D+00, to the notation of C. Empty for other words.
+// Converts a number in Fortran's notation, such as 1.0D+00, to that of C. Returns "" for other
+// words.
 std::string from_fortran(std::string_view word) {
   if (word.find_first_not_of("0123456789.+-dD") != word.npos) return "";
   const auto exponent = word.find_first_of("dD");
@@ -44,13 +45,14 @@ Tokens::Tokens(std::string_view text, std::string name, IsStatement is_statement
   while (text_.ends_with('\x1A') || text_.ends_with('\0')) text_.remove_suffix(1);
 }
 
-// Returns the position after a line end at `at`, or `at` without one.
+// Returns the position after the line end at `at`, or `at` if there is no line end.
 std::size_t Tokens::skip_line_end(std::size_t at) const {
   if (at >= text_.size() || LINE_ENDS.find(text_[at]) == LINE_ENDS.npos) return at;
   return at + (text_.substr(at, 2) == "\r\n" ? 2 : 1);
 }
 
-// Returns the position after a backslash at `at` and the line end after it; 0 without them.
+// Returns the position after a backslash at `at` and the line end that follows it; 0 if they are
+// missing.
 std::size_t Tokens::find_join(std::size_t at) const {
   if (lines_ != Lines::joined || text_[at] != '\\') return 0;
   const auto end = std::min(text_.find_first_not_of(BLANKS, at + 1), text_.size());
@@ -64,7 +66,8 @@ void Tokens::join_line(std::size_t next) {
   ++line_;
 }
 
-// Returns the end of the word at `at_`. The '#' in Microsoft's 1.#INF starts no comment.
+// Returns the end of the word that starts at `at_`. The '#' in 1.#INF, which Microsoft's library
+// writes for infinity, does not start a comment.
 std::size_t Tokens::find_word_end() const {
   constexpr std::string_view ENDS = " \t\r\v\f\n#";
   std::size_t end = at_;
