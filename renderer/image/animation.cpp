@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char* WHO = "animation";
 
-// Validator of the frames of an animation, one after the other.
+// Checks the frames of an animation one after the other.
 class FrameCheck {
  public:
   void check(const Frame& frame) {
@@ -46,12 +46,13 @@ class FrameCheck {
   std::int64_t time_ms_ = 0;
 };
 
-// Throws if a call of libwebp failed. Its input has been checked, so only memory can be missing.
+// Throws std::runtime_error if a call of libwebp failed. The input has been checked, so that only a
+// lack of memory can be the reason.
 void expect(bool done, const char* call) {
   if (!done) throw std::runtime_error(fmt::format("{}: libwebp: {} failed", WHO, call));
 }
 
-// RAII wrappers for the structures of libwebp.
+// Structures of libwebp that free their memory in the destructor.
 struct Picture : WebPPicture {
   explicit Picture(const Bitmap& bitmap) {
     expect(WebPPictureInit(this), "WebPPictureInit");
@@ -91,7 +92,7 @@ std::string make_webp(std::size_t count, const MakeFrame& make) {
   WebPConfig config;
   expect(WebPConfigInit(&config), "WebPConfigInit");
   config.lossless = 1;
-  config.quality = 25;  // effort of the encoder for lossless files
+  config.quality = 25;  // for lossless files, the effort of the encoder
   config.thread_level = 0;
 
   FrameCheck check;

@@ -1,5 +1,5 @@
 #pragma once
-// Animated WebP files from a sequence of pictures.
+// Animated WebP files, made from a sequence of pictures.
 
 #include <functional>
 #include <span>
@@ -11,20 +11,21 @@ namespace renderer {
 
 struct Frame {
   Bitmap bitmap;
-  int duration_ms = 1;  ///< duration of the frame, 1..MAX_DURATION_MS
+  int duration_ms = 1;  ///< time that the frame is shown, 1..MAX_DURATION_MS
 };
 
 inline constexpr int MAX_DURATION_MS = (1 << 24) - 1;
-inline constexpr int MAX_WEBP_SIDE = 16383;  ///< largest side of a WebP picture, pixels
+/// Largest width and height of a WebP picture, in pixels.
+inline constexpr int MAX_WEBP_SIDE = 16383;
 
-/// Encodes the frames as a lossless WebP that repeats for ever. Equal consecutive frames may be
-/// merged into one with their total duration. The bytes depend only on the frames and on the
-/// version of libwebp; they contain no date or text. Throws BadInput for no frames, frames of
-/// unequal sizes or larger than MAX_WEBP_SIDE, a duration out of range, and a total duration above
-/// 2^31 - 1 ms.
+/// Encodes the frames as a lossless WebP that repeats for ever. Equal consecutive frames may become
+/// one frame with their total duration. The bytes depend only on the frames and on the version of
+/// libwebp. They contain no date or text. Throws BadInput if there are no frames, if frames have
+/// unequal sizes or are larger than MAX_WEBP_SIDE, if a duration is out of range, and if the total
+/// duration exceeds 2^31 - 1 ms.
 std::string make_webp(std::span<const Frame> frames);
-/// Encodes `count` frames, which `make` returns one by one from 0. Holds one frame at a time in
-/// memory.
+/// Encodes `count` frames. `make` returns the frame with a number from 0 to `count` - 1. Only one
+/// frame at a time is in memory.
 using MakeFrame = std::function<Frame(std::size_t)>;
 std::string make_webp(std::size_t count, const MakeFrame& make);
 

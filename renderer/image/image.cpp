@@ -95,7 +95,7 @@ Bitmap load_png(const std::string& path) {
           fmt::format("{} x {} pixels", image.width, image.height),
           fmt::format("at most {} pixels", MAX_PICTURE));
   image.format = PNG_FORMAT_RGB;
-  // without this flag, libpng reads 16-bit samples as linear intensities
+  // Without this flag, libpng would treat 16-bit samples as linear intensities instead of sRGB.
   image.flags |= PNG_IMAGE_FLAG_16BIT_sRGB;
   Bitmap bitmap{static_cast<int>(image.width), static_cast<int>(image.height),
                 std::vector<std::uint8_t>(PNG_IMAGE_SIZE(image))};

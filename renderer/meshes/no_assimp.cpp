@@ -1,4 +1,4 @@
-// Replacement for read_mesh() in builds without Assimp.
+// Replaces read_mesh() in builds without Assimp.
 #include "base/errors.hpp"
 #include "renderer/meshes/read_mesh.hpp"
 

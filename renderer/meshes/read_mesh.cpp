@@ -20,8 +20,8 @@ namespace renderer {
 
 namespace {
 
-// Opens the files that Assimp reads, and remembers them as inputs. A mesh may consist of several
-// files, such as a .gltf file and its buffers.
+// Opens files for Assimp and remembers them as inputs, which tlab never overwrites. A mesh may
+// consist of several files, such as a .gltf file and its buffers.
 class RememberedFiles : public Assimp::DefaultIOSystem {
  public:
   Assimp::IOStream* Open(const char* file, const char* mode) override {
@@ -80,7 +80,7 @@ class Teller {
     target_.add_material(m);
   }
 
-  // Sets the picture of a material if it is a file of its own. Embedded pictures are left out.
+  // Sets the picture of a material if it is a separate file. Counts embedded pictures as left out.
   void tell_picture(const std::string& name, MtlMaterial& material) {
     if (scene_.GetEmbeddedTexture(name.c_str()))
       left_out_.add("embedded pictures");
@@ -140,8 +140,8 @@ class Teller {
   const std::string& path_;
   ObjTarget& target_;
   LeftOut& left_out_;
-  WordNames names_;       // names of materials
-  std::size_t told_ = 0;  // number of faces sent
+  WordNames names_;       // unique names of materials
+  std::size_t told_ = 0;  // number of faces sent to the target
 };
 
 }  // namespace

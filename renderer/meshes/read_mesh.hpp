@@ -1,5 +1,6 @@
 #pragma once
-// Reader of meshes in further formats, based on the Open Asset Import Library (Assimp).
+// Reader of meshes in the formats of the Open Asset Import Library (Assimp), other than NFF and
+// OBJ.
 
 #include <span>
 #include <string>
@@ -10,14 +11,15 @@
 
 namespace renderer {
 
-/// File extensions that can be read, such as ".stl".
+/// File extensions of the formats that read_mesh() reads, such as ".stl".
 std::span<const std::string_view> mesh_endings();
 
-/// Sends the triangles of a file and their materials to `target`. Transformations of nodes are
-/// applied in single precision. `left_out` counts what is left out: animations, lights, cameras,
-/// points, lines, vertex colours, textures other than colour maps, and triangles without an area.
-/// Throws BadInput if the file cannot be read, has no triangle, or has corners that are invalid in
-/// a scene. Call it in a separate process, since damaged files can make the library abort or hang.
+/// Calls the functions of `target` for the materials and triangles of a file. The transformations
+/// of nodes are applied in single precision. `left_out` counts ignored parts: animations, lights,
+/// cameras, points, lines, vertex colours, textures other than colour maps, and triangles without
+/// an area. Throws BadInput if the file cannot be read, has no triangle, or has corners that are
+/// invalid in a scene. Call it in a separate process, because damaged files can make Assimp abort
+/// or hang.
 void read_mesh(const std::string& path, ObjTarget& target, LeftOut& left_out);
 
 }  // namespace renderer

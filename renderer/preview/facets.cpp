@@ -16,24 +16,25 @@ struct Turn {
 
 Turn make_turn(double angle) { return {round_sine(std::cos(angle)), round_sine(std::sin(angle))}; }
 
-// Upper bound on the number of pixels that a length `size` covers, on a surface at least `distance`
-// from the eye.
+// An upper bound on the number of pixels that the length `size` covers in the image. The length is
+// on a surface at least `distance` from the eye.
 double eval_pixels(const View& view, const Params& params, double size, double distance) {
   const Raster raster = make_raster(view, params);
-  // A corner of the image is the worst case. At a given distance from the eye, the depth is least
-  // there, and a shift along the ray covers the most pixels.
+  // A corner of the image is the worst case. Among all points at a given distance from the eye, the
+  // depth is smallest there, and a shift along the ray covers the most pixels.
   const double x = raster.step * params.width / 2, y = view.half_height;
   return size * (1 + x * x + y * y) / (raster.step * std::max(distance, 1e-9 * size));
 }
 
-// Number of facets around a circle with a radius in pixels.
+// Number of facets around a circle. `radius` is in pixels.
 int count_around(double radius, Fineness fineness) {
   const auto clamp = [](double count, int most) {
     return static_cast<int>(std::clamp(std::ceil(round_sine(count)), 4.0, double(most)));
   };
   if (fineness == Fineness::outline) return clamp(2 * PI * radius / 10, 24);
-  // Error budget in pixels. A chord of angle 2 PI / n deviates from the circle by at most radius *
-  // (1 - cos(PI / n)). Each of a sphere's two directions gets a quarter of a pixel.
+  // Allowed deviation in pixels. A chord of the angle 2 PI / n deviates from the circle by at most
+  // radius * (1 - cos(PI / n)). A sphere has facets in two directions; each one may deviate by a
+  // quarter of a pixel.
   constexpr double OFF = 0.25;
   return clamp(PI / std::acos(1 - std::min(1.0, OFF / radius)), MAX_AROUND);
 }
@@ -42,8 +43,8 @@ void end_facet(Facets& facets) {
   facets.ends.push_back(static_cast<std::uint32_t>(facets.indices.size()));
 }
 
-// Adds the facets between two rings of `n` corners each, whose indices begin at `a` and `b`. A pole
-// is a ring that has shrunk to one corner.
+// Adds the facets between two rings of `n` corners each. The indices of the corners begin at `a`
+// and `b`. A ring that is a pole has only one corner.
 void add_band(Facets& facets, std::uint32_t a, bool a_is_pole, std::uint32_t b, bool b_is_pole,
               std::uint32_t n) {
   for (std::uint32_t i = 0; i < n; ++i) {

@@ -15,7 +15,7 @@ Vec to_vec(const Triple& t) { return {t[0], t[1], t[2]}; }
 Triple to_triple(const Rgb& c) { return {c.r, c.g, c.b}; }
 Triple to_triple(const Vec& v) { return {v.x, v.y, v.z}; }
 
-// An entry of the z-buffer: the nearest object at a pixel so far.
+// An entry of the z-buffer: the nearest object found so far at a pixel.
 struct Fragment {
   double nearness = 0;  // 1 / depth; 0 if the pixel is empty
   Place place;
@@ -28,7 +28,7 @@ struct Object {
   Place place;
   Tag tag;
   Facets facets;
-  // colours of the corners, from outside and inside
+  // Colours of the corners, seen from outside [0] and inside [1]; none if not yet computed.
   std::array<std::vector<std::optional<Rgb>>, 2> colours;
 };
 
@@ -36,7 +36,7 @@ struct Facet {
   std::span<const std::uint32_t> corners;
   Vec middle;
   Vec normal;         // unit normal towards the eye
-  bool back = false;  // true if the eye sees the facet from inside
+  bool back = false;  // the eye sees the facet from inside the object
 };
 
 Facet make_facet(const Object& object, const Vec& eye, std::span<const std::uint32_t> indices) {
@@ -51,7 +51,7 @@ Facet make_facet(const Object& object, const Vec& eye, std::span<const std::uint
     outwards += corners[i].normal;
     last = i;
   }
-  // At the apex of a cone, a facet has an edge of length zero, but still an area.
+  // At the apex of a cone, a facet has an edge of length zero, but its area is not zero.
   const double area = length(newell);
   facet.normal = area > 0 ? (1 / area) * newell : normalize(outwards);
   if (dot(facet.normal, outwards) < 0) facet.normal = -facet.normal;
@@ -60,7 +60,7 @@ Facet make_facet(const Object& object, const Vec& eye, std::span<const std::uint
   return facet;
 }
 
-// True if the eye cannot see the inside of the object.
+// True if the eye cannot see the inside of the object: it is a sphere, and the eye is outside.
 bool is_closed_to(const Scene& scene, Place place, const Vec& eye) {
   if (place.kind() != Kind::sphere) return false;
   const Sphere& sphere = scene.spheres[place.index()];
@@ -76,7 +76,7 @@ class Previewer {
         raster_(make_raster(scene.view, params)),
         scanner_(raster_, area_),
         pixels_(static_cast<std::size_t>(params.width) * static_cast<std::size_t>(params.height)) {
-    params_.limits.depth = 1;  // a hit then has shadow feelers, but no other children
+    params_.limits.depth = 1;  // a hit then makes rays to the lights only
     preview_.samples = Samples(params.width, params.height);
   }
 
@@ -126,7 +126,8 @@ class Previewer {
   }
   Fragment& at(int x, int y) { return pixels_[index(x, y)]; }
 
-  // Keeps the nearer fragment. If two are equally near up to rounding, the first one stays.
+  // Writes a fragment to the z-buffer if it is nearer than the previous one. Of two fragments that
+  // are equally near up to rounding, the first one remains.
   void put(int x, int y, const Fragment& fragment) {
     constexpr double EQUAL = 1 + 1e-12;
     ++preview_.counts.pixels_tested;
@@ -136,7 +137,7 @@ class Previewer {
     pixel = fragment;
   }
 
-  // Calls draw(object) for every object, in the order of the file.
+  // Calls draw(object) for every object, in the order of the scene file.
   template <class Draw>
   void for_each_object(Fineness fineness, const Draw& draw) {
     Object object;
@@ -150,7 +151,7 @@ class Previewer {
     }
   }
 
-  // Calls draw(facet) for every facet that may be visible.
+  // Calls draw(facet) for every facet of the object that may be visible.
   template <class Draw>
   void for_each_facet(const Object& object, const Draw& draw) {
     const bool closed = is_closed_to(scene_, object.place, scene_.view.from);
@@ -169,7 +170,8 @@ class Previewer {
     return {to_eye(scene_.view, object.facets.corners[i].at), values};
   }
 
-  // Fills the z-buffer. values(object, facet) returns a function from a corner to its values.
+  // Draws all facets into the z-buffer. values(object, facet) returns a function that maps a corner
+  // to the values that are interpolated over the facet.
   template <class Values>
   void draw_facets(Fineness fineness, const Values& values) {
     std::vector<Scanner<3>::Corner> corners;
@@ -204,12 +206,12 @@ class Previewer {
             to_triple(scene_.surfaces[object.tag.surface].colour)};
   }
 
-  // Draws the edges that no facet in the z-buffer hides.
+  // Draws all edges that are not hidden by a facet in the z-buffer.
   void draw_edges() {
     draw_facets(Fineness::outline,
                 [](const Object&, const Facet&) { return [](std::uint32_t) { return Triple{}; }; });
     std::vector<Fragment> facets(pixels_.size());
-    facets.swap(pixels_);  // edges are drawn into a second, empty z-buffer
+    facets.swap(pixels_);  // `facets` keeps the z-buffer of facets; edges get an empty one
     for_each_object(Fineness::outline, [&](const Object& object) {
       for_each_facet(object, [&](const Facet& facet) {
         const double slack = eval_slack(facet);
@@ -228,11 +230,12 @@ class Previewer {
     cue_depth();
   }
 
-  // Largest relative difference in 1 / depth up to which an edge shows through a facet.
+  // An edge that lies behind a facet is still drawn if its 1 / depth is smaller by at most this
+  // fraction.
   static constexpr double MOST_SLACK = 0.02;
 
-  // Change of 1 / depth from a pixel of a facet to its neighbours. An edge may lie this far behind
-  // the facet that it borders.
+  // Change of 1 / depth between neighbouring pixels of a facet. Rounding to pixels can put an edge
+  // this far behind its own facet, so that it must still be drawn.
   double eval_slack(const Facet& facet) const {
     const View& view = scene_.view;
     const double offset = std::abs(dot(facet.normal, facet.middle - view.from));
@@ -241,8 +244,8 @@ class Previewer {
            std::max(offset, 1e-300);
   }
 
-  // Blends pixels with the background by depth. The nearest pixel keeps all of its colour, and the
-  // farthest keeps a quarter.
+  // Depth cueing: blends each pixel with the background according to its depth. The nearest pixel
+  // keeps its colour, and the farthest keeps a quarter of it.
   void cue_depth() {
     double nearest = 0, farthest = std::numeric_limits<double>::infinity();
     for (const Fragment& pixel : pixels_)
@@ -259,8 +262,8 @@ class Previewer {
     }
   }
 
-  // Calls add(share) for each contribution to the light where `ray` hits. Uses the ray tracer's
-  // kernels, so both have the same illumination model.
+  // Calls add(share) for each contribution to the light that leaves the point hit by `ray` towards
+  // the eye. Calls the ray tracer's functions, so that both have the same illumination model.
   template <class Add>
   void shine(const Ray& ray, const Hit& hit, bool shadows, const Add& add) {
     Work& work = preview_.work;
@@ -274,7 +277,7 @@ class Previewer {
           work));
   }
 
-  // The colour at a point of a facet, for a normal on the visible side.
+  // The colour at a point of a facet. `normal` must point to the visible side.
   Rgb shade(const Object& object, const Facet& facet, const Vec& point, const Vec& normal) {
     Ray ray;
     ray.origin = scene_.view.from;
@@ -288,13 +291,15 @@ class Previewer {
     return colour;
   }
 
-  // The colour at a corner with the object's own normal, computed once for each side.
+  // The colour at corner `i` with the normal of the curved object. Computed only once for each
+  // side.
   Rgb shade(Object& object, const Facet& facet, std::uint32_t i) {
     auto& colour = object.colours[facet.back][i];
     if (!colour) {
       const auto& corner = object.facets.corners[i];
       const Vec normal = facet.back ? -corner.normal : corner.normal;
-      // Turns the normal, as the ray tracer does, if it points to the invisible side of the patch.
+      // The interpolated normal of a patch may point away from the eye. As in the ray tracer, the
+      // facet's normal then replaces it.
       const bool turned =
           object.place.kind() == Kind::patch && dot(normal, corner.at - scene_.view.from) > 0;
       colour = shade(object, facet, corner.at, turned ? facet.normal : normal);
@@ -302,12 +307,12 @@ class Previewer {
     return *colour;
   }
 
-  // Adds the light at the point of the object that a pixel shows.
+  // Adds the light at the visible point of the object that the pixel shows.
   void light_pixel(int x, int y, bool shadows) {
     const Fragment& pixel = at(x, y);
     const Ray ray = make_primary(scene_.view, params_, x, y);
     auto hit = intersect_object(scene_, ray, pixel.place, preview_.work);
-    if (!hit) {  // at the rim, rounding may miss the object: use the facet
+    if (!hit) {  // near the outline, rounding may make the ray miss: use the facet
       const Tag tag = visit(scene_, pixel.place, [](const auto& p) { return p.tag; });
       const double distance = 1 / (pixel.nearness * dot(ray.direction, scene_.view.ahead));
       Vec normal = normalize(to_vec(pixel.values));

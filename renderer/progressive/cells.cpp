@@ -14,13 +14,13 @@ Rgb max(const Rgb& a, const Rgb& b) {
 }
 Rgb mix(const Rgb& a, const Rgb& b, double share) { return (1 - share) * a + share * b; }
 
-// Cuts an interval in the middle. Returns the starts of the parts and the end.
+// Divides an interval after `half` steps. Returns the starts of the parts, and the end.
 std::vector<int> cut(int from, int to, int half) {
   if (from + half < to) return {from, from + half, to};
   return {from, to};
 }
 
-// Starts of the cells along a side of the image, and its end.
+// The starts of the cells along a side of the image, and the end of the last cell.
 std::vector<int> cut_image(int pixels, int side) {
   std::vector<int> cuts;
   for (long long at = 0; at < pixels - 1; at += side) cuts.push_back(static_cast<int>(at));
@@ -35,7 +35,8 @@ void append_cells(const std::vector<int>& x, const std::vector<int>& y, std::vec
       cells.push_back({x[column], y[row], x[column + 1], y[row + 1]});
 }
 
-// Colours of the `count` pixels along a cell's side, linear between samples. Both ends are samples.
+// Colours of the `count` pixels along one side of a cell, interpolated linearly between samples.
+// Both ends of the side must be samples.
 template <class At>
 std::vector<Rgb> make_side(int count, const Sampled& sampled, const At& pixel) {
   std::vector<Rgb> side(static_cast<std::size_t>(count));

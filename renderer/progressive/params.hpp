@@ -7,25 +7,26 @@
 
 namespace renderer::progressive {
 
-/// Target of one step.
+/// Target of one step: how far the step refines the image.
 struct Step {
-  /// contrast (Eq 4.7) above which a cell is divided, 0..1; 0: divide all cells
+  /// Contrast (thesis Eq 4.7) above which a cell is divided, 0..1. With 0, all cells are divided.
   double contrast = 0;
-  int min_cell = 1;     ///< side of the smallest cell, pixels, a power of two
-  bool pyramid = true;  ///< true: also divide cells that may hide an object (figure 4.4)
+  int min_cell = 1;     ///< side of the smallest cell in pixels, a power of two
+  bool pyramid = true;  ///< also divide cells that may hide an object (figure 4.4)
   int depth = 15;       ///< levels of the shading trees, 1..1000
-  Area area;            ///< area of interest; cells without a pixel in it stay unchanged
+  Area area;            ///< area of interest; cells outside it stay unchanged
 };
 
 /// The quantity that grows from step to step.
 enum class StepKind : std::uint8_t {
-  cells,  ///< cells are halved in each step, with deep trees from the start (figure 4.6)
-  depth   ///< trees grow by one level in each step, with small cells from the start (figure 4.5)
+  cells,  ///< cells are halved in each step; shading trees have full depth (figure 4.6)
+  depth   ///< trees get one more level in each step; cells have full fineness (figure 4.5)
 };
 
-/// Makes the steps up to and including `last`.
+/// Makes the sequence of steps that ends with `last`. `max_cell` is the side of the first cells in
+/// pixels.
 std::vector<Step> make_steps(StepKind kind, int max_cell, const Step& last);
-/// Makes the field "steps" of P.
+/// Makes the field "steps" of P, which selects a StepKind.
 template <class P, class Access>
 base::Field<P> step_kind_field(Access access) {
   return base::Declare<P>::choice(
@@ -35,12 +36,12 @@ base::Field<P> step_kind_field(Access access) {
 }
 
 inline constexpr const char* EXPECTED_SIDE = "a power of two from 1 to 65536";
-/// True if a cell may have that side.
+/// True if a cell may have this side in pixels.
 bool is_side(int side);
 
-/// Makes the fields contrast, min_cell and pyramid.
+/// Makes the fields contrast, min_cell and pyramid of Step.
 base::Fields<Step> step_fields();
-/// Makes a field of P for the side of a cell.
+/// Makes a field of P for the side of a cell in pixels.
 template <class P, class Access>
 base::Field<P> side_field(const std::string& name, Access access, const std::string& help) {
   auto field = base::Declare<P>::whole(name, access, 1, MAX_SIDE, "pixels", help);
@@ -51,13 +52,13 @@ base::Field<P> side_field(const std::string& name, Access access, const std::str
   };
   return field;
 }
-/// Makes the field "max_cell" of P: the side of the first cells.
+/// Makes the field "max_cell" of P: the side of the first cells, in pixels.
 template <class P, class Access>
 base::Field<P> max_cell_field(Access access) {
   return side_field<P>("max_cell", access, "side of the first cells, a power of two");
 }
 
-/// Throws BadInput with the field, the value found and the values expected.
+/// Throws BadInput with the name of the field, the value found and the values expected.
 void check(const Step& step, const Params& params, int max_cell);
 
 }  // namespace renderer::progressive

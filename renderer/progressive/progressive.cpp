@@ -57,9 +57,9 @@ void Progressive::deepen_border(const Cell& c, int depth) {
       if (sampled_.has(x, y)) want(x, y, depth);
 }
 
-// Traces the requested samples in parallel. Each thread takes one sample after the other. Samples
-// have separate data, and the sums of counts do not depend on the order. Returns false if
-// `is_stopped` ended the step.
+// Traces the samples in `wanted_`, in parallel. Each thread repeatedly takes the next sample.
+// Samples have separate data, and the sums of counts do not depend on the order of threads. Returns
+// false if `is_stopped` ended the step.
 bool Progressive::trace_wanted(int depth, const Stop& is_stopped, StepCounts& counts) {
   for (const Wanted& wanted : wanted_) ++(wanted.from > 0 ? counts.deepened : counts.samples);
   std::vector<std::uint32_t> hits(wanted_.size());
@@ -91,8 +91,8 @@ bool Progressive::trace_wanted(int depth, const Stop& is_stopped, StepCounts& co
   return true;
 }
 
-// Divides the cells that qualify. Evaluates all cells before dividing any, so that their order does
-// not matter. Returns true if it divided any cell.
+// Divides the cells that must be divided. Evaluates all cells before it divides any, so that the
+// result does not depend on their order. Returns true if it divided any cell.
 bool Progressive::divide_cells(const Step& step, StepCounts& counts) {
   std::vector<Verdict> verdicts;
   for (const Cell& cell : cells_) verdicts.push_back(judge(cell, step, counts));

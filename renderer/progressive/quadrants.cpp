@@ -29,9 +29,9 @@ void QuadrantQueue::enqueue(const Area& quadrant) {
 
 void QuadrantQueue::add(const Area& part) { parts_[part_count_++] = part; }
 
-// Divides a quadrant. Names follow the paper's listing: w1 and w2 are the widths of the left and
-// right parts, h1 and h2 the heights of the lower and upper parts. A quadrant of one column has no
-// right parts, and one of one row no upper parts.
+// Divides a quadrant. The names are those of the paper's listing: w1 and w2 are the widths of the
+// left and right parts, h1 and h2 are the heights of the lower and upper parts. A quadrant of one
+// column has no right parts, and a quadrant of one row has no upper parts.
 void QuadrantQueue::divide(const Area& q) {
   part_ = part_count_ = 0;
   const bool has_right = q.width > 1, has_upper = q.height > 1;

@@ -1,6 +1,7 @@
 #pragma once
-// Pixel order of progressive refinement. A FIFO queue divides each quadrant of the picture into
-// four. A quadrant has the colour of one of its pixels until its parts are computed.
+// Pixel order of progressive refinement. A FIFO queue divides each quadrant, a rectangle of the
+// picture, into four. A quadrant is shown in the colour of one of its pixels until its parts are
+// computed.
 
 #include <array>
 #include <cstddef>
@@ -16,27 +17,28 @@ struct Pixel {
   bool operator==(const Pixel&) const = default;
 };
 
-/// The computed pixel of a quadrant: the lower left one on the screen. The paper counts y upwards:
-/// in a picture of H rows, the paper's quadrant (x, y, w, h) is {x, H - y - h, w, h} here, and the
-/// paper's pixel (x, y) is (x, H - 1 - y).
+/// The pixel that gives a quadrant its colour: the lower left pixel on the screen. The paper counts
+/// y upwards. In a picture of H rows, the paper's quadrant (x, y, w, h) is {x, H - y - h, w, h}
+/// here, and its pixel (x, y) is (x, H - 1 - y).
 inline Pixel own_pixel(const Area& quadrant) {
   return {quadrant.x, quadrant.y + quadrant.height - 1};
 }
 
-/// Queue of quadrants, which begins with the whole area. Each quadrant that leaves the queue is
-/// divided into its upper left, lower right, upper right and lower left parts on the screen, as far
-/// as they exist. If a side is odd, the right and upper parts are the larger ones. Parts of more
-/// than one pixel are queued in this order. The lower left part has the same computed pixel as the
-/// whole quadrant. next() therefore returns only the three other parts, and each pixel once.
+/// A queue of quadrants, which at first contains only the whole area. Each quadrant that leaves the
+/// queue is divided into its upper left, lower right, upper right and lower left parts on the
+/// screen, if they exist. If a side has an odd length, the right or upper parts are the larger
+/// ones. Parts of more than one pixel join the queue in this order. The lower left part has the
+/// same computed pixel as the whole quadrant. next() therefore returns only the other three parts,
+/// and returns each pixel once.
 ///
-/// The queue holds at most max(1, N / 2) quadrants for an area of N pixels. The maximum is N / 3
-/// for a square, and N / 4 if its side is also a power of two.
+/// For an area of N pixels, the queue holds at most max(1, N / 2) quadrants. For a square, the
+/// maximum is N / 3, or N / 4 if the side is a power of two.
 class QuadrantQueue {
  public:
-  /// Starts with the area of interest, 1 x 1 or larger.
+  /// Starts with the area of interest, which must have at least one pixel.
   explicit QuadrantQueue(const Area& area);
-  /// The next quadrant, to be filled with the colour of its computed pixel; none after the last
-  /// pixel.
+  /// Returns the next quadrant, to be filled with the colour of its own_pixel(). Returns none after
+  /// the last pixel.
   std::optional<Area> next();
 
   std::size_t length() const { return queue_.size(); }
@@ -49,13 +51,14 @@ class QuadrantQueue {
 
   std::deque<Area> queue_;
   std::size_t peak_ = 0;
-  std::array<Area, 3> parts_;  // parts of the last quadrant that have not been returned
+  std::array<Area, 3> parts_;  // parts of the last quadrant that next() has not yet returned
   std::size_t part_ = 0, part_count_ = 0;
 };
 
-/// The complete order: quadrants by rank, and the rank of each pixel of the area, row by row from
-/// the top. A quadrant covers its own pixel and pixels of later ranks. If results arrive out of
-/// order, a pixel takes its colour from the quadrant with the latest rank that covers it.
+/// The complete order. The rank of a quadrant is its index in `quadrants`. The rank of a pixel is
+/// that of the quadrant whose colour it computes; pixels are stored row by row from the top. A
+/// quadrant covers its own pixel and pixels of later ranks. If results arrive out of order, a pixel
+/// takes its colour from the quadrant with the latest rank that covers it.
 struct QuadrantOrder {
   std::vector<Area> quadrants;
   std::vector<std::uint32_t> ranks;

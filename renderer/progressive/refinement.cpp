@@ -9,7 +9,7 @@ namespace renderer::progressive {
 
 namespace {
 
-// largest number of pixels in a batch, for each thread, and in one part of a batch
+// Largest number of pixels in a batch, per thread, and in one part of a batch.
 constexpr std::uint64_t MAX_BATCH = 1 << 12, MAX_PART = 256;
 
 std::uint64_t divide_up(std::uint64_t a, std::uint64_t b) { return (a + b - 1) / b; }
@@ -101,7 +101,7 @@ std::size_t Refinement::find_index(const Pixel& pixel) const {
          static_cast<std::size_t>(pixel.x - area_.x);
 }
 
-// Calls trace(part, tracer) for each part of a batch in parallel, and adds up the counts of the
+// Calls trace(part, tracer) for each part of a batch, in parallel. Adds up the counts of all
 // tracers.
 template <class Trace>
 void Refinement::share_work(int parts, const Trace& trace) {
@@ -169,7 +169,8 @@ Samples::Sums Refinement::find_shown(std::size_t index) const {
   return is_share ? repeat(state_.sums[index], params_.sampling.pixel_samples) : state_.sums[index];
 }
 
-// Draws the blocks of the first pass in order, each over the earlier ones.
+// Draws the rectangles of the first pass in the order of computation, each one over the earlier
+// ones.
 void Refinement::draw_blocks(Samples& picture) const {
   Walk walk(order_, area_);
   for (std::uint64_t i = 0; i < done(); ++i) {

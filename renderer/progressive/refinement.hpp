@@ -1,19 +1,19 @@
 #pragma once
-// Progressive refinement of a picture with several samples per pixel. Two passes have the same
-// order: the first takes one sample of every pixel, the second all others. No sample is taken
-// twice, and the final picture equals that of render().
+// Progressive refinement of a picture with several samples per pixel, in two passes over the pixels
+// in the same order. The first pass takes one sample of every pixel; the second takes all other
+// samples. The final picture equals that of render().
 
 #include "renderer/progressive/quadrants.hpp"
 #include "renderer/trace/pixel_tracer.hpp"
 
 namespace renderer::progressive {
 
-/// Order in which pixels are traced, and display of untraced pixels.
+/// The order in which pixels are traced, and the display of pixels that are not yet traced.
 enum class Order : std::uint8_t {
-  scan,      ///< row by row; untraced pixels are black
-  quadrants  ///< in the order of QuadrantQueue; untraced pixels have the colour of their quadrant
+  scan,      ///< row by row; pixels not yet traced are black
+  quadrants  ///< in the order of QuadrantQueue; other pixels have the colour of their quadrant
 };
-/// Makes the field "order" of P.
+/// Makes the field "order" of P, which selects an Order.
 template <class P, class Access>
 base::Field<P> order_field(Access access) {
   return base::Declare<P>::choice(
@@ -21,8 +21,8 @@ base::Field<P> order_field(Access access) {
       "order of pixels: row by row, or quadrants of the picture from large to small");
 }
 
-/// Iterator over the pixels of an area in a given order. For each pixel it returns the rectangle to
-/// fill with the pixel's colour.
+/// Iterates over the pixels of an area in a given order. For each pixel, it also returns the
+/// rectangle to be filled with the pixel's colour.
 class Walk {
  public:
   Walk(Order order, const Area& area);
@@ -31,20 +31,20 @@ class Walk {
 
  private:
   Area area_;
-  std::optional<QuadrantQueue> queue_;  // the quadrants still to be drawn; none for Order::scan
+  std::optional<QuadrantQueue> queue_;  // quadrants still to be drawn; none for Order::scan
   int column_ = 0, row_ = 0;
 };
 
-/// Progress and results of a rendering. Vectors have one entry for each pixel of the area, row by
-/// row; entries that are not known yet are 0.
+/// Progress and results of a rendering. The vectors have one entry for each pixel of the area, row
+/// by row from the top. Entries that are not yet known are 0.
 struct RefinementState {
   std::uint64_t done = 0;  ///< number of samples taken (see Refinement::done())
   std::vector<Samples::Sums> sums;
-  std::vector<std::uint16_t> counts;  ///< number of samples of each pixel: 0, 1 or all of them
-  /// objects hit by the first samples; only with adaptive sampling
+  std::vector<std::uint16_t> counts;  ///< samples taken of each pixel: none, one or all
+  /// By pixel: number of the object hit by the first sample. Only for adaptive sampling.
   std::vector<std::uint32_t> objects;
   CornerObjects corners;
-  int corner_rows = 0;  ///< number of rows of `corners` that have been traced
+  int corner_rows = 0;  ///< number of rows of `corners` that are complete
   RayCounts rays;
   Work work;
 };
@@ -53,28 +53,29 @@ class Refinement {
  public:
   /// `scene` must outlive the object. Throws BadInput as render() does.
   Refinement(const Scene& scene, const Params& params, Order order, int threads = 1);
-  /// Continues from the state() of a refinement with equal scene, parameters and order. Throws
+  /// Continues a refinement from its state(). The scene, parameters and order must be equal. Throws
   /// BadInput for a state of another size.
   Refinement(const Scene& scene, const Params& params, Order order, int threads,
              RefinementState state);
 
-  /// Number of samples of the whole picture, `pixel_samples` for each pixel.
+  /// Number of samples of the finished picture: pixel_samples() for each pixel.
   std::uint64_t total() const { return pixels_ * pixel_samples(); }
-  /// Number of samples taken. With adaptive sampling, a finished pixel counts as if it had all its
-  /// samples.
+  /// Number of samples taken so far. With adaptive sampling, a finished pixel counts with
+  /// pixel_samples() even if it needed fewer.
   std::uint64_t done() const { return state_.done; }
   bool is_finished() const { return done() == total(); }
-  /// Takes this many samples, or a few more, since all samples of a pixel after its first are taken
-  /// together. The loop `while (r.done() < n) r.advance(n - r.done())` ends at the first pixel that
-  /// reaches n samples, whatever the earlier steps and the number of threads.
+  /// Takes this many samples, or a few more: after a pixel's first sample, all its other samples
+  /// are taken together. The loop `while (r.done() < n) r.advance(n - r.done())` always ends at the
+  /// first pixel that reaches n samples. It does not depend on earlier calls or the number of
+  /// threads.
   void advance(std::uint64_t samples);
 
-  /// The picture so far. A pixel with one sample has that sample's colour.
+  /// The picture so far. A pixel with only one sample has the colour of that sample.
   Rendering make_rendering() const;
-  /// Moves the finished picture out. The refinement cannot continue afterwards.
+  /// Returns the finished picture by moving it. The refinement cannot continue afterwards.
   Rendering take_rendering();
   const RefinementState& state() const { return state_; }
-  /// The queue; null unless the order is by quadrants.
+  /// The queue of quadrants; null for Order::scan.
   const QuadrantQueue* queue() const { return walk_.queue(); }
 
  private:
@@ -101,8 +102,8 @@ class Refinement {
   const int threads_;
   const std::uint64_t pixels_;
   RefinementState state_;
-  Walk walk_;                 // position of the current pass in the pixel order
-  std::vector<Pixel> batch_;  // next pixels to trace
+  Walk walk_;                 // position of the current pass in the order of pixels
+  std::vector<Pixel> batch_;  // pixels to be traced next
 };
 
 }  // namespace renderer::progressive

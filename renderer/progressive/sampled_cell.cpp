@@ -12,7 +12,8 @@ Point at(const SampledCell& cell, int quarters_right, int quarters_down) {
   return {cell.x + cell.side * quarters_right / 4, cell.y + cell.side * quarters_down / 4};
 }
 
-// The colours at a square's corners (a to d), in its middle (m) and at the middles of its sides.
+// The colours at the corners of a square (a to d), in its middle (m), and at the middles of its
+// upper, left, right and lower sides (n, w, e, s).
 struct Square {
   Rgb a, b, c, d, m;
   Rgb n, w, e, s;
@@ -23,8 +24,8 @@ Rgb mix(const Rgb& p, double weight_p, const Rgb& q, double weight_q, const Rgb&
   return weight_p * p + weight_q * q + weight_r * r;
 }
 
-// Interpolates at (u, v) of the unit square over four triangles, each between a side and the
-// middle.
+// Interpolates the colour at the point (u, v) of the unit square. The square consists of four
+// triangles, each between a side and the middle.
 Rgb eval_four(const Square& s, double u, double v) {
   if (v <= u && v <= 1 - u) return mix(s.a, 1 - u - v, s.b, u - v, s.m, 2 * v);
   if (v >= u && v >= 1 - u) return mix(s.c, v - u, s.d, u + v - 1, s.m, 2 * (1 - v));
@@ -32,9 +33,10 @@ Rgb eval_four(const Square& s, double u, double v) {
   return mix(s.b, u - v, s.d, u + v - 1, s.m, 2 * (1 - u));
 }
 
-// Interpolates over eight triangles, each between half a side and the middle. The point lies in the
-// triangle of `corner`, `half` (the middle of a side) and the middle. `along` and `across` are the
-// distances from `corner` along that side and across it.
+// Interpolates the colour over eight triangles, each between half a side and the middle. The
+// triangle that contains the point has three corners: `corner` of the square, `half` (the middle of
+// a side), and the middle. `along` and `across` are the distances of the point from `corner`, along
+// that side and at right angles to it.
 Rgb eval_eight(const Square& s, double u, double v) {
   const bool right = u > 0.5, down = v > 0.5;
   const double du = right ? 1 - u : u, dv = down ? 1 - v : v;  // distances from the nearest corner
@@ -84,8 +86,8 @@ std::array<SampledCell, 4> divide(const SampledCell& cell) {
 
 std::vector<Triangle> triangles_of(const SampledCell& cell) {
   std::vector<Triangle> all;
-  // Adds triangles between `middle` and each pair of consecutive points around it. The last point
-  // equals the first.
+  // Adds a triangle between `middle` and each pair of consecutive points around it. The last point
+  // must equal the first.
   const auto add_fan = [&](const Point& middle, std::initializer_list<Point> around) {
     for (const Point* p = around.begin(); p + 1 != around.end(); ++p)
       all.push_back({p[0], p[1], middle});
@@ -108,7 +110,7 @@ std::vector<Triangle> triangles_of(const SampledCell& cell) {
 
 namespace {
 
-// Interpolation within a cell that has unsampled pixels.
+// Interpolates the unsampled pixels of a cell.
 class Interpolation {
  public:
   Interpolation(const SampledCell& cell, std::span<const Rgb> colours)
@@ -122,7 +124,7 @@ class Interpolation {
     whole_.s = colours[8];
   }
 
-  // The colour at (u, v), each from 0 to 1.
+  // The colour at the point (u, v) of the cell; u and v are from 0 to 1.
   Rgb eval(double u, double v) const {
     if (level_ == 1) return eval_four(whole_, u, v);
     if (level_ == 2) return eval_eight(whole_, u, v);

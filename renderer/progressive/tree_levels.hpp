@@ -1,25 +1,25 @@
 #pragma once
-// Stepwise deepening of a shading tree without storing rays (thesis, 4.2.1). Each step traces the
-// rays of earlier levels again to find their children. It does not trace their shadow feelers
-// again.
+// Stepwise deepening of a shading tree without storing its rays (thesis, 4.2.1). Each step traces
+// the rays of the earlier levels again to find their children, but not their rays to lights (shadow
+// feelers).
 
 #include "renderer/trace/render.hpp"
 
 namespace renderer::progressive {
 
-/// Numbers of rays of one or more trees.
+/// Numbers of rays of one or more shading trees.
 struct TreeRays {
-  std::uint64_t repeated = 0;  ///< N_A of Eq 4.1: rays traced again
-  RayCounts fresh;             ///< N_T: rays of new levels, including feelers
-  Work work;                   ///< work of repeated and new rays
+  std::uint64_t repeated = 0;  ///< N_A of thesis Eq 4.1: rays traced again
+  RayCounts fresh;             ///< N_T of thesis Eq 4.1: rays of new levels, with shadow feelers
+  Work work;                   ///< work of both repeated and new rays
 
   TreeRays& operator+=(const TreeRays& other);
 };
 
-/// Traces levels `from` + 1 to `to` of the tree of pixel (x, y). With `from` 0 the tree is new.
-/// Adds the new levels' contributions to the pixel's sums, which then equal those of render() with
-/// depth `to`. `stack` is empty before and after. Returns the object that the primary ray hits, or
-/// NO_OBJECT.
+/// Traces the levels `from` + 1 to `to` of the shading tree of pixel (x, y). If `from` is 0, the
+/// tree is new. Adds the contributions of the new levels to the pixel's sums, which then equal
+/// those of render() with depth `to`. `stack` must be empty, and is empty again afterwards. Returns
+/// the number of the object that the ray from the eye hits, or NO_OBJECT.
 std::uint32_t deepen(const Scene& scene, const Params& params, int x, int y, int from, int to,
                      Samples& samples, TreeRays& rays, Children& stack);
 

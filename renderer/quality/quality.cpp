@@ -6,12 +6,12 @@ namespace renderer {
 
 namespace {
 
-// Integers, whose sums are exact, so that equal windows have equal moments.
+// Luminances are integers, so that sums are exact and equal windows have equal moments.
 using Numbers = std::vector<std::int64_t>;
 
 constexpr std::int64_t LEVEL = 1000;  // units of luminance per grey level
 
-// Luminance of each pixel, 0..255 * LEVEL.
+// Luminance of each pixel, from 0 to 255 * LEVEL.
 Numbers make_luminance(const Bitmap& picture) {
   Numbers all;
   all.reserve(picture.rgb8.size() / 3);
@@ -29,10 +29,10 @@ void check_pair(const Bitmap& a, const Bitmap& b, const char* who) {
       "equal sizes");
 }
 
-// Sliding windows over a picture.
+// All positions of a window in a picture.
 struct Windows {
   static constexpr int SIDE = 8;
-  // picture width, window width and height, number of window rows
+  // Width of the picture; width and height of a window; number of positions from top to bottom.
   std::size_t width, columns, rows, down;
 
   Windows(int picture_width, int picture_height)
@@ -41,9 +41,9 @@ struct Windows {
         rows(static_cast<std::size_t>(std::min(SIDE, picture_height))),
         down(static_cast<std::size_t>(picture_height) - rows + 1) {}
 
-  // The sum of x[i] * y[i] over each window.
+  // The sum of x[i] * y[i] over the pixels i of each window.
   Numbers sum(const Numbers& x, const Numbers& y) const {
-    Numbers strips(width), sums;  // a strip: the sum over one column of a window
+    Numbers strips(width), sums;  // strips: by column, the sum over the rows of a window
     const auto product = [&](std::size_t row, std::size_t column) {
       return x[row * width + column] * y[row * width + column];
     };
@@ -102,7 +102,7 @@ double ssim(const Bitmap& a, const Bitmap& b) {
                 syy = windows.sum(y, y), sxy = windows.sum(x, y);
   const auto n = static_cast<std::int64_t>(windows.columns * windows.rows);
   const double unit = static_cast<double>(n) * LEVEL, square = unit * unit;
-  // Covariance: the mean of p * q minus the product of the means.
+  // The covariance of two quantities p and q: the mean of p * q minus the product of the means.
   const auto covariance = [&](std::int64_t pq, std::int64_t p, std::int64_t q) {
     return static_cast<double>(n * pq - p * q) / square;
   };
@@ -118,8 +118,8 @@ double ssim(const Bitmap& a, const Bitmap& b) {
 
 double border_energy(const Bitmap& picture, int side) {
   constexpr const char* WHO = "border_energy";
-  // Rounding variance of a second difference a - 2 b + c. Each of the rounded values has a variance
-  // of 1/12.
+  // Variance of the second difference a - 2 b + c due to rounding. Rounding gives each of the
+  // values a, b and c a variance of 1/12.
   constexpr double ROUNDING = (1 + 4 + 1) / 12.0;
   check(picture, WHO);
   require(side >= MIN_BORDERED_CELL, WHO, fmt::format("cells of {} pixels", side),
@@ -129,8 +129,8 @@ double border_energy(const Bitmap& picture, int side) {
     double sum = 0, count = 0;
     double eval() const { return count > 0 ? sum / count : 0; }
   } border, inside;
-  // Adds the second difference at position `at` of a row or column with `length` pixels, whose
-  // indices are `step` apart.
+  // Adds the second difference at the position `at` in a row or column of `length` pixels. `pixel`
+  // is the index of the pixel there; `step` is the distance between indices of neighbours.
   const auto add = [&](std::size_t pixel, int at, int length, std::size_t step) {
     if (at == 0 || at == length - 1) return;
     const double second =

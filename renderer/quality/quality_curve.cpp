@@ -8,7 +8,8 @@ namespace {
 
 constexpr const char* WHO = "growth";
 
-// The time from which on quality stays at or above `least`. The last point must reach `least`.
+// The first position on `axis` from which the quality stays at or above `least`. The last point
+// must reach `least`.
 double find_time(std::span<const QualityPoint> points, double QualityPoint::*axis, double least) {
   std::size_t first = points.size() - 1;
   while (first > 0 && points[first - 1].quality >= least) --first;
