@@ -10,21 +10,21 @@ namespace radiosity {
 
 namespace {
 
-// Tolerance for rounding, and distance up to which two lines are the same, both relative to the
-// size of the room.
+// TOLERANCE is the limit for rounding errors. SAME is the distance up to which two lines count as
+// one line. Both are relative to the size of the room.
 constexpr double TOLERANCE = 1e-6, SAME = 1e-5;
-// Creases shorter than this fraction of their face are dropped.
+// Creases shorter than this fraction of their face's size are dropped.
 constexpr double SHORTEST = 1e-3;
 
-// A side of a face, with the number of the face.
+// One side of a face of the room, with the number of the face.
 struct Piece {
   FaceSide side;
   std::size_t face;
   renderer::Bounds bounds;
-  double emission;  // largest component of the emission
+  double emission;  // largest colour component
 };
 
-// The sides of the faces whose materials satisfy `wanted`.
+// The sides of those faces whose materials satisfy `wanted`.
 template <typename Wanted>
 std::vector<Piece> find_sides(const Room& room, const Wanted& wanted) {
   std::vector<Piece> pieces;
@@ -48,8 +48,9 @@ bool overlap(const renderer::Bounds& a, const renderer::Bounds& b) {
          a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
 }
 
-// Clips the light to its part above the receiver, and other faces to their parts above both. The
-// light becomes empty if light and receiver do not face each other.
+// Makes the stage for one light and one receiver. Clips the light to its part above the receiver's
+// plane, and other faces to their parts above both planes. The light becomes empty if light and
+// receiver do not face each other.
 Stage make_stage(const Piece& light, const Piece& receiver, std::span<const Piece> faces,
                  double tolerance) {
   Stage stage{light.side, receiver.side, {}, tolerance};
@@ -67,8 +68,8 @@ Stage make_stage(const Piece& light, const Piece& receiver, std::span<const Piec
   return stage;
 }
 
-// Approximate unoccluded illumination at the receiver's middle. Cosines have a lower limit, since a
-// light that is seen edge-on from the middle may be visible from other points.
+// Approximate illumination at the middle of the receiver, without occlusion. Cosines have a lower
+// limit, because a light that is seen edge-on from the middle may still shine on other points.
 double eval_strength(const Piece& light, const Piece& receiver) {
   constexpr double LEAST_COSINE = 0.1;
   const Vec way = eval_mean(receiver.side.corners) - eval_mean(light.side.corners);
@@ -82,7 +83,7 @@ double eval_strength(const Piece& light, const Piece& receiver) {
          (square * (std::numbers::pi * square + area));
 }
 
-// The lights, sorted by their strength on the receiver.
+// The lights in descending order of eval_strength().
 std::vector<const Piece*> sort_by_strength(std::span<const Piece> lights, const Piece& receiver) {
   std::vector<std::pair<double, const Piece*>> sorted;
   for (const Piece& light : lights)
@@ -93,15 +94,15 @@ std::vector<const Piece*> sort_by_strength(std::span<const Piece> lights, const 
   return order;
 }
 
-// A crease with its rank: whether it lies within a penumbra, and how many lights are stronger than
-// its own.
+// A crease with its rank: first whether it lies within a penumbra, then how many lights are
+// stronger than the light that causes it.
 struct Ranked {
   Crease crease;
   std::pair<bool, std::size_t> rank;
 };
 
-// Merges a crease with those that overlap or touch it on the same line, and appends the result. It
-// gets the least of their ranks.
+// Merges `added` with the creases that overlap or touch it on one line, and appends the result. The
+// result gets the lowest of their ranks.
 void merge(Ranked added, double same, std::vector<Ranked>& creases) {
   for (std::size_t i = 0; i < creases.size();) {
     Crease longer = creases[i].crease, other = added.crease;
@@ -153,8 +154,8 @@ std::vector<Crease> find_creases(const Room& room) {
         merge({crease, {false, rank}}, SAME * size, merged);
       for (const Crease& crease : found.within) merge({crease, {true, rank}}, SAME * size, merged);
     }
-    // The creases of both sides of a two-sided face cut both sides. First collects those of the
-    // second side.
+    // Creases divide both sides of a two-sided face. The next receiver is the second side of this
+    // face: add its creases first.
     if (r + 1 < receivers.size() && receivers[r + 1].face == receiver.face) continue;
     std::ranges::stable_sort(merged, {}, &Ranked::rank);
     for (const auto& [crease, rank] : merged)

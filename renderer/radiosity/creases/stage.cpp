@@ -6,21 +6,21 @@ namespace radiosity {
 
 namespace {
 
-// Distance that keeps sight lines from touching the borders of light and occluder, relative to the
-// sizes of these.
+// Offset by which sight lines stay clear of the borders of light and occluder, relative to the
+// sizes of light and occluder.
 constexpr double ASIDE = 1e-4;
-// Least height of the light above the occluder, as a multiple of the tolerance. It limits the
-// length of shadows.
+// Smallest height of the light above the occluder, as a multiple of the stage's tolerance. It
+// limits the length of shadows.
 constexpr double LEAST_FALL = 0.1;
 
-// Sight lines through the apex to the segment from a to b.
+// The sight lines through a point, the apex, to the points of the segment from a to b.
 struct Pencil {
   Vec apex, a, b;
 };
 
-// Adds the parts of the segment from a to b that a face hides from the apex. The segment lies
-// beyond the apex. The face lies between apex and segment. If sight lines come from `behind` the
-// apex, it may also lie there.
+// Adds to `hidden` the parts of the segment from a to b that a face hides from the apex. The face
+// lies between the apex and the segment. With `behind`, the sight lines begin behind the apex, and
+// the face may also lie there.
 void add_hidden(std::span<const Vec> face, const Vec& apex, const Vec& a, const Vec& b, bool behind,
                 std::vector<Interval>& hidden) {
   const Vec u = a - apex, w = b - apex, across = cross(u, w);
@@ -28,7 +28,7 @@ void add_hidden(std::span<const Vec> face, const Vec& apex, const Vec& a, const 
   if (!(square > 0)) return;
   const auto ends = cut(face, make_plane(normalize(across), apex));
   if (!ends) return;
-  // Coordinates p and q of a point x in the plane: x - apex = p u + q w.
+  // p and q are coordinates of a point x in the plane of apex and segment: x - apex = p u + q w.
   double p[2], q[2];
   for (int i = 0; i < 2; ++i) {
     const Vec x = (*ends)[i] - apex;
@@ -50,8 +50,9 @@ void add_hidden(std::span<const Vec> face, const Vec& apex, const Vec& a, const 
   }
 }
 
-// The parts of the segment that no face except number `except` hides from the apex of any pencil.
-// The segments of all pencils nearly coincide. `behind` is as for add_hidden().
+// The parts of the segment that are visible from the apexes of all pencils. Faces hide parts,
+// except the face number `except`. The segments of all pencils nearly coincide. `behind` is as for
+// add_hidden().
 std::vector<Interval> find_seen(std::span<const std::vector<Vec>> faces, std::size_t except,
                                 std::span<const Pencil> pencils, bool behind) {
   std::vector<Interval> hidden, seen;
@@ -68,8 +69,8 @@ std::vector<Interval> find_seen(std::span<const std::vector<Vec>> faces, std::si
   return seen;
 }
 
-// Sight lines in a critical plane, from the light through a point of the occluder's border to the
-// receiver. All of them share either their start or the point of the occluder that they pass.
+// Sight lines in a critical plane. They lead from the light past the border of the occluder to the
+// receiver. They either all start at one point of the light or all pass one point of the occluder.
 struct Wedge {
   std::array<Vec, 2> from, through;
 };
@@ -78,7 +79,7 @@ struct Shadow {
   const Stage& stage;
   std::size_t blocker;
   Vec light_mean, blocker_mean, blocker_normal;
-  std::vector<Plane> edges;  // side planes of the receiver
+  std::vector<Plane> edges;  // planes through the edges of the receiver, perpendicular to it
 };
 
 Vec project(const Plane& ground, const Vec& from, const Vec& through) {
@@ -86,16 +87,16 @@ Vec project(const Plane& ground, const Vec& from, const Vec& through) {
   return from + (high / (high - low)) * (through - from);
 }
 
-// Makes pencils that lie slightly beside the wedge: they begin just inside the light and pass just
-// outside the occluder. If all sight lines pass a corner of the occluder, makes one pencil on
-// either side of this corner. If another face continues the occluder there, the corner is not one
-// of the shadow, and the face blocks one of the pencils.
+// Makes pencils slightly beside the wedge: their sight lines begin just inside the light and pass
+// just outside the occluder. If all sight lines pass a corner of the occluder, there are two
+// pencils, one on either side of the corner. If the occluder continues in another face at this
+// corner, the shadow has no corner there, and that face blocks one of the pencils.
 std::vector<Pencil> step_aside(const Wedge& wedge, const Shadow& shadow) {
   const Plane& ground = shadow.stage.receiver.plane;
   const bool passes_one = wedge.through[0] == wedge.through[1];
   Vec beside;
-  // offset from the occluder's plane, since faces in that plane would meet sight lines at one point
-  // only
+  // Offset from the plane of the occluder. Without it, sight lines would meet other faces in that
+  // plane only at a point.
   Vec off;
   if (passes_one) {
     off = 0.1 * ASIDE * (lerp(wedge.from[0], wedge.from[1], 0.5) - wedge.through[0]);
@@ -127,7 +128,7 @@ void add_seen(const std::vector<Interval>& seen, const Vec& a, const Vec& b, dou
   }
 }
 
-// Adds the creases along the intersection of the wedge with the receiver.
+// Adds the creases where the wedge's sight lines meet the receiver.
 void add_wedge(Wedge wedge, const Shadow& shadow, std::vector<Crease>& creases) {
   const Stage& stage = shadow.stage;
   const Plane& ground = stage.receiver.plane;
@@ -142,7 +143,7 @@ void add_wedge(Wedge wedge, const Shadow& shadow, std::vector<Crease>& creases) 
       wedge.through[i] = lerp(whole.through[0], whole.through[1], ends[i]);
     }
   };
-  // Drops the sight lines that do not descend from the light to the occluder.
+  // Drops sight lines along which the occluder is not below the light, as seen from the receiver.
   const double least = LEAST_FALL * stage.tolerance;
   Interval falling;
   const double above[] = {fall(0) - least, fall(1) - least};
@@ -154,8 +155,8 @@ void add_wedge(Wedge wedge, const Shadow& shadow, std::vector<Crease>& creases) 
                      project(ground, wedge.from[1], wedge.through[1])};
   const auto inside = clip_segment(far[0], far[1], shadow.edges, stage.tolerance);
   if (!inside) return;
-  // Converts a fraction of the segment on the receiver to one of the edges that the wedge starts
-  // from or passes.
+  // Converts a fraction of the segment on the receiver to a fraction of the edge of the light or
+  // the occluder on which the sight lines begin or which they pass.
   const double falls[] = {fall(0), fall(1)};
   const auto back = [&](double t) { return t * falls[0] / ((1 - t) * falls[1] + t * falls[0]); };
   shorten({back(inside->from), back(inside->to)});
@@ -184,8 +185,9 @@ bool contains(const Plane& plane, std::span<const Vec> polygon, double tolerance
   });
 }
 
-// The plane through a corner of the light and an edge of the occluder, or the reverse. None if they
-// span no plane, if the plane cuts the occluder, or if the light lies in the plane.
+// The plane through `corner` of the light and the edge from a to b of the occluder, or the reverse.
+// Returns none if they span no plane, if the plane cuts the occluder, or if the light lies in the
+// plane.
 std::optional<Plane> find_plane(const Stage& stage, std::span<const Vec> blocker, const Vec& corner,
                                 const Vec& a, const Vec& b) {
   const double tolerance = stage.tolerance;
@@ -199,8 +201,7 @@ std::optional<Plane> find_plane(const Stage& stage, std::span<const Vec> blocker
   return plane;
 }
 
-// Adds the creases in which the occluder's own plane meets the receiver, if this plane cuts the
-// light.
+// Adds the creases caused by the plane in which the occluder lies, if this plane cuts the light.
 void add_own_plane_creases(const Shadow& shadow, std::vector<Crease>& creases) {
   const auto& light = shadow.stage.light.corners;
   const auto& face = shadow.stage.between[shadow.blocker];
@@ -215,13 +216,12 @@ void add_own_plane_creases(const Shadow& shadow, std::vector<Crease>& creases) {
   }
 }
 
-// Adds the creases that the occluder `between[blocker]` causes on the receiver, as far as no other
-// face hides them from the light. Borders lie on planes through an edge of the light and a corner
-// of the occluder, or the reverse, if the plane cuts neither of them. On one side of such a plane,
-// the occluder hides either nothing of the light, or as much as it can. Further borders lie on the
-// occluder's own plane if it cuts the light, and where the occluder touches the receiver. A plane
-// through an edge of the occluder and a corner of the light yields a crease within the penumbra if
-// it cuts the light.
+// Adds the creases that the occluder `between[blocker]` causes on the receiver, except where other
+// faces hide them from the light. Shadow borders lie on critical planes that cut neither light nor
+// occluder. On one side of such a plane, the occluder hides either nothing of the light or as much
+// as it can. Further borders lie on the occluder's own plane if this plane cuts the light, and
+// where the occluder touches the receiver. A plane through an edge of the occluder and a corner of
+// the light that cuts the light causes a crease within the penumbra.
 void add_shadow_creases(const Stage& stage, std::size_t blocker, StageCreases& found) {
   const auto& light = stage.light.corners;
   const auto& face = stage.between[blocker];
@@ -249,13 +249,14 @@ void add_shadow_creases(const Stage& stage, std::size_t blocker, StageCreases& f
   for (const Vec& corner : face)
     for (std::size_t i = 0; i < light.size(); ++i) {
       const Vec a = light[i], b = next(light, i);
-      if (find_plane(stage, face, corner, a, b))  // the plane cannot cut the light, which is convex
+      // The light is convex, so the plane does not cut it.
+      if (find_plane(stage, face, corner, a, b))
         add_wedge({{a, b}, {corner, corner}}, shadow, found.borders);
     }
   add_own_plane_creases(shadow, found.borders);
 }
 
-// Adds the crease where the light's own plane cuts the receiver. The light shines only on one side
+// Adds the crease where the plane of the light cuts the receiver. The light shines only on one side
 // of this line.
 void add_horizon_crease(const Stage& stage, std::vector<Crease>& creases) {
   const FaceSide& light = stage.light;

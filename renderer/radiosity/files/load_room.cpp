@@ -17,7 +17,7 @@ using renderer::at_place;
 using renderer::LeftOut;
 using renderer::Tokens;
 
-// Adds a material stated on this line. Throws if its name exists.
+// Adds a material stated on this line. Throws BadInput if there is a material with its name.
 void add_material(const Tokens& tokens, int line, const Material& material,
                   std::vector<Material>& materials) {
   tokens.at_line(line, [&] { check_material(material); });
@@ -27,8 +27,8 @@ void add_material(const Tokens& tokens, int line, const Material& material,
   materials.push_back(material);
 }
 
-// Takes the name of a material and returns its index. For error messages, `where` tells where
-// materials are: "lines above".
+// Takes the name of a material and returns its index. `where` says in error messages where
+// materials are defined, such as "lines above".
 std::uint32_t take_material(Tokens& tokens, const Room& room, std::string_view where) {
   std::string known;
   for (std::uint32_t i = 0; i < room.materials.size(); ++i) {
@@ -39,14 +39,14 @@ std::uint32_t take_material(Tokens& tokens, const Room& room, std::string_view w
       fmt::format("a material of the {}: {}", where, known.empty() ? "none yet" : known));
 }
 
-// Adds a face stated on this line.
+// Adds a face stated on this line to the room.
 void add_face(const Tokens& tokens, int line, Face face, Room& room) {
   face.where = fmt::format("{}:{}", tokens.name(), line);
   tokens.at_line(line, [&] { check_face(face, room.materials.size()); });
   room.faces.push_back(std::move(face));
 }
 
-// Reader of tlab's own format.
+// Reader of .room files.
 class RoomReader {
  public:
   RoomReader(std::string_view text, const std::string& name) : tokens_(text, name) {}
@@ -95,8 +95,8 @@ class RoomReader {
 
   int take_divisions(std::string_view what) { return tokens_.take_count(what, 1, MAX_DIVISIONS); }
 
-  // Reads a face with the given number of corners, or without a number, with all corners on the
-  // line.
+  // Reads a face with the given number of corners. Without a number, the rest of the line lists the
+  // corners.
   void read_face(std::optional<int> corners) {
     Face face;
     face.material = take_material(tokens_, room_, "lines above");
@@ -116,7 +116,7 @@ class RoomReader {
     add_face(tokens_, tokens_.line(), std::move(face), room_);
   }
 
-  // Reads a box as six quads that face outwards or inwards.
+  // Reads a box as six quads, whose fronts face outwards, or inwards if `inside` is stated.
   void read_box() {
     const int line = tokens_.line();
     Face face;
@@ -136,8 +136,8 @@ class RoomReader {
       for (const int end : {0, 1}) {
         face.corners.clear();
         for (const auto& [next, last] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
-          // True if the front faces along the axis: corners are then counter-clockwise as seen from
-          // its far end, else clockwise.
+          // True if the front faces along the positive axis. The corners are counter-clockwise as
+          // seen from the positive end of the axis if this is true, otherwise clockwise.
           const bool seen = (end == 1) != inside;
           double at[3];
           at[axis] = ends[end][axis];
@@ -183,18 +183,18 @@ class RoomReader {
   Tokens tokens_;
   Room room_;
   int view_line_ = 0;
-  std::vector<int> crease_lines_;  // line of each crease
+  std::vector<int> crease_lines_;  // line number of each crease
 };
 
-// NFF target that builds a room.
+// An NFF target that builds a room.
 struct RoomTarget : renderer::NffTarget {
   RoomTarget(std::string file, LeftOut& left) : name(std::move(file)), left_out(left) {}
 
-  std::string name;  // name of the file
+  std::string name;  // of the file
   LeftOut& left_out;
   Room room;
-  Material material;  // material of the next faces
-  bool used = false;  // true if the material is the last one of the room
+  Material material;  // of the next faces
+  bool used = false;  // `material` is the last one in the room's list
 
   Knows knows() const override { return Knows::rooms; }
   void set_view(const renderer::View& view) override { room.view = check_view(view); }
@@ -239,14 +239,14 @@ struct RoomTarget : renderer::NffTarget {
   }
 };
 
-// OBJ target that builds a room.
+// An OBJ target that builds a room.
 struct ObjRoom : renderer::ObjTarget {
   ObjRoom(std::string file, LeftOut& left) : name(std::move(file)), left_out(left) {}
 
-  std::string name;  // name of the file
+  std::string name;  // of the file
   LeftOut& left_out;
   Room room;
-  std::uint32_t material = 0;  // material of the next faces
+  std::uint32_t material = 0;  // index of the material of the next faces
   std::optional<renderer::View> view;
 
   void add_material(const renderer::MtlMaterial& m) override {
@@ -335,8 +335,8 @@ Read find_reader(const std::string& name) {
       "{}: found another ending in the name of a room, expected .room, .nff or .obj", name));
 }
 
-// Moves a room to the origin if it is more than FAR times its size away. Computations are then as
-// exact as the coordinates.
+// Moves a room to the origin if its distance from the origin is more than FAR times its size. The
+// results are then as exact as the coordinates.
 Room bring_near(Room room) {
   constexpr double FAR = 1000;
   const renderer::Bounds bounds = eval_bounds(room);
@@ -358,7 +358,7 @@ Room read_room(std::string_view text, const std::string& name, LeftOut* left_out
 }
 
 Room load_room(const std::string& path, LeftOut* left_out) {
-  find_reader(path);  // throws for other extensions before reading the file
+  find_reader(path);  // throws BadInput for unknown extensions before the file is read
   return bring_near(read_room(base::read_text(path), path, left_out));
 }
 

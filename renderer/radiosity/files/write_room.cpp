@@ -11,7 +11,7 @@ namespace {
 using renderer::describe;
 using renderer::LeftOut;
 
-// Names of materials as single words.
+// Names of the materials, converted to words without blanks.
 std::vector<std::string> name_materials(const Room& room) {
   renderer::WordNames names;
   std::vector<std::string> words;
@@ -25,7 +25,7 @@ void leave_out(const Room& room, LeftOut& left_out) {
     if (face.along > 1 || face.across > 1) left_out.add("divisions of faces");
 }
 
-// Calls `take` with a face, and with its back if it has two sides.
+// Calls `take` with a face. If the face has two sides, also calls it with the reversed face.
 template <class Take>
 void each_side(const Face& face, const Take& take) {
   take(face.corners, face.normals);

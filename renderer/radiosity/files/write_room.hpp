@@ -1,5 +1,5 @@
 #pragma once
-// Writers of rooms in the formats of load_room.hpp. They count what a format cannot express.
+// Writes rooms in the formats of load_room.hpp. Counts parts that a format cannot express.
 
 #include "renderer/files/nff.hpp"
 #include "renderer/files/obj.hpp"
@@ -8,12 +8,12 @@
 
 namespace radiosity {
 
-/// Formats a room as .room, without normals.
+/// Formats a room as .room text. Normals at corners are omitted and counted in `left_out`.
 std::string to_text(const Room& room, renderer::LeftOut& left_out);
 
-// Sends a room to a target. Two-sided faces become two faces. Creases, divisions and names of
-// materials are left out. In NFF, mirrors reflect all light, since it cannot express their
-// absorption.
+// Calls the functions of `target` for the parts of a room. Two-sided faces become two faces.
+// Creases, divisions and names of materials are omitted. Mirrors in NFF reflect all light, because
+// NFF has no reflectance of mirrors.
 void tell(const Room& room, renderer::ObjTarget& target, renderer::LeftOut& left_out);
 void tell(const Room& room, renderer::NffTarget& target, renderer::LeftOut& left_out);
 

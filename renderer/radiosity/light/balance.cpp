@@ -20,12 +20,12 @@ double eval_power(const Mesh& mesh, std::span<const Rgb> patches) {
   return power;
 }
 
-// Shares of a patch's light that reach the backs of faces, and that leave the room.
+// The fractions of a patch's light that fall on the backs of faces, and that leave the room.
 struct Exits {
   double backs = 0, outside = 0;
 };
 
-// Normals of the visible sides of each object of Mesh::blockers: one for a face, two for a
+// Normals of the visible sides of each object in Mesh::blockers: one for a face, two for a
 // two-sided face, none for a mirror.
 std::vector<std::vector<Vec>> find_fronts(const Mesh& mesh) {
   std::vector<std::vector<Vec>> fronts(renderer::object_count(mesh.blockers));
@@ -37,7 +37,8 @@ std::vector<std::vector<Vec>> find_fronts(const Mesh& mesh) {
   return fronts;
 }
 
-// True if the ray meets a face in contact with the patch, such as the floor under a block.
+// True if the ray meets a face in contact with the patch, such as the floor on which a block
+// stands.
 bool meets_contact(const Mesh& mesh, const Patch& patch, renderer::Ray ray, Work& work) {
   const double aside = 1e-6 * std::sqrt(patch.area);
   ray.origin = ray.origin - aside * patch.normal;
@@ -45,8 +46,8 @@ bool meets_contact(const Mesh& mesh, const Patch& patch, renderer::Ray ray, Work
   return hit && hit->distance * dot(ray.direction, patch.normal) < 2 * aside;
 }
 
-// Casts side x side rays from random points of a patch. Each ray stands for an equal share of the
-// patch's light.
+// Casts side x side rays from random points of the patch number `p`. Each ray stands for an equal
+// part of the patch's light.
 Exits find_exits(const Mesh& mesh, const std::vector<std::vector<Vec>>& fronts, std::size_t p,
                  std::size_t side) {
   const Patch& patch = mesh.patches[p];
@@ -80,8 +81,8 @@ Exits find_exits(const Mesh& mesh, const std::vector<std::vector<Vec>>& fronts, 
 
 constexpr std::size_t LEAST_SIDE = 4, MOST_SIDE = 64;
 
-// Estimates the power that falls on backs of faces if patches send `sent`, with 16 rays from each
-// patch, or more from patches above the mean power.
+// Estimates the power that falls on the backs of faces if the patches send the radiosities `sent`.
+// Casts 16 rays from each patch, and more from patches with more than the mean power.
 double find_backs(const Mesh& mesh, std::span<const Rgb> sent) {
   const auto fronts = find_fronts(mesh);
   const double mean = eval_power(mesh, sent) / static_cast<double>(sent.size());

@@ -1,7 +1,8 @@
 #pragma once
-// Subdivision of a patch into delta areas as seen from a point: the sum of Eq 3.8.
+// Subdivision of a patch into small parts, the delta areas, as seen from a point. The light at the
+// point is the sum of thesis Eq 3.8 over them.
 //
-// The formulas are templates over the type of a number: a double, or several in SIMD lanes
+// The formulas are templates over the number type: a double, or several numbers in SIMD lanes
 // (renderer/scene/lanes.hpp).
 
 #include <algorithm>
@@ -15,7 +16,7 @@
 
 namespace radiosity {
 
-/// A bilinear patch as a function of its parameters: p + s a + t b + s t c.
+/// A patch as a bilinear function of the parameters s and t, from 0 to 1: p + s a + t b + s t c.
 struct Quad {
   explicit Quad(const Patch& patch) : normal(patch.normal) {
     p = patch.at[0];
@@ -30,61 +31,62 @@ struct Quad {
     by_t = dot(normal, cross(c, b));
   }
   [[gnu::always_inline]] Vec eval(double s, double t) const { return p + s * a + t * (b + s * c); }
-  /// Area per unit of s and t at a point.
+  /// Area per unit of s and t at the point (s, t).
   template <class Number>
   [[gnu::always_inline]] Number eval_density(const Number& s, const Number& t) const {
     return density + s * by_s + t * by_t;
   }
   Vec p, a, b, c, normal;
-  double along, across;        // squared length of the longer of two opposite sides
+  double along, across;        // squared length of the longer one of two opposite sides
   double density, by_s, by_t;  // eval_density() at (0, 0), and its derivatives
-  double aa, ac, bb, bc, cc;   // scalar products of a, b and c
+  double aa, ac, bb, bc, cc;   // dot products of a, b and c
 };
 
-/// A point that receives light, and the surface normal there.
+/// A point that receives light, with the surface normal there.
 struct Viewpoint {
   Vec at, normal;
 };
 
-/// A term of Eq 3.8. `area` is A_2/N of the equation, `square` the squared distance. `here` and
-/// `there` are the cosines at the viewpoint and at the delta area, each times the distance.
+/// One term of thesis Eq 3.8. `area` is A_2/N in the equation, and `square` is the squared
+/// distance. `here` and `there` are the cosines at the viewpoint and at the delta area, each
+/// multiplied by the distance.
 inline double eval_delta(double area, double square, double here, double there) {
   return here * there / square * area / (std::numbers::pi * square + area);
 }
 
-/// A side of a delta area, measured at the middle of the delta area, as seen by a distant
-/// viewpoint.
+/// One side of a delta area, seen from a distant viewpoint. All values are measured at the middle
+/// of the delta area. `way` is the vector from the viewpoint to this middle.
 template <class Number, class Share>
 struct DeltaSide {
-  Number turn;    ///< component along the way from the viewpoint, relative to the way's length
-  Number rise;    ///< component along the viewpoint's normal, relative to the way's component
-  Number square;  ///< squared length of the side, relative to the squared distance
-  Share growth;   ///< relative growth of the other side, from end to end of this one
+  Number turn;    ///< component along `way`, divided by the length of `way`
+  Number rise;    ///< component along the viewpoint's normal, divided by that of `way`
+  Number square;  ///< squared length of the side, divided by the squared distance
+  Share growth;   ///< relative growth of the other side, from one end of this side to the other
 
-  /// The term of this side in eval_extent() of a delta area.
+  /// The contribution of this side to eval_extent() of the delta area.
   [[gnu::always_inline]] Number eval_extent() const {
     return turn * (turn - 1.0 / 3 * rise) - 1.0 / 6 * square +
            1.0 / 12 * growth * (rise - 4.0 * turn);
   }
-  /// Offset of the form factor's centroid from the delta area's centre along this side, relative to
-  /// its length, to first order.
+  /// Distance along this side from the centre of the delta area to the centroid of its form factor,
+  /// as a fraction of the side, to first order.
   [[gnu::always_inline]] Number eval_drift() const {
     using renderer::clamp, std::clamp;
     return clamp(1.0 / 12 * (growth + rise - 4.0 * turn), -0.5, 0.5);
   }
 };
 
-/// Correction for the extent of a delta area. Its form factor is that of a point with its area,
-/// times 1 + eval_extent(), except for terms of the fourth power of side over distance. It combines
-/// the kernel's second derivatives along the sides, divided by 24, and the shift of area towards
-/// the end where the other side is longer.
+/// Relative correction for the size of a delta area. Its form factor is that of a point with the
+/// same area, multiplied by 1 + eval_extent(). The remaining error is of the fourth power of side
+/// over distance. The correction consists of the second derivatives of Eq 3.8 along the sides,
+/// divided by 24, and of the shift of area towards the end where the other side is longer.
 template <class Number, class Share>
 [[gnu::always_inline]] inline Number eval_extent(const DeltaSide<Number, Share>& a,
                                                  const DeltaSide<Number, Share>& b) {
   return a.eval_extent() + b.eval_extent();
 }
 
-/// A uniformly bright patch, with value 1.
+/// A patch with the constant radiosity 1.
 struct Even {
   static constexpr bool IS_EVEN = true;
   template <class Number>
@@ -93,22 +95,23 @@ struct Even {
   }
 };
 
-/// A part of a patch around (s, t). Its sides are fractions of the patch's.
+/// A part of a patch, centred at the parameters (s, t). Its sides are fractions of the patch's
+/// sides.
 template <class Share>
 struct DeltaOf {
   Share s, t, along, across;
 };
 using Delta = DeltaOf<double>;
 
-/// The target of visibility rays on a delta area, slightly off its centre. In symmetric rooms,
-/// especially between two mirrors, lines between centres pass exactly through edges. Rounding would
-/// then decide on which side they pass.
+/// The point of a delta area that visibility rays aim at, slightly off its centre. In symmetric
+/// rooms, especially between two mirrors, lines between centres would pass exactly through edges,
+/// and rounding would decide on which side.
 [[gnu::always_inline]] inline Vec find_aim(const Quad& quad, const Delta& delta) {
   constexpr double ASIDE = 0.7e-6, ABOVE = 1.1e-6;
   return quad.eval(delta.s + ASIDE * delta.along, delta.t + ABOVE * delta.across);
 }
 
-/// Size of a delta area at its middle.
+/// Measures of a delta area at its middle.
 template <class Share>
 struct DeltaSize {
   [[gnu::always_inline]] DeltaSize(const Quad& quad, const DeltaOf<Share>& delta)
@@ -119,20 +122,20 @@ struct DeltaSize {
         square_b(delta.across * delta.across *
                  (quad.bb + delta.s * (2.0 * quad.bc + delta.s * quad.cc))) {}
   Share density, area;
-  Share square_a, square_b;  ///< squared lengths of the delta area's sides
+  Share square_a, square_b;  ///< squared lengths of the sides
 };
 
-/// Scalar products of a viewpoint's normal with a, b and c of a Quad.
+/// Dot products of a viewpoint's normal with a, b and c of a Quad.
 template <class Number>
 struct Rise {
   Number a, b, c;
 };
 
-/// The term of a delta area with sides shorter than its distance, times `source.eval(s, t)`. It is
-/// exact to second order in side over distance. `way` is the vector from the viewpoint to the delta
-/// area; `square` is its squared length; `here` and `there` are as in eval_delta(). Share is the
-/// number type for one or several delta areas; Vector and Number are the types for one or several
-/// viewpoints.
+/// The form factor of a delta area whose sides are shorter than its distance, multiplied by the
+/// radiosity `source.eval(s, t)`. The result is exact to second order in side over distance. `way`
+/// is the vector from the viewpoint to the delta area; `square` is its squared length; `here` and
+/// `there` are as in eval_delta(). Share is the number type for one or several delta areas. Vector
+/// and Number are the types for one or several viewpoints.
 template <class Share, class Vector, class Number, class Source>
 [[gnu::always_inline]] inline auto eval_far(const Quad& quad, const DeltaOf<Share>& delta,
                                             const DeltaSize<Share>& size, const Rise<Number>& rise,
@@ -140,7 +143,7 @@ template <class Share, class Vector, class Number, class Source>
                                             const Number& here, const Number& there,
                                             const Source& source) {
   const auto [s, t, along, across] = delta;
-  // Reciprocals are computed once, since divisions dominate the cost.
+  // Computes reciprocals only once, because divisions dominate the cost.
   const Number per_square = 1.0 / square, per_here = 1.0 / here;
   const Share per_density = 1.0 / size.density;
   const Number way_c = dot(way, quad.c);
@@ -157,22 +160,23 @@ template <class Share, class Vector, class Number, class Source>
   return term * source.eval(at_s, at_t);
 }
 
-/// Subdivision of a patch into samples x samples delta areas. Each is halved up to `halvings` times
-/// while it is wider than sqrt(enough) times its distance.
+/// How to divide a patch into samples x samples delta areas. A delta area is halved, up to
+/// `halvings` times, while it is wider than sqrt(enough) times its distance from the viewpoint.
 struct Cut {
   int samples, halvings;
   double enough;
 };
 
-/// A delta area as seen from a viewpoint, if they face each other.
+/// A delta area as seen from a viewpoint that faces it.
 struct Look {
-  Vec point, way;      ///< point returned by find_aim(), and the vector to it
+  Vec point, way;      ///< point returned by find_aim(), and vector to it from the viewpoint
   double square;       ///< squared distance from the viewpoint
-  double here, there;  ///< cosines times the distance (see eval_delta())
+  double here, there;  ///< cosines multiplied by the distance, as in eval_delta()
 };
 
-/// Calls `take(delta, look)` for each delta area that faces the viewpoint. `misses(point, radius)`
-/// returns true if the viewpoint certainly sees no point of the patch within the radius.
+/// Divides a patch and calls `take(delta, look)` for each delta area that faces the viewpoint.
+/// `misses(point, radius)` may return true only if the viewpoint sees no point of the patch within
+/// `radius` of `point`; such parts are not divided further.
 template <class Misses, class Take>
 class Cutter {
  public:
@@ -209,7 +213,7 @@ class Cutter {
     if (look.here > 0 && look.there > 0) take_(delta, look);
   }
 
-  // Adds the parts of a delta area, halved along, across, or both.
+  // Adds the two or four parts of a delta area that is halved along, across, or both.
   void add_parts(const Delta& delta, bool along, bool across, int halvings) {
     const double step = along ? delta.along / 4 : 0, rise = across ? delta.across / 4 : 0;
     const double width = along ? delta.along / 2 : delta.along;
@@ -227,18 +231,20 @@ class Cutter {
   renderer::Work& work_;
 };
 
-/// True if a delta area is wider than its distance from the viewpoint, so that Eq 3.8 applies.
+/// True if a delta area is wider than its distance from the viewpoint. Eq 3.8 is then used instead
+/// of eval_far().
 inline bool is_wide(const DeltaSize<double>& size, double square) {
   return std::max(size.square_a, size.square_b) > square;
 }
 
-/// Type of a sum of terms times `source.eval(s, t)`: a number or a colour.
+/// The type of a sum of form factors multiplied by `source.eval(s, t)`: a number or a colour.
 template <class Source>
 using SumOf = decltype(1.0 * std::declval<Source>().eval(0, 0));
 
-/// The term of a visible delta area, times `source.eval(s, t)`. It follows Eq 3.8 if the area is
-/// wide. Otherwise it is exact to second order in side over distance. (Eq 3.8 is derived for a disc
-/// that faces the viewpoint, and alone would lose 0.3 % of the light of a room.)
+/// The form factor of a visible delta area, multiplied by the radiosity `source.eval(s, t)`. It
+/// follows Eq 3.8 if the delta area is wide. Otherwise it is exact to second order in side over
+/// distance. (Eq 3.8 is derived for a disc that faces the viewpoint; alone, it would lose 0.3 % of
+/// the light of a room.)
 template <class Source>
 SumOf<Source> eval_seen(const Quad& quad, const Delta& delta, const Vec& normal, const Look& look,
                         const Source& source, renderer::Work& work) {
@@ -251,8 +257,8 @@ SumOf<Source> eval_seen(const Quad& quad, const Delta& delta, const Vec& normal,
   return eval_far(quad, delta, size, rise, look.way, look.square, look.here, look.there, source);
 }
 
-/// The sum over the visible part of a patch. `sight.sees(point)` tells whether the viewpoint sees a
-/// point of the patch. Cutter explains `sight.misses(point, radius)`.
+/// The sum of eval_seen() over the visible part of a patch. `sight.sees(point)` returns whether the
+/// viewpoint sees a point of the patch. See Cutter for `sight.misses(point, radius)`.
 template <class Sight, class Source>
 SumOf<Source> sum_deltas(const Cut& cut, const Viewpoint& eye, const Quad& quad, const Sight& sight,
                          const Source& source, renderer::Work& work) {

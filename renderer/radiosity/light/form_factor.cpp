@@ -10,7 +10,8 @@ using renderer::Work;
 
 namespace {
 
-// Direct view of a patch from a vertex, for sum_deltas().
+// The `sight` of sum_deltas() for light that comes directly, without mirrors, from a patch to a
+// vertex.
 struct DirectSight {
   const Eye& eye;
   const Vertex& vertex;
@@ -22,7 +23,7 @@ struct DirectSight {
   static bool misses(const Vec&, double) { return false; }
 };
 
-// Direct light from a patch at a vertex, for sum_deltas()'s `source`.
+// The sum of sum_deltas() for direct light from a patch at a vertex.
 template <class Source>
 auto eval_direct(const Eye& eye, const Cut& cut, const Vertex& vertex, const Patch& patch,
                  const Quad& quad, const Source& source, Work& work) {

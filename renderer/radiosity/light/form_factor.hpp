@@ -12,46 +12,48 @@ namespace radiosity {
 
 inline constexpr int MOST_REFLECTIONS = 8;
 
-/// Subdivision of a patch into delta areas. A delta area that is wider than `spread` or
-/// `mirror_share` allows is halved along its longer side or both sides.
+/// How to divide a patch into delta areas. A delta area that is wider than `spread` or
+/// `mirror_share` allows is halved along its longer side, or along both sides.
 struct FactorParams {
-  int samples = 1;       ///< delta areas along and across a patch, 1 to 1024
-  double spread = 0.18;  ///< largest width of a delta area, as a share of its distance, > 0
-  int halvings = 12;     ///< limit on the halvings of a delta area, 0 to 30; 0: all have equal size
-  int reflections = 2;   ///< limit on the mirrors on a path of light, 0 to MOST_REFLECTIONS
-  /// Replaces `spread` for delta areas seen over mirrors: largest angle of a delta area, as a share
-  /// of the angle of the narrowest mirror as seen from the vertex, > 0. The result is clamped to a
-  /// quarter of `spread` up to `spread`.
+  int samples = 1;       ///< number of delta areas along and across a patch, 1 to 1024
+  double spread = 0.18;  ///< largest width of a delta area, as a fraction of its distance, > 0
+  int halvings = 12;     ///< limit on the halvings of a delta area, 0 to 30; 0: equal sizes
+  /// Limit on the number of mirrors in a path of light, 0 to MOST_REFLECTIONS.
+  int reflections = 2;
+  /// Replaces `spread` for delta areas seen in mirrors. It is the largest visual angle of a delta
+  /// area, as a fraction of the visual angle of the narrowest mirror on the path, > 0. The result
+  /// is clamped to the range from a quarter of `spread` to `spread`.
   double mirror_share = 0.5;
-  /// Pieces along and across a mirror, 0 to 1000. With 0, mirrors are not divided; each delta area
-  /// is seen through a piece of its own (mirrors.hpp).
+  /// Number of pieces along and across a mirror, 0 to 1000. With 0, mirrors are not divided in
+  /// advance; each delta area is seen through its own piece of the mirror (mirrors.hpp).
   int mirror_pieces = 0;
   renderer::Traversal traversal = renderer::Traversal::nearest;
 };
 
 /// Makes the fields samples, spread, halvings, reflections, mirror_pieces and mirror_share.
 base::Fields<FactorParams> factor_fields();
-/// Throws BadInput with the field, the value found and the values expected.
+/// Throws BadInput with the name of the field, the value found and the values expected.
 void check(const FactorParams& params);
 
-/// The subdivision into delta areas for direct light.
+/// The subdivision for direct light, without mirrors.
 inline Cut direct_cut(const FactorParams& params) {
   return {params.samples, params.halvings, params.spread * params.spread};
 }
 
-/// A visibility tester that casts rays against the blockers of `mesh`. `access`, unless null,
-/// receives every read.
+/// Data for visibility tests that cast rays against Mesh::blockers. `access`, unless null, is
+/// called for every read of scene data.
 struct Eye {
   const Mesh& mesh;
   const FactorParams& params;
   renderer::Access* access = nullptr;
 };
 
-/// Share of the distance at which a ray ends, so that it does not meet the object at its target.
+/// Fraction of the distance after which a visibility ray ends, so that it does not hit the target's
+/// own object.
 inline constexpr double NEARLY = 1 - 1e-9;
 
-/// True if nothing blocks the segment between points on two objects. Inlined, so that the caller
-/// shares the direction and its length.
+/// True if nothing blocks the segment from a point on one object to a point on another. Inlined, so
+/// that the caller can reuse direction and length.
 [[gnu::always_inline]] inline bool sees(const Eye& eye, const Vec& from, std::uint32_t object,
                                         const Vec& to, std::uint32_t other, renderer::Work& work) {
   if (object == other) return true;
@@ -66,12 +68,13 @@ inline constexpr double NEARLY = 1 - 1e-9;
   return !intersect(eye.mesh.blockers, ray, eye.params.traversal, work, eye.access);
 }
 
-/// Radiosity of a patch, bilinear in the patch's parameters.
+/// The radiosity of a patch as a bilinear function of the patch's parameters s and t.
 struct Glow {
   static constexpr bool IS_EVEN = false;
   Glow() = default;
   explicit Glow(const Rgb& even) : at(even) {}
-  /// Makes it from the radiosities of the patch's corners, in their order.
+  /// Interpolates between the radiosities of the patch's corners, given in the order of
+  /// Patch::corners.
   explicit Glow(const std::array<Rgb, 4>& corners);
   template <class Number>
   [[gnu::always_inline]] auto eval(const Number& s, const Number& t) const {
@@ -82,7 +85,7 @@ struct Glow {
   Rgb at, along, across, twist;
 };
 
-/// A constant radiosity, for templates that take a Glow.
+/// A constant radiosity, for templates that accept a Glow.
 struct EvenGlow {
   static constexpr bool IS_EVEN = true;
   template <class Number>
@@ -102,9 +105,9 @@ struct Sender {
   bool is_even;
 };
 
-/// The subdivision of a sender for direct light. Delta areas of lamps are so small that none
-/// contributes more than Mesh::most_at_once to the emitted light at a point, by an upper bound on
-/// form factors.
+/// The subdivision of a sender for direct light. The delta areas of a lamp are made so small that
+/// each one contributes at most Mesh::most_at_once of emitted light at a point. An upper bound on
+/// the form factor guarantees this.
 inline Cut direct_cut(const Eye& eye, const Sender& sender) {
   Cut cut = direct_cut(eye.params);
   const double emitted = sum(eye.mesh.materials[sender.patch.material].emission) / 3;
@@ -113,23 +116,23 @@ inline Cut direct_cut(const Eye& eye, const Sender& sender) {
   return cut;
 }
 
-/// The sum of Eq 3.9 times A_2, without mirrors: the cosine-weighted share of the vertex's
-/// hemisphere that the visible part of the patch covers, 0..1. In Eq 3.9, B_1 is rho_1 B_2 times
-/// this share. Adds to `work`.
+/// The form factor without mirrors: the cosine-weighted fraction of the vertex's hemisphere that
+/// the visible part of the patch covers, 0..1. It is the sum in thesis Eq 3.9 multiplied by A_2;
+/// B_1 there is rho_1 B_2 times this fraction. Counts the work in `work`.
 double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, renderer::Work& work);
 
-/// True if light may arrive over mirrors.
+/// True if light may reach vertices by way of mirrors.
 inline bool has_mirrors(const Eye& eye) {
   return !eye.mesh.mirrors.empty() && eye.params.reflections > 0;
 }
 
 /// The light from a patch that arrives at a vertex, directly and over mirrors. Mirrors multiply
-/// each colour by their reflectance. For a constant radiosity it is the form factor times the
-/// radiosity. Adds to `work`.
+/// each colour by their reflectance. For a constant radiosity and no mirrors, the result is the
+/// form factor multiplied by the radiosity. Counts the work in `work`.
 Rgb eval_light(const Eye& eye, const Vertex& vertex, const Sender& sender, renderer::Work& work);
 
-/// True if part of the patch is in front of the viewpoint, and the viewpoint is in front of the
-/// patch.
+/// True if part of the patch is in front of the viewpoint's surface, and the viewpoint is in front
+/// of the patch.
 inline bool face_each_other(const Viewpoint& eye, const Patch& patch) {
   if (dot(patch.normal, eye.at - patch.centre) <= 0) return false;
   for (const Vec& corner : patch.at)

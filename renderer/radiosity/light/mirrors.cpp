@@ -11,31 +11,33 @@ using renderer::Work;
 
 namespace {
 
-// The unfolded path of light over a chain of mirrors. The mirrors reflect the viewpoint instead of
-// the visible surface (figures 3.11 and 3.12). `images[0]` is the viewpoint at the vertex;
-// `images[j]` is its image in the first j mirrors of the chain.
+// A chain of mirrors along a path of light, unfolded into a straight line. The viewpoint is
+// reflected in the mirrors, instead of the surface that it sees (figures 3.11 and 3.12).
+// `images[0]` is the viewpoint at the vertex; `images[j]` is its image in the first j mirrors of
+// the chain.
 struct Chain {
   template <class T, std::size_t most>
   using List = boost::container::static_vector<T, most>;
 
-  List<const Mirror*, MOST_REFLECTIONS> mirrors;  // mirrors on the path, from the vertex outwards
+  List<const Mirror*, MOST_REFLECTIONS> mirrors;  // from the vertex outwards
   List<Viewpoint, MOST_REFLECTIONS + 1> images;
   Rgb reflectance{1, 1, 1};  // product of the mirrors' reflectances
-  // Approximate visual angle of the narrowest mirror, rad.
+  // Approximate visual angle of the narrowest mirror, in radians.
   double width = std::numeric_limits<double>::infinity();
 
   explicit Chain(const Viewpoint& eye) : images{eye} {}
   const Viewpoint& last() const { return images.back(); }
-  // True if the mirror is visible from the end of the chain.
+  // True if light from the mirror can reach the last mirror of the chain, or the vertex if there is
+  // none.
   bool can_meet(const Mirror& mirror) const;
-  // True if part of a convex polygon may be visible in the last mirror: no plane through the
-  // viewpoint's image and an edge of the mirror separates the two.
+  // True if part of a convex polygon may be visible in the last mirror: no plane through the image
+  // of the viewpoint and an edge of the mirror separates mirror and polygon.
   bool may_show(std::span<const Vec> corners) const;
-  // The chain extended by a mirror with the given reflectance.
+  // Returns this chain extended by a mirror with the reflectance `by`.
   Chain extend(const Mirror& mirror, const Rgb& by) const;
 };
 
-// Points in which a path meets the mirrors of a chain, in the order of the mirrors.
+// The points where a path of light meets the mirrors of a chain, in the chain's order.
 using Path = std::array<Vec, MOST_REFLECTIONS>;
 
 Vec mirror_direction(const Mirror& mirror, const Vec& direction) {
@@ -46,7 +48,8 @@ Vec mirror_point(const Mirror& mirror, const Vec& point) {
   return mirror.corners[0] + mirror_direction(mirror, point - mirror.corners[0]);
 }
 
-// True if a point in the plane of a convex polygon is inside it, or outside by at most the margin.
+// True if `point`, in the plane of the convex polygon `c`, is inside the polygon or at most
+// `margin` outside.
 bool is_within(std::span<const Vec> c, const Vec& normal, const Vec& point, double margin = 0) {
   for (std::size_t i = 0; i < c.size(); ++i) {
     const Vec edge = c[(i + 1) % c.size()] - c[i];
@@ -87,7 +90,7 @@ Chain Chain::extend(const Mirror& mirror, const Rgb& by) const {
   return longer;
 }
 
-// The path from the vertex to a point; none if it misses a mirror.
+// The path from the vertex over the chain to a point; none if it would pass beside a mirror.
 std::optional<Path> find_path(const Chain& chain, const Vec& to) {
   Path points;
   Vec from = to;
@@ -96,7 +99,7 @@ std::optional<Path> find_path(const Chain& chain, const Vec& to) {
     const Vec way = chain.images[j + 1].at - from;
     const double before = dot(mirror.normal, from - mirror.corners[0]);
     const double along = dot(mirror.normal, way);
-    // the point is behind the mirror, or the ray leads away from it
+    // the point is behind the mirror, or the path leads away from the mirror
     if (!(before > 0 && along < 0)) return std::nullopt;
     points[j] = from + before / -along * way;
     if (!is_within(mirror.corners, mirror.normal, points[j])) return std::nullopt;
@@ -105,8 +108,8 @@ std::optional<Path> find_path(const Chain& chain, const Vec& to) {
   return points;
 }
 
-// True if certainly each path to a point within a radius of `to` misses a mirror. The paths form a
-// cone with its apex at the image of the vertex; a mirror cuts the cone in an ellipse.
+// True only if all paths to points within `radius` of `to` pass beside a mirror. The paths form a
+// cone with its apex at the image of the vertex. A mirror's plane cuts the cone in an ellipse.
 bool surely_misses(const Chain& chain, const Vec& to, double radius) {
   Vec from = to;
   const double whole = length(to - chain.last().at);
@@ -116,11 +119,11 @@ bool surely_misses(const Chain& chain, const Vec& to, double radius) {
     const Vec way = chain.images[j + 1].at - from;
     const double before = dot(mirror.normal, from - mirror.corners[0]);
     const double along = -dot(mirror.normal, way), left = length(way);
-    // the cone may lie beside the mirror, so the test cannot decide
+    // part of the cone may lie beside the mirror, so that this test cannot decide
     if (!(before > radius && along > radius)) return false;
     const Vec point = from + before / along * way;
     gone += before / along * left;
-    // approximate lower bound on the cosines of the cone's lines
+    // approximate lower bound on the cosines between the mirror's normal and the lines of the cone
     const double slope = (along - radius) / left;
     const double margin = 2 * radius * (whole - gone) / whole / slope;
     if (!is_within(mirror.corners, mirror.normal, point, margin)) return true;
@@ -129,16 +132,17 @@ bool surely_misses(const Chain& chain, const Vec& to, double radius) {
   return false;
 }
 
-// View of a patch from a vertex over a chain, for sum_deltas().
+// The `sight` of sum_deltas() for light from a patch that reaches a vertex over a chain of mirrors.
 struct MirroredSight {
   const Eye& eye;
   const Vertex& vertex;
   const Patch& patch;
-  const Quad& quad;  // geometry of the patch that sends light
+  const Quad& quad;  // geometry of `patch`
   const Chain& chain;
   Work& work;
 
-  // True if nothing blocks the path over the points `path` on the mirrors.
+  // True if nothing blocks the path from the vertex, over the points `path` on the mirrors, to
+  // `to`.
   bool is_free(const Path& path, const Vec& to) const {
     Vec from = vertex.lit;
     std::uint32_t on = vertex.object;
@@ -161,7 +165,7 @@ struct MirroredSight {
   }
 };
 
-// The bounding rectangle of a mirror, aligned with its first edge and cut into n x n pieces.
+// The bounding rectangle of a mirror, parallel to its first edge and divided into n x n pieces.
 struct Pieces {
   Pieces(const Mirror& mirror, int n) : n(n) {
     const Vec along = normalize(mirror.corners[1] - mirror.corners[0]);
@@ -181,24 +185,26 @@ struct Pieces {
   Vec centre(int i, int j) const { return origin + (i + 0.5) * u + (j + 0.5) * v; }
   double area() const { return length(u) * length(v); }
   int n;
-  Vec origin, u, v;  // u and v are the sides of a piece
+  Vec origin, u, v;  // `origin` is a corner of the rectangle; u and v are the sides of a piece
 };
 
-// The least solid angle among the pieces on a path, and the index of its mirror in the chain.
+// The smallest solid angle of the pieces on a path, and the index in the chain of the piece's
+// mirror.
 struct Least {
   double angle = std::numeric_limits<double>::infinity();
   std::size_t mirror = 0;
 };
 
-// A path from the vertex over a chain to the plane of the patch.
+// A path from the vertex over all mirrors of a chain to the plane of the patch.
 struct Way {
   Path path;
   Vec end;
   Least least;
 };
 
-// The sum of Eq 3.17 over the patch's delta areas (samples x samples, not halved) and the pieces of
-// the chain's mirrors (FactorParams::mirror_pieces).
+// The sum of thesis Eq 3.17 over the delta areas of the patch and the pieces of the chain's
+// mirrors. There are samples x samples delta areas, which are not halved, and
+// FactorParams::mirror_pieces pieces along and across each mirror.
 template <class Source>
 class PieceSum {
  public:
@@ -221,7 +227,7 @@ class PieceSum {
   }
 
  private:
-  // Adds the delta area within `half` of (s, t).
+  // The form factor of the delta area that extends by `half` around (s, t).
   double add_delta(double s, double t, double half) {
     seen_.work[Op::delta_area] += 1;
     const Quad& quad = seen_.quad;
@@ -238,8 +244,8 @@ class PieceSum {
       for (int j = 0; j < pieces_[k].n; ++j)
         for (int i = 0; i < pieces_[k].n; ++i) {
           seen_.work[Op::light_mirrored] += 1;
-          // The same path may be found at each of its mirrors. It counts only at the mirror whose
-          // piece has the least solid angle.
+          // Each mirror of a path leads to this path through one of its pieces. The path counts
+          // only for the mirror whose piece has the smallest solid angle.
           const auto way = follow(k, pieces_[k].centre(i, j));
           if (!way || way->least.mirror != k) continue;
           const double whole = solid_angle(area, way->end);
@@ -248,7 +254,7 @@ class PieceSum {
     return total;
   }
 
-  // The term of Eq 3.17 for the share `h` of the delta area.
+  // The term of Eq 3.17 for the fraction `h` of the delta area.
   double add_way(const Way& way, double area, double h) {
     const Viewpoint& eye = seen_.chain.last();
     const Vec line = way.end - eye.at;
@@ -257,13 +263,13 @@ class PieceSum {
     return eval_delta(h * area, dot(line, line), here, there);
   }
 
-  // The path from the vertex over the chain, through the centre of a piece of the k-th mirror; none
-  // if it ends outside the delta area.
+  // The path from the vertex over the chain that passes the centre of a piece of mirror number k;
+  // none if it ends outside the delta area.
   std::optional<Way> follow(std::size_t k, const Vec& centre) const {
     const auto& chain = seen_.chain;
     if (!is_within(chain.mirrors[k]->corners, chain.mirrors[k]->normal, centre))
       return std::nullopt;
-    // The unfolded path is a straight line from the last image of the vertex.
+    // The unfolded path is a straight line that begins at the last image of the vertex.
     Vec through = centre;
     for (std::size_t j = k + 1; j < chain.mirrors.size(); ++j)
       through = mirror_point(*chain.mirrors[j], through);
@@ -278,14 +284,14 @@ class PieceSum {
     return Way{*path, end, least_angle(*path)};
   }
 
-  // The solid angle of an area as seen from the vertex over the chain.
+  // The solid angle of an area at `point` as seen from the vertex over the chain.
   double solid_angle(double area, const Vec& point) const {
     const Vec line = point - seen_.chain.last().at;
     const double square = dot(line, line);
     return area * -dot(seen_.quad.normal, line) / (square * std::sqrt(square));
   }
 
-  // The least solid angle (Eq 3.18) of the pieces on a path.
+  // The smallest solid angle (thesis Eq 3.18) of the pieces on a path.
   Least least_angle(const Path& path) const {
     Least least;
     double distance = 0;
@@ -304,17 +310,17 @@ class PieceSum {
 
   const MirroredSight& seen_;
   const Source& source_;
-  std::vector<Pieces> pieces_;  // pieces of each mirror of the chain
-  std::array<Vec, 4> corners_;  // corners of the delta area
+  std::vector<Pieces> pieces_;  // by mirror of the chain
+  std::array<Vec, 4> corners_;  // of the current delta area
 };
 
-// The light that arrives over one chain, without the reflectance of the mirrors.
+// The light that arrives over one chain, before multiplication by the mirrors' reflectances.
 template <class Source>
 auto eval_chain(const MirroredSight& sight, const Source& source) {
   const FactorParams& params = sight.eye.params;
   if (params.mirror_pieces > 0) return PieceSum(sight, source).sum();
-  // Lower limit, relative to params.spread: a mirror that appears narrower reflects too little
-  // light to deserve smaller delta areas.
+  // Lower limit on the angle of delta areas, as a fraction of params.spread. A narrower mirror
+  // reflects too little light to justify smaller delta areas.
   constexpr double LEAST = 0.25;
   const double spread =
       std::clamp(params.mirror_share * sight.chain.width, LEAST * params.spread, params.spread);
@@ -325,7 +331,7 @@ auto eval_chain(const MirroredSight& sight, const Source& source) {
 template <class Source>
 constexpr bool KEEPS = std::is_same_v<Source, TermCollector>;
 
-// The sum over all longer chains that begin with the chain of `sight`.
+// The sum of the light over all longer chains that begin with the chain of `sight`.
 template <class Source>
 auto sum_chains(const MirroredSight& sight, const Source& source) {
   const auto& [eye, vertex, patch, quad, chain, work] = sight;

@@ -16,8 +16,8 @@ using renderer::Work;
 
 namespace {
 
-// The receivers, one per SIMD lane. A lane without a receiver has the position of the first one,
-// and is not `present`.
+// The vertices that receive light, one per SIMD lane. A lane without a vertex has the position of
+// the first vertex, and is not `present`.
 struct Points {
   [[gnu::always_inline]] explicit Points(const Receivers& receivers) {
     const Vertex& first = *receivers[0];
@@ -39,14 +39,15 @@ struct Points {
   Mask object, present;
 };
 
-// face_each_other() for each lane.
+// The result of face_each_other() for each lane.
 [[gnu::always_inline]] inline Mask find_facing(const Points& points, const Patch& patch) {
   Mask before{};
   for (const Vec& corner : patch.at) before |= dot(corner - points.at, points.normal) > 0.0;
   return points.present & before & (dot(points.at - patch.centre, patch.normal) > 0.0);
 }
 
-// Mask of the lanes with an unblocked way to a point of the patch: sees() for each lane.
+// The lanes of `looking` whose line of sight to a point of the patch is not blocked: sees() for
+// each lane.
 [[gnu::always_inline]] inline Mask find_seeing(const Eye& eye, const Points& points,
                                                const Patch& patch, const Mask& looking,
                                                const Vecs& way, const Lanes& square, Work& work) {
@@ -61,16 +62,17 @@ struct Points {
   return looking & ~rays.blocked;
 }
 
-// Visible delta areas: one per lane, or one shared by all lanes.
+// Delta areas that face the receivers: one per lane, or one shared by all lanes.
 template <class Share>
 struct Looks {
   DeltaOf<Share> delta;
-  Vecs way;  // `way` and the next members are those of Look
+  Vecs way;  // `way` and the next three members are those of Look
   Lanes square, here, there;
   Mask looking;
 };
 
-// Terms in SIMD lanes, and a `source` that makes them, like TermCollector.
+// Terms in SIMD lanes. LaneRecorder is a `source` that makes them, as TermCollector does for one
+// point.
 struct TermLanes {
   Lanes share, s, t;
 };
@@ -84,14 +86,14 @@ struct LaneRecorder {
   [[gnu::always_inline]] Place eval(const Lanes& s, const Lanes& t) const { return {s, t}; }
 };
 
-// Sums of the light at the receivers, and their terms if these are kept.
+// Sums of the light at the receivers. `kept`, unless null, receives their terms instead.
 struct Sum {
   Lights lights{};
   TermsLanes* kept = nullptr;
 };
 
-// Adds the terms of the visible delta areas to the sums. They are equal to those of eval_seen() for
-// delta areas that are not wide. `receiver(k)` is the receiver of lane k.
+// Adds the terms of the visible delta areas to the sums. The terms equal those of eval_seen() for
+// delta areas that are not wide. `receiver(k)` is the index of the receiver in lane k.
 template <class Share, class Receiver>
 [[gnu::always_inline]] inline void add_terms(const Eye& eye, const Sender& sender,
                                              const Points& points, const Looks<Share>& looks,
@@ -123,8 +125,8 @@ template <class Share, class Receiver>
     if (seeing[k]) sum.lights[receiver(k)] += Rgb{terms.r[k], terms.g[k], terms.b[k]};
 }
 
-// Adds the direct light at receivers that see the patch as a single delta area that is not wide.
-// Sets `near` for all other receivers.
+// Adds the direct light at the receivers for which the patch is a single delta area that is not
+// wide. Sets `near` for all other receivers that face the patch.
 [[gnu::always_inline]] inline void add_far_lanes(const Eye& eye, const Receivers& receivers,
                                                  const Sender& sender, Sum& sum, Mask& near,
                                                  Work& work) {
@@ -156,7 +158,7 @@ template <class Share, class Receiver>
         eye, sender, points, looks, [](std::size_t k) { return k; }, sum, work);
 }
 
-// A delta area seen by a receiver.
+// A delta area as seen by one receiver.
 struct Seen {
   const Vertex* vertex;
   std::size_t receiver;
@@ -187,13 +189,14 @@ using SeenLanes = std::array<Seen, LANES>;
       eye, sender, points, looks, [&](std::size_t k) { return seen[k].receiver; }, sum, work);
 }
 
-// Batch of delta areas seen by receivers. It is evaluated when all lanes are full.
+// Collects delta areas seen by receivers, and evaluates them when all lanes are full.
 class Near {
  public:
   Near(const Eye& eye, const Sender& sender, Sum& sum, Work& work)
       : eye_(eye), sender_(sender), sum_(sum), work_(work) {}
 
-  // Adds the direct light at a vertex that the patch faces. Some terms are added only by flush().
+  // Adds the direct light at a vertex that faces the patch. Some terms remain pending until
+  // flush().
   void add(const Vertex& vertex, std::size_t receiver) {
     const Viewpoint view{vertex.lit, vertex.normal};
     const auto misses = [](const Vec&, double) { return false; };
@@ -219,7 +222,7 @@ class Near {
 
  private:
   void add_wide(const Vertex& vertex, std::size_t receiver, const Delta& delta, const Look& look) {
-    flush();  // evaluates pending terms first, to keep the order
+    flush();  // evaluates pending terms first, so that the order of the sum stays the same
     const auto& [patch, quad, glow, is_even] = sender_;
     if (!sees(eye_, vertex.lit, vertex.object, look.point, patch.object, work_)) return;
     const auto eval = [&](const auto& source) {

@@ -10,8 +10,8 @@ using renderer::Work;
 
 namespace {
 
-// The sum of terms, each times the radiosity at its position, with the same rounding as
-// eval_lights().
+// The sum of the terms, each multiplied by the radiosity at its position. Rounds as eval_lights()
+// does.
 template <class Source>
 auto sum_terms(std::span<const Term> terms, const Source& source) {
   SumOf<Source> total{};
@@ -19,13 +19,13 @@ auto sum_terms(std::span<const Term> terms, const Source& source) {
   return total;
 }
 
-// The sum over chains, in the order of eval_mirrored_light(): first the chains that extend a chain
-// are summed, then this sum is added to the total of the shorter chain. `end` is the end of the
-// last chain's terms.
+// The sum over chains of mirrors, in the order of eval_mirrored_light(): first the chains that
+// extend a chain are summed, then this sum is added to the total of the shorter chain. `end` is the
+// end of the last chain's terms.
 template <class Source>
 Rgb sum_chains(std::span<const ChainTerms> chains, std::span<const Term> terms, std::uint32_t end,
                const Source& source) {
-  std::array<Rgb, MOST_REFLECTIONS + 1> totals{};  // totals by the length of the extended chain
+  std::array<Rgb, MOST_REFLECTIONS + 1> totals{};  // by length of the chain that is extended
   std::size_t length = 0;
   const auto go_back = [&](std::size_t to) {
     for (; length > to; --length) totals[length - 1] += totals[length];

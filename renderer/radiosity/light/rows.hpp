@@ -1,7 +1,8 @@
 #pragma once
-// Form factors that are kept between the shots of a patch. The light at a point is a sum of terms
-// share * glow(s, t). Only the radiosity `glow` changes between shots, so no ray is cast again. In
-// a room with bright walls every patch shoots some 20 times.
+// A cache of form factors between the shots of a patch (each time that it sends its light). The
+// light at a point is a sum of terms share * glow(s, t). Only the radiosity `glow` changes between
+// shots, so that no ray needs to be cast again. In a room with bright walls, every patch sends
+// light some 20 times.
 
 #include <unordered_map>
 #include <vector>
@@ -11,20 +12,20 @@
 
 namespace radiosity {
 
-/// Rows of form factors from the patches of a mesh to points. Rows are kept as far as memory
-/// permits.
+/// Cached form factors from the patches of a mesh to some points. The row of a patch has its form
+/// factors to all points. Rows are kept while there is memory.
 class Rows {
  public:
-  /// `room` is the number of bytes left for rows. Several Rows may share it. `eye` and `room` must
+  /// `room` is the number of bytes left for rows; several Rows may share it. `eye` and `room` must
   /// outlive the object.
   Rows(const Eye& eye, std::vector<Vertex> points, std::size_t& room);
-  /// The light at all points if the patch shoots. The result equals that of eval_lights() bit for
-  /// bit, and is valid until the next call. Adds the same work, including rays that are not cast
-  /// again.
+  /// Returns the light at all points if `patch` sends its light. The result equals that of
+  /// eval_lights() bit for bit, and is valid until the next call. Counts the same work as
+  /// eval_lights(), even for rays that are not cast again.
   std::span<const Rgb> eval(std::uint32_t patch, const Sender& sender, renderer::Work& work);
 
  private:
-  struct Lit {  // a lit point, and the ends of its terms and chains
+  struct Lit {  // a lit point, and the ends of its terms and chains in the row
     std::uint32_t point, terms, chains;
   };
   struct Row {

@@ -16,11 +16,11 @@ using renderer::Work;
 
 namespace {
 
-// Upper limit of a patch's unsent power, in units of Unshot. The sum over a million patches does
-// not overflow.
+// Upper limit of a patch's unsent power, in units of Unshot. A sum over a million patches does not
+// overflow.
 constexpr double MOST_UNSHOT = 0x1p42;
 
-// Limit on the memory for form factors that a solution keeps, bytes.
+// Limit on the memory in bytes for the form factors kept during a solution.
 constexpr std::size_t MOST_KEPT = std::size_t{1} << 30;
 
 std::vector<std::uint32_t> count_up(std::size_t n) {
@@ -29,14 +29,14 @@ std::vector<std::uint32_t> count_up(std::size_t n) {
   return all;
 }
 
-// Calls f with groups of LANES indices. The last group may be smaller.
+// Calls f with consecutive groups of LANES indices. The last group may be smaller.
 template <class F>
 void for_lanes(std::span<const std::uint32_t> all, const F& f) {
   for (std::size_t begin = 0; begin < all.size(); begin += LANES)
     f(all.subspan(begin, std::min(LANES, all.size() - begin)));
 }
 
-// The mean light that arrived at a patch in the last shot.
+// The mean light that arrived at patch `p` in the last shot, estimated as `mean` says.
 Rgb eval_mean(const Mesh& mesh, std::uint32_t p, Mean mean, const State& state) {
   Rgb corners;
   for (const auto corner : mesh.patches[p].corners) corners += state.received[corner];
@@ -44,11 +44,11 @@ Rgb eval_mean(const Mesh& mesh, std::uint32_t p, Mean mean, const State& state) 
   return (1.0 / 12) * corners + (2.0 / 3) * state.in_centre[p];
 }
 
-// The fractions of a patch's area that belong to its corners, by the bilinear weights.
+// The fraction of a patch's area that belongs to each corner, by bilinear weights.
 std::array<double, 4> eval_shares(const Patch& patch) {
   const Quad quad(patch);
   const auto eval = [&](double s, double t) {
-    // Weights of a corner along s and t, multiplied by s or t and integrated from 0 to 1.
+    // The weights of a corner along s and t, multiplied by s or t and integrated from 0 to 1.
     const double of_s = (1 + s) / 6, of_t = (1 + t) / 6;
     return (quad.density / 4 + quad.by_s * of_s / 2 + quad.by_t * of_t / 2) /
            (quad.density + quad.by_s / 2 + quad.by_t / 2);
@@ -56,9 +56,9 @@ std::array<double, 4> eval_shares(const Patch& patch) {
   return {eval(0, 0), eval(1, 0), eval(1, 1), eval(0, 1)};
 }
 
-// Changes the unsent light at a patch's corners so that its mean over the patch is `mean`. If light
-// is missing, all corners get the same amount. If there is too much, all corners are reduced in the
-// same proportion.
+// Changes the unsent light at a patch's corners so that its mean over the patch becomes `mean`. If
+// light is missing, all corners get the same additional amount. If there is too much, all corners
+// are reduced in the same proportion.
 Glow fit_glow(const Patch& patch, std::array<Rgb, 4> corners, const Rgb& mean) {
   const auto shares = eval_shares(patch);
   for (double Rgb::*colour : {&Rgb::r, &Rgb::g, &Rgb::b}) {
@@ -83,7 +83,7 @@ std::vector<Vertex> make_centres(const Mesh& mesh) {
   return centres;
 }
 
-// Adds the light that arrives at all vertices to the state, as receive() does.
+// Adds the light that arrives at all vertices to `state`, as receive() does.
 void take(const Mesh& mesh, std::span<const Rgb> lights, State& state, Work& work) {
   for (std::size_t v = 0; v < lights.size(); ++v) {
     state.received[v] = lights[v];
@@ -92,7 +92,7 @@ void take(const Mesh& mesh, std::span<const Rgb> lights, State& state, Work& wor
   work[Op::vertex_lit] += lights.size();
 }
 
-// Shoots as described for solve().
+// Repeats shots until the solution ends, as described for solve(). `fine` may be null.
 Solution shoot_until(const Mesh& mesh, const SolveParams& params, Solution solution,
                      const Step& step, const Mesh* fine) {
   check(params.factor);
@@ -232,7 +232,7 @@ Unshot sum_unshot(const Mesh& mesh, const State& state, std::span<const std::uin
   const double unit = Unshot::ONE / sum(mesh.emitted);
   for (const auto p : patches) {
     const Rgb power = unit * state.areas[p] * state.unshot[p];
-    // Rounds like std::llround(), halves away from zero. The library function would dominate the
+    // Rounds halves away from zero, as std::llround() does. The library function would dominate the
     // cost.
     const auto round = [](double share) {
       return static_cast<std::int64_t>(std::clamp(share, -MOST_UNSHOT, MOST_UNSHOT) +
@@ -301,7 +301,7 @@ Solution solve_room(const Room& room, const Mesh& mesh, const LightParams& param
   if (params.senders == 0) return solve(mesh, params.solve, step);
   MeshParams coarse = params.mesh;
   coarse.refine = params.senders;
-  Room even = room;  // the patches of the sending mesh need not be finer near lights
+  Room even = room;  // the patches that send light need not be finer near lights
   even.fine_near_lights = false;
   return solve(make_mesh(even, coarse), params.solve, step, &mesh);
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Terms of the light that a patch sends to a point.
+// The sum for the light that a patch sends to a point, stored as separate terms.
 
 #include <cstdint>
 #include <vector>
@@ -10,27 +10,28 @@ namespace radiosity {
 
 using renderer::Rgb;
 
-/// One term: `share` times the radiosity of the patch at (s, t).
+/// One term of the sum: `share` multiplied by the patch's radiosity at the parameters (s, t).
 struct Term {
   double share, s, t;
 };
 
-/// A chain of mirrors. Its terms are those from `begin` to the `begin` of the next chain.
+/// A chain of mirrors over which light arrives. Its terms are those from `begin` to the `begin` of
+/// the next chain.
 struct ChainTerms {
-  std::uint32_t begin;   ///< index of the first Term
-  std::uint32_t length;  ///< number of mirrors, >= 1
+  std::uint32_t begin;   ///< index of its first Term
+  std::uint32_t length;  ///< number of mirrors, at least 1
   Rgb reflectance;       ///< product of the mirrors' reflectances
 };
 
-/// Terms of the light that a patch sends to one point, independent of the patch's radiosity. Direct
-/// terms come first, then those over mirrors. Each chain is followed by the longer chains that
-/// extend it.
+/// The terms of the light that a patch sends to one point. They do not depend on the patch's
+/// radiosity. Terms of direct light come first, then those over mirrors. Each chain of mirrors is
+/// followed by the longer chains that begin with it.
 struct Terms {
   std::vector<Term> terms;
   std::vector<ChainTerms> chains;
 };
 
-/// A `source` for sum_deltas() that keeps the terms instead of adding them up.
+/// A `source` for sum_deltas() that stores the terms instead of adding them up.
 struct TermCollector {
   static constexpr bool IS_EVEN = false;
   struct Nothing {
@@ -46,8 +47,8 @@ struct TermCollector {
     }
   };
   Place eval(double s, double t) const { return {kept.terms, s, t}; }
-  /// Begins a chain and returns its index for end(). end() drops the chain if neither it nor a
-  /// longer one has a term.
+  /// Begins a chain and returns its index, to be given to end(). end() drops the chain if neither
+  /// it nor a longer chain that begins with it has a term.
   std::size_t begin(std::size_t length, const Rgb& reflectance) const {
     kept.chains.push_back({static_cast<std::uint32_t>(kept.terms.size()),
                            static_cast<std::uint32_t>(length), reflectance});

@@ -19,7 +19,7 @@ std::size_t corner_at(const Patch& patch, std::uint32_t vertex) {
   return static_cast<std::size_t>(std::ranges::find(patch.corners, vertex) - patch.corners.begin());
 }
 
-// True if the patches share an edge at the vertex, and the edge is not a crease.
+// True if the patches share an edge at the vertex that is not a crease.
 bool are_joined(const Patch& a, const Patch& b, std::uint32_t vertex, const Edges& creases) {
   const auto i = corner_at(a, vertex), j = corner_at(b, vertex);
   for (const auto side : {i, (i + 3) % 4})
@@ -28,8 +28,8 @@ bool are_joined(const Patch& a, const Patch& b, std::uint32_t vertex, const Edge
   return false;
 }
 
-// The group of each patch around a vertex, as the index of the group's first patch. Creases
-// separate groups.
+// By patch around a vertex: its group, as the index in `around` of the group's first patch. Patches
+// that share an edge are in one group unless the edge is a crease.
 std::vector<std::size_t> find_groups(const Mesh& mesh, std::span<const std::uint32_t> around,
                                      std::uint32_t vertex, const Edges& creases) {
   std::vector<std::size_t> group(around.size());
@@ -44,8 +44,8 @@ std::vector<std::size_t> find_groups(const Mesh& mesh, std::span<const std::uint
   return group;
 }
 
-// The edges with new vertex numbers after vertices were split. `before` has the corners of the
-// patches before the split.
+// Returns the given edges with the new numbers of vertices that have been split. `before` has the
+// corners of the patches before the split.
 Edges rename(const Mesh& mesh, std::span<const std::array<std::uint32_t, 4>> before,
              const Edges& edges) {
   Edges renamed;
@@ -56,7 +56,7 @@ Edges rename(const Mesh& mesh, std::span<const std::array<std::uint32_t, 4>> bef
   return renamed;
 }
 
-// True if a point of the patch's plane lies on the patch, or within rounding on its border.
+// True if a point in the patch's plane lies on the patch, including its border up to rounding.
 bool is_on(const Patch& patch, const Vec& point) {
   const double tolerance = 1e-9 * patch.area;
   for (std::size_t i = 0; i < 4; ++i) {
@@ -66,11 +66,12 @@ bool is_on(const Patch& patch, const Vec& point) {
   return true;
 }
 
-// The share of `way` at which `way` crosses the crease, if the crease is too near to be kept: at
-// most `width` times CREASE_TOUCH from `at`. 0 if they do not cross, or only at a low angle.
+// Finds a crease that lies too near to the point `at` to be an edge of the mesh: at most `width`
+// times CREASE_TOUCH away. Returns the fraction of the vector `way` from `at` at which the crease
+// crosses it. Returns 0 if they do not cross, or only at a small angle.
 double find_crossing(const Vec& at, const Vec& way, const Vec& normal, const Crease& crease,
                      double width) {
-  constexpr double STEEP = 0.3;  // least sine of the angle between way and crease
+  constexpr double STEEP = 0.3;  // smallest sine of the angle between way and crease
   const Vec along = crease.b - crease.a, to = crease.a - at;
   const double off = dot(normal, cross(to, along)), across = dot(normal, cross(way, along));
   if (!(std::abs(off) <= CREASE_TOUCH * width * length(along)) ||
@@ -80,20 +81,21 @@ double find_crossing(const Vec& at, const Vec& way, const Vec& normal, const Cre
   return place >= 0 && place <= 1 ? off / across : 0;
 }
 
-// The distance z0 from a border at which to compute the light of a patch behind a gap along the
-// border. Distances and the gap's width w are in lengths of the patch. A long gap gives the
-// illumination f(z) = (1 - z / sqrt(z^2 + w^2)) / 2 at the distance z. z0 is chosen so that (f(z0)
-// + f(1)) / 2, the mean of the patch's ends, equals the mean of f over the patch.
+// The distance z0 from a border at which the light of a patch behind a gap along the border is
+// computed. Distances and the width w of the gap are in lengths of the patch. Light through a long
+// gap gives the illumination f(z) = (1 - z / sqrt(z^2 + w^2)) / 2 at the distance z. z0 is chosen
+// so that the mean of the patch's two ends, (f(z0) + f(1)) / 2, equals the mean of f over the
+// patch.
 double eval_lit_place(double width) {
   constexpr double NONE = 1e-9;
   if (width < NONE) return 0;
   const double slope = std::hypot(1, width);
-  const double sine = 2 * slope - 2 * width - 1 / slope;  // sine z0 / sqrt(z0^2 + w^2)
+  const double sine = 2 * slope - 2 * width - 1 / slope;  // z0 / sqrt(z0^2 + w^2)
   return width * sine / std::sqrt(1 - sine * sine);
 }
 
-// The share of the way from a border vertex to a point inside at which the vertex's light is
-// computed.
+// The light of a vertex on a border is computed at a point inside the surface. Returns the fraction
+// of the vector `way` from the vertex at which this point lies.
 double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe& fringe,
                   double inset) {
   constexpr double MOST = 0.5;
@@ -103,11 +105,11 @@ double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe
     if (const double t = find_crossing(at, way, normal, crease, fringe.width);
         t > inset && t <= MOST)
       share = std::max(share, t + inset);
-  // Accounts for light that enters through a gap of this width between the border and an edge
-  // parallel to it. `inside` is a unit vector.
+  // Allows for light that enters through a gap of this width, between the border and an edge
+  // parallel to it. `inside` is the unit vector away from the border.
   const auto light_through = [&](double width, const Vec& inside) {
-    constexpr double WIDE = 4;  // gap width, in patches, beyond which the light is even
-    const double depth = 2 * std::abs(dot(way, inside));  // depth of the patch behind the border
+    constexpr double WIDE = 4;  // gap width, in patches, from which the light is even
+    const double depth = 2 * std::abs(dot(way, inside));  // extent of the patch behind the border
     if (width < WIDE * depth) share = std::max(share, 2 * eval_lit_place(width / depth));
   };
   const double touch = 2 * CONTACT_TOUCH * fringe.width;
@@ -122,7 +124,7 @@ double find_inset(const Vec& at, const Vec& way, const Vec& normal, const Fringe
   return share;
 }
 
-// For each vertex, whether it lies on an edge that belongs to one patch only.
+// By vertex: true if the vertex lies on an edge that belongs to only one patch.
 std::vector<bool> find_borders(const Mesh& mesh) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
   for (const Patch& patch : mesh.patches)
@@ -133,7 +135,7 @@ std::vector<bool> find_borders(const Mesh& mesh) {
   return is_border;
 }
 
-// For each vertex, the sum of the angles of its patches.
+// By vertex: the sum of the angles of the patches around it, in radians.
 std::vector<double> find_angles(const Mesh& mesh) {
   std::vector<double> angles(mesh.vertices.size());
   for (const Patch& patch : mesh.patches)
@@ -144,11 +146,11 @@ std::vector<double> find_angles(const Mesh& mesh) {
   return angles;
 }
 
-// Finds the feet of upright edges: vertices at which a contact turns and the face fills more than a
-// half-plane. The shadow of an upright edge narrows to a point at its foot, where the limit of the
-// light depends on the direction of approach.
+// Finds the feet of upright edges: vertices where a contact line turns and the face covers more
+// than half of the surroundings. The shadow of an upright edge narrows to a point at its foot.
+// There, the limit of the light depends on the direction from which the point is approached.
 std::set<std::uint32_t> find_feet(const Mesh& mesh, const Edges& contacts) {
-  // tolerance for rounding of a straight contact
+  // Tolerance for rounding at a straight contact line.
   constexpr double MORE_THAN_HALF = 1.05 * std::numbers::pi;
   const auto angles = find_angles(mesh);
   std::set<std::uint32_t> feet;
@@ -158,8 +160,8 @@ std::set<std::uint32_t> find_feet(const Mesh& mesh, const Edges& contacts) {
   return feet;
 }
 
-// At each of these vertices, creases separate the surrounding patches into groups. Gives each
-// group its own copy of the vertex.
+// Splits the given vertices. Creases separate the patches around a vertex into groups; each group
+// gets its own copy of the vertex.
 void split_at(Mesh& mesh, const std::set<std::uint32_t>& vertices, const Edges& creases) {
   const auto surroundings = find_surroundings(mesh);
   for (const auto vertex : vertices) {
@@ -176,7 +178,7 @@ void split_at(Mesh& mesh, const std::set<std::uint32_t>& vertices, const Edges& 
   }
 }
 
-// Sets Vertex::lit of the vertices on a border.
+// Sets Vertex::lit, the point where the light is computed, of the vertices on a border.
 void inset_borders(Mesh& mesh, const std::vector<bool>& is_border, double inset,
                    std::span<const Fringe> fringes) {
   const auto surroundings = find_surroundings(mesh);
@@ -194,8 +196,8 @@ void inset_borders(Mesh& mesh, const std::vector<bool>& is_border, double inset,
           at + find_inset(at, way, first.normal, fringes[first.face], inset) * way;
     };
     move_to(centre);
-    // Where an object stands on the floor, the mean of the patches' centres may lie below the
-    // object.
+    // Where an object stands on the floor, the mean of the patches' centres may lie under the
+    // object. Then move towards the largest patch.
     const auto holds = [&](std::uint32_t p) {
       return is_on(mesh.patches[p], mesh.vertices[v].lit);
     };
@@ -222,7 +224,7 @@ void split_and_inset(Mesh& mesh, const Edges& creases, const Edges& contacts, do
   const auto feet = find_feet(mesh, rename(mesh, before, contacts));
   split_at(mesh, feet, rename(mesh, before, creases));
   for (const auto foot : feet) is_border[foot] = true;
-  is_border.resize(mesh.vertices.size(), true);  // copies of the feet are borders too
+  is_border.resize(mesh.vertices.size(), true);  // copies of the feet are on a border, too
   inset_borders(mesh, is_border, inset, fringes);
   split_at_creases(mesh, rename(mesh, before, creases));
 }

@@ -1,6 +1,6 @@
 #pragma once
-// Borders of surfaces in a mesh: vertices are doubled at creases, and the light of vertices on a
-// border is computed slightly inside.
+// Borders of surfaces in a mesh. Vertices are doubled at creases, so that the light may differ on
+// both sides. The light of a vertex on a border is computed slightly inside the surface.
 
 #include <vector>
 
@@ -9,21 +9,21 @@
 
 namespace radiosity {
 
-/// Gives each group of patches around a vertex its own copy of the vertex, at the same position.
-/// Creases separate groups.
+/// Creases separate the patches around a vertex into groups. Gives each group its own copy of the
+/// vertex, at the same position.
 void split_at_creases(Mesh& mesh, const Edges& creases);
 
-/// Lines near a face's border. They determine at what distance from the border the light of its
-/// vertices is computed.
+/// Lines near a face's border. They determine the distance from the border at which the light of
+/// the border's vertices is computed.
 struct Fringe {
   std::vector<Crease> creases;  ///< creases and contacts of the face
   const Contacts& contacts;
-  double width;  ///< width of a patch
+  double width;  ///< width of the face's patches
 };
 
-/// Splits the mesh at the edges on creases, some of which lie on contacts, and sets Vertex::lit of
-/// the vertices on borders, as MeshParams::inset describes. Contacts become borders. `fringes` has
-/// one entry per face.
+/// Splits the mesh at the edges that lie on creases and on contacts, where another object touches
+/// the face. Contacts become borders of the surface. Sets Vertex::lit of the vertices on borders as
+/// MeshParams::inset describes. `fringes` has one entry per face.
 void split_and_inset(Mesh& mesh, const Edges& creases, const Edges& contacts, double inset,
                      std::span<const Fringe> fringes);
 

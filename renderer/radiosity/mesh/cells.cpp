@@ -12,19 +12,21 @@ namespace radiosity {
 
 namespace {
 
-// Least sine of the angles at a cell's corners after a point has moved.
+// Smallest sine of the angles at a cell's corners after a point has moved.
 constexpr double WELL_SHAPED = 0.3;
-// A corner is straight if the sine of its exterior angle is smaller than this.
+// A corner counts as straight if the sine of its exterior angle is smaller than this.
 constexpr double STRAIGHT = 0.17;
-// In units of a crease's `touch`: each part of a cut cell must be at least half as wide as the cell
-// was. This limit is at least FLATTEST and at most FLAT. Heights below ROUNDING count as 0.
+// Limits in units of Line::touch. After a cut, each part must be at least half as wide as the cell
+// was, but this limit is itself clamped to the range from FLATTEST to FLAT. Distances from a crease
+// below ROUNDING count as 0.
 constexpr double FLAT = 0.25, FLATTEST = 0.02, ROUNDING = 1e-6;
-// Least sine of the angles of a cut through a cell at a straight corner.
+// When a cell is cut at a straight corner, all angles of the cut must have a larger sine than this.
 constexpr double TOO_NARROW = 1e-3;
 
 using Loop = std::vector<std::uint32_t>;
 
-// The two parts of a loop that is cut between two of its points. Both parts contain both points.
+// The two parts of a loop of points that is cut from one of its points to another. Both parts
+// contain both points.
 std::pair<Loop, Loop> cut_loop(Loop loop, std::uint32_t from, std::uint32_t to) {
   std::ranges::rotate(loop, std::ranges::find(loop, from));
   const auto at = std::ranges::find(loop, to);
@@ -34,16 +36,16 @@ std::pair<Loop, Loop> cut_loop(Loop loop, std::uint32_t from, std::uint32_t to) 
   return {std::move(loop), std::move(left)};
 }
 
-// A line across a cell. Each of its ends is at a point, or on the edge from that point to `next`.
+// A straight line across a cell. Each end is at a point, or on the edge from this point to `next`.
 struct Chord {
   struct End {
     std::uint32_t point, next;
-    double share;  // position on the edge as a fraction; 0: at the point
+    double share;  // position on the edge as a fraction; 0 at `point`
   };
   std::array<End, 2> ends;
 };
 
-// The points and quads made so far, and the middles of edges.
+// The points and quads made so far. `middles` has the middle point of each edge.
 struct Quads {
   Division division;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
@@ -60,7 +62,7 @@ struct Quads {
   Vec at(std::uint32_t point) const { return division.points[point]; }
 };
 
-// The sine of the angle between two directions.
+// The sine of the angle from direction a to direction b, about the normal.
 double eval_sine(const Vec& a, const Vec& b, const Vec& normal) {
   return dot(normal, cross(a, b)) / std::sqrt(dot(a, a) * dot(b, b));
 }
@@ -72,7 +74,8 @@ bool is_straight(const Quads& quads, const Loop& loop, std::size_t i, const Vec&
   return dot(ahead, behind) > 0 && eval_sine(behind, ahead, normal) < STRAIGHT;
 }
 
-// The least sine of the four angles between the border and the line from corner i to corner k.
+// The smallest sine of the four angles between the border of a cell and the line from its corner i
+// to its corner k.
 double eval_way(const Quads& quads, const Loop& loop, std::size_t i, std::size_t k,
                 const Vec& normal) {
   double least = 1;
@@ -85,8 +88,8 @@ double eval_way(const Quads& quads, const Loop& loop, std::size_t i, std::size_t
   return least;
 }
 
-// Cuts a cell recursively at each straight corner, to the other corner that gives the best angles.
-// Adds the parts to `parts`.
+// Cuts a cell at each straight corner, recursively. Each cut leads to the corner that gives the
+// best angles. Adds the resulting cells to `parts`.
 void cut_straight_corners(const Quads& quads, const Loop& loop, const Vec& normal,
                           std::vector<Loop>& parts) {
   std::uint32_t from = 0, to = 0;
@@ -109,8 +112,8 @@ void cut_straight_corners(const Quads& quads, const Loop& loop, const Vec& norma
   cut_straight_corners(quads, left, normal, parts);
 }
 
-// The centroid of a convex polygon. Seen from any corner, it lies beyond the line between the
-// middles of the adjacent edges. The mean of the corners may lie before that line.
+// The centroid of a convex polygon. From any corner, it lies beyond the line between the middles of
+// the adjacent edges, as the quads of add_corners() require. The mean of the corners may not.
 Vec find_centre(std::span<const Vec> corners, const Vec& normal) {
   Vec sum;
   double total = 0;
@@ -123,7 +126,8 @@ Vec find_centre(std::span<const Vec> corners, const Vec& normal) {
   return corners[0] + (1 / total) * sum;
 }
 
-// Adds a quad at every corner of a convex polygon: (corner, middle, centre, middle).
+// Adds a quad for each corner of a convex polygon, with four points: the corner, the middle of the
+// next edge, the centre, and the middle of the previous edge.
 void add_corners(Quads& quads, std::span<const std::uint32_t> loop, const Vec& normal) {
   std::vector<Vec> corners;
   for (const auto point : loop) corners.push_back(quads.at(point));
@@ -140,8 +144,8 @@ void add_corners(Quads& quads, std::span<const std::uint32_t> loop, const Vec& n
 // cell gets a straight corner there.
 class Cells {
  public:
-  // Starts with the quads of a division as cells. Equal points are merged; the order of points is
-  // kept.
+  // Starts with the quads of a division as cells. Merges equal points, but keeps the order of
+  // points.
   Cells(const Division& division, const Vec& normal) : normal_(normal) {
     Welder welder(renderer::make_bounds(division.points));
     Loop index;
@@ -164,11 +168,11 @@ class Cells {
       }
   }
 
-  // Prevents a point from moving.
+  // Prevents a point from being moved.
   void fix(std::uint32_t point) { line_[point] = FIXED; }
 
-  // Moves points to the lines first..last, unless they would come nearer than `apart` to each
-  // other.
+  // Moves points that are nearer than `reach` to the lines number `first` to `last` - 1 onto these
+  // lines. Omits moves that would bring points nearer than `apart` to each other.
   void move_points(std::span<const Line> lines, std::size_t first, std::size_t last, double reach,
                    double apart) {
     for (std::size_t k = first; k < last; ++k)
@@ -182,7 +186,7 @@ class Cells {
         const double height = dot(across, here - crease.a);
         if (std::abs(height) >= reach) continue;
         Vec to = here - height * across;
-        if (line_[i] != FREE) {  // move along the crease that the point already lies on
+        if (line_[i] != FREE) {  // the point lies on another crease: move along that crease
           const Crease& other = lines[static_cast<std::size_t>(line_[i])].crease;
           const Vec way = normalize(other.b - other.a);
           const double slope = dot(across, way);
@@ -196,8 +200,8 @@ class Cells {
     }
   }
 
-  // Cuts all cells that the crease crosses by more than its `touch`. Returns false if some could
-  // not be cut.
+  // Cuts all cells that the crease crosses over a length of more than `touch`. Returns false if
+  // some of them could not be cut.
   bool cut(const Line& line) {
     const Crease& crease = line.crease;
     const double size = length(crease.b - crease.a), touch = line.touch;
@@ -212,7 +216,7 @@ class Cells {
     for (std::size_t cell = 0; cell < count; ++cell) {
       const auto chord = find_chord(cell, heights);
       if (!chord) continue;
-      // Positions of the chord's ends on the crease, from 0 to the crease's length.
+      // Positions of the chord's ends along the crease, from 0 to the crease's length.
       double t[2];
       for (std::size_t i = 0; i < 2; ++i) {
         const auto& [point, next, share] = chord->ends[i];
@@ -220,7 +224,7 @@ class Cells {
       }
       if (std::min(size, std::max(t[0], t[1])) - std::max(0.0, std::min(t[0], t[1])) <= touch)
         continue;
-      // The new point depends on the edge only, so both cells at the edge find the same point.
+      // The new point depends only on the edge, so that both cells at the edge get the same point.
       const auto make = [&](const Chord::End& end) {
         if (end.share == 0) return end.point;
         const double here = std::abs(heights[end.point]), there = std::abs(heights[end.next]);
@@ -231,7 +235,7 @@ class Cells {
       const std::uint32_t p = make(chord->ends[0]), q = make(chord->ends[1]);
       if (!cut_cell(cell, p, q, touch)) kept = false;
     }
-    // Splits the edges on which the ends of the crease lie.
+    // Splits the edges on which the two ends of the crease lie.
     for (const double end : {0.0, size}) split_edges_at(crease.a, along, end, touch, heights);
     return kept;
   }
@@ -256,8 +260,8 @@ class Cells {
       owner_[{loop[i], loop[(i + 1) % loop.size()]}] = cell;
   }
 
-  // Moves a point unless a cell would become ill-shaped, or an edge shorter than `apart` would
-  // become even shorter.
+  // Moves a point. Returns false, and does not move it, if a cell would become ill-shaped, or if an
+  // edge shorter than `apart` would become even shorter.
   bool move(std::uint32_t point, const Vec& to, double apart) {
     const Vec back = std::exchange(points_[point], to);
     for (const auto cell : around_[point]) {
@@ -291,14 +295,14 @@ class Cells {
     if (nearest && move(*nearest, end, apart)) fix(*nearest);
   }
 
-  // The least width of a cell, measured perpendicular to one of its edges.
+  // The smallest width of a cell, measured perpendicular to each of its edges.
   double find_width(const Loop& loop) const {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < loop.size(); ++i)
       least = std::min(least, find_height(loop, loop[i], loop[(i + 1) % loop.size()]));
     return least;
   }
-  // The largest distance of a loop's points from the line from a to b.
+  // The largest distance of a loop's points from the line through the points a and b.
   double find_height(const Loop& loop, std::uint32_t a, std::uint32_t b) const {
     const Vec across = cross(normal_, normalize(points_[b] - points_[a]));
     double most = 0;
@@ -307,8 +311,8 @@ class Cells {
     return most;
   }
 
-  // Cuts a cell between two of its points. Returns false if a part would be too flat. Succeeds
-  // without a cut if the crease runs along edges of the cell.
+  // Cuts a cell from its point p to its point q. Returns false if a part would be too narrow.
+  // Returns true without a cut if the crease runs along the edges of the cell.
   bool cut_cell(std::size_t cell, std::uint32_t p, std::uint32_t q, double touch) {
     if (p == q) return true;
     const auto [right, left] = cut_loop(cells_[cell], p, q);
@@ -330,14 +334,14 @@ class Cells {
     if (start == count) return std::nullopt;
     Chord chord;
     std::size_t found = 0;
-    std::uint32_t last = loop[start];  // the latest point that is off the line
+    std::uint32_t last = loop[start];  // the latest point that is not on the line
     for (std::size_t i = 1; i <= count; ++i) {
       const std::uint32_t before = loop[(start + i - 1) % count], here = loop[(start + i) % count];
       if (heights[here] == 0) continue;
       if ((heights[here] > 0) != (heights[last] > 0)) {
         if (found == 2) return std::nullopt;
-        // If points of the loop lie on the line, the last of these is the end. If none does,
-        // interpolates.
+        // If points of the loop lie on the line, the last of them is the chord's end. Otherwise,
+        // the end is interpolated on the edge.
         const double share = before == last ? heights[last] / (heights[last] - heights[here]) : 0;
         chord.ends[found++] = {before, here, share};
       }
@@ -363,8 +367,9 @@ class Cells {
     return point;
   }
 
-  // Inserts a point, at the distance `end` from `origin`, into every edge that lies on the line
-  // `along`. Both ends of such an edge are within `touch` of the line.
+  // Inserts a point into every edge that lies on the line through `origin` in direction `along`.
+  // The point is at the distance `end` from `origin`. An edge lies on the line if both of its ends
+  // are within `touch` of it.
   void split_edges_at(const Vec& origin, const Vec& along, double end, double touch,
                       std::vector<double>& heights) {
     const auto place = [&](std::uint32_t point) { return dot(points_[point] - origin, along); };
@@ -384,10 +389,11 @@ class Cells {
 
   Vec normal_;
   std::vector<Vec> points_;
-  std::vector<std::int32_t> line_;  // for each point: the crease it was moved to, FREE or FIXED
+  // By point: index of the crease to which it was moved, FREE or FIXED.
+  std::vector<std::int32_t> line_;
   std::vector<Loop> cells_;
-  std::vector<Loop> around_;  // cells around each point, before the first cut
-  // the cell on the left of each directed edge
+  std::vector<Loop> around_;  // by point: the cells around it, before the first cut
+  // The cell on the left of each edge, by the edge's start and end.
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> owner_;
 };
 
