@@ -11,21 +11,23 @@ namespace radiosity {
 
 namespace {
 
-// Patches are graded beside hanging edges with heights from LEAST_GAP to 1, relative to the width
-// of a patch. Lower edges count as touching. Without strips, edges up to TOUCHING_GAP do, too.
+// An open edge above a face makes strips of graded patches if its height is from LEAST_GAP to 1,
+// relative to the width of a patch. A lower edge counts as touching the face. If there are no
+// strips, this is also true of edges up to TOUCHING_GAP.
 constexpr double LEAST_GAP = 0.01, TOUCHING_GAP = 0.5;
-// Graded strips end at FIRST_STRIP, GROWTH * FIRST_STRIP, ... times the height of the edge, up to
-// WIDEST_STRIP of a patch's width. At GROWTH times FIRST_STRIP, the illumination is still 15 %
-// below its full value.
+// The strips end at FIRST_STRIP, GROWTH * FIRST_STRIP and so on, in multiples of the edge's height,
+// but at most at WIDEST_STRIP of a patch's width. At GROWTH times FIRST_STRIP, the illumination is
+// still 15 % below its full value.
 constexpr double FIRST_STRIP = 0.5, GROWTH = 2, WIDEST_STRIP = 0.6;
-// A face narrower than a patch can hang over another up to this height, relative to its own width.
+// A face narrower than a patch hangs over another face only up to this height, relative to its own
+// width.
 constexpr double NARROW_GAP = 0.06;
-// Least cosine of the angle between the normals of a face and of another that hangs over it.
+// Smallest cosine of the angle between the normals of a face and of a face that hangs over it.
 constexpr double PARALLEL = 0.8;
 // Limit on the number of pairs of faces that touch: a constant, plus a number for each face.
 constexpr std::size_t MOST_PAIRS = 1'000'000, MOST_PAIRS_PER_FACE = 100;
 
-// The axis along which the bounds of the faces overlap least, for sweep and prune.
+// The axis along which the bounding boxes of the faces overlap least, for sweep and prune.
 int choose_axis(std::span<const Flat> flats) {
   renderer::Bounds all;
   Vec extents;
@@ -40,7 +42,7 @@ int choose_axis(std::span<const Flat> flats) {
   return std::ranges::min({0, 1, 2}, {}, share);
 }
 
-// True if the bounds are within a distance of each other.
+// True if the bounding boxes are within `distance` of each other.
 bool touch(const Flat& a, const Flat& b, double distance) {
   for (int axis = 0; axis < 3; ++axis)
     if (b.bounds.lo[axis] > a.bounds.hi[axis] + distance ||
@@ -49,7 +51,7 @@ bool touch(const Flat& a, const Flat& b, double distance) {
   return true;
 }
 
-// The largest height of a face that hangs over another (see hangs_over()).
+// The largest height at which `other` can hang over `on` (see hangs_over()).
 double find_most_height(const Flat& other, const Flat& on) {
   return other.width >= on.patch_width ? on.gap() : std::min(on.gap(), NARROW_GAP * other.width);
 }
@@ -59,7 +61,7 @@ bool may_hang(const Flat& other, const Flat& on) {
   return touch(other, on, find_most_height(other, on));
 }
 
-// For each face, the other faces that may touch it. Throws BadInput if these are too many.
+// By face: the other faces that may touch it. Throws BadInput if there are too many pairs.
 std::vector<std::vector<std::uint32_t>> find_neighbours(std::span<const Flat> flats) {
   const int axis = choose_axis(flats);
   std::vector<std::uint32_t> order(flats.size());
@@ -87,7 +89,7 @@ std::vector<std::vector<std::uint32_t>> find_neighbours(std::span<const Flat> fl
   return neighbours;
 }
 
-// The segment where the other face meets the plane of the first, in front of it.
+// The segment in which pair.other meets the plane of pair.on, if it lies in front of pair.on.
 std::optional<Crease> find_touch(const Pair& pair) {
   const auto& corners = pair.other.face->corners;
   std::vector<double> heights;
@@ -108,7 +110,7 @@ std::optional<Crease> find_touch(const Pair& pair) {
   return Crease{points[0], points[1]};
 }
 
-// Least and largest height of the other face's corners above the first face. If the first face is
+// The smallest and largest height of the corners of pair.other above pair.on. If pair.on is
 // two-sided and all corners are behind it, heights are measured from its back.
 struct Heights {
   double low, high;
@@ -122,8 +124,8 @@ Heights find_heights(const Pair& pair) {
   return pair.on.face->two_sided && found.high < 0 ? Heights{-found.high, -found.low} : found;
 }
 
-// True if the other face hangs over the first so near and so wide that patches of the first cannot
-// resolve the fading light below its edges.
+// True if pair.other hangs over pair.on so low and is so wide that the patches of pair.on cannot
+// resolve how the light fades under its edges.
 bool hangs_over(const Pair& pair) {
   const auto [low, high] = find_heights(pair);
   const double most = find_most_height(pair.other, pair.on);
@@ -137,9 +139,9 @@ bool lies_on(const Flat& flat, const Vec& point, double tolerance) {
              flat.edges, [&](const Plane& edge) { return eval_height(edge, point) >= -tolerance; });
 }
 
-// True if no light enters under an edge of a face that hangs over another. Either a face descends
-// from the edge, or a face beyond it hangs equally near. `outward` points away from the hanging
-// face in its plane; `neighbours` are those of the hanging face.
+// True if no light enters under `edge` of the hanging face. Either a face descends from the edge,
+// or a face beyond the edge hangs equally low. `outward` points away from the hanging face in its
+// plane. `neighbours` are the neighbours of the hanging face.
 bool is_shut(const Pair& hanging, const Crease& edge, const Vec& outward,
              std::span<const Flat> flats, std::span<const std::uint32_t> neighbours) {
   const Vec middle = 0.5 * (edge.a + edge.b);
@@ -156,8 +158,8 @@ bool is_shut(const Pair& hanging, const Crease& edge, const Vec& outward,
 
 Vec project(const Plane& plane, const Vec& p) { return p - eval_height(plane, p) * plane.normal; }
 
-// Planes through the edges of a hanging face, perpendicular to the face below. The inside is above
-// them.
+// Planes through the edges of a hanging face, perpendicular to the face below. The hanging face is
+// on their upper side.
 std::vector<Plane> make_shape(const Pair& pair) {
   std::vector<Vec> below;
   for (const Vec& corner : pair.other.face->corners)
@@ -165,15 +167,15 @@ std::vector<Plane> make_shape(const Pair& pair) {
   return make_edge_planes(below, normalize(eval_area_normal(below)));
 }
 
-// An open edge of a face that hangs over another.
+// An edge of a hanging face under which light enters.
 struct OpenEdge {
   const Pair pair;
-  Crease below;                  // the edge projected to the lower face
-  std::array<double, 2> height;  // heights of the edge's ends
-  Vec inward;  // unit vector towards the hanging face, in the plane of the lower face
+  Crease below;                  // projection of the edge onto the lower face
+  std::array<double, 2> height;  // heights of the two ends above the lower face
+  Vec inward;  // unit vector in the plane of the lower face, towards the hanging face
 };
 
-// Adds the open edges of a hanging face. `neighbours` are those of the hanging face.
+// Adds the open edges of the hanging face pair.other. `neighbours` are the neighbours of this face.
 void find_open_edges(const Pair& pair, std::span<const Flat> flats,
                      std::span<const std::uint32_t> neighbours, std::vector<OpenEdge>& open) {
   const Plane& plane = pair.on.plane;
@@ -191,9 +193,9 @@ void find_open_edges(const Pair& pair, std::span<const Flat> flats,
   }
 }
 
-// The segment below an edge, moved inwards by `heights` times the edge's height, or outwards if
-// `heights` is negative. A segment that is moved outwards is also extended by the same length at
-// both ends, so that neighbouring segments meet.
+// The segment below an edge, moved inwards by `heights` times the edge's height; outwards if
+// `heights` is negative. A segment moved outwards is also extended by the same distance at both
+// ends, so that neighbouring segments meet.
 Crease shift(const OpenEdge& edge, double heights) {
   const Vec along = normalize(edge.below.b - edge.below.a);
   const double longer = std::max(0.0, -heights);
@@ -201,15 +203,15 @@ Crease shift(const OpenEdge& edge, double heights) {
           edge.below.b + edge.height[1] * (heights * edge.inward + longer * along)};
 }
 
-// Adds an edge as if it touched the face, since the edge is so near that strips cannot resolve the
-// fading light.
+// Adds an edge as if it touched the face, because it is so low that strips cannot resolve how the
+// light fades.
 void add_touching(const OpenEdge& edge, const Crease& line, Contacts& contacts) {
   contacts.lines.push_back(line);
   contacts.hanging.push_back({line, edge.inward, edge.pair.other.plane});
 }
 
-// Adds strips where the light fades beside an edge. At a distance x outside of a long edge at
-// height h, the fraction (1 + x / sqrt(x^2 + h^2)) / 2 of the light arrives.
+// Adds strips beside an edge, where the light fades. At the distance x outside of a long edge of
+// the height h, the fraction (1 + x / sqrt(x^2 + h^2)) / 2 of the light arrives.
 void add_strips(const OpenEdge& edge, std::size_t most, Contacts& contacts) {
   const Pair& pair = edge.pair;
   const auto shape = make_shape(pair);
@@ -228,8 +230,8 @@ void add_strips(const OpenEdge& edge, std::size_t most, Contacts& contacts) {
   }
 }
 
-// Adds the contacts of a face with edges that hang over it. All edges together get at most
-// `most_strips` strips on each side. With many edges, each has few or none.
+// Adds the contacts of a face with the edges that hang over it. All edges together get at most
+// `most_strips` strips on each side, so that each of many edges gets few or none.
 void add_hanging(std::span<const OpenEdge> edges, std::size_t most_strips, Contacts& contacts) {
   const std::size_t most = most_strips / std::max<std::size_t>(1, edges.size());
   for (const OpenEdge& edge : edges) {
@@ -247,7 +249,7 @@ void add_hanging(std::span<const OpenEdge> edges, std::size_t most_strips, Conta
   }
 }
 
-// True if another face continues the surface of a face beyond a segment of its border.
+// True if another face continues the surface of `on` beyond a segment of its border.
 bool goes_on(const Flat& on, const Crease& border, std::span<const Flat> flats,
              std::span<const std::uint32_t> neighbours) {
   return std::ranges::any_of(neighbours, [&](std::uint32_t i) {
@@ -257,7 +259,7 @@ bool goes_on(const Flat& on, const Crease& border, std::span<const Flat> flats,
   });
 }
 
-// True if the first face stands on the front of the other, which its border touches.
+// True if pair.on stands on the front of pair.other, which the border of pair.on touches.
 bool stands_on(const Pair& pair, const Crease& border) {
   constexpr double MOST_COSINE = 0.5;
   const bool is_upright =
@@ -267,8 +269,8 @@ bool stands_on(const Pair& pair, const Crease& border) {
          clip_to(pair.other, border, pair.tolerance, pair.tolerance);
 }
 
-// Makes the ledge in front of the first face, which stands on the other. `neighbours` are those of
-// the other face.
+// Makes the ledge on pair.other in front of pair.on, which stands on it. `neighbours` are the
+// neighbours of pair.other.
 Ledge make_ledge(const Pair& pair, const Crease& foot, std::span<const Flat> flats,
                  std::span<const std::uint32_t> neighbours) {
   const Vec &normal = pair.on.plane.normal, &up = pair.other.plane.normal;
@@ -310,7 +312,7 @@ std::vector<Contacts> find_contacts(const Room& room, int refine, std::size_t mo
       if (hangs_over(pair)) {
         find_open_edges(pair, flats, neighbours[i], open);
       } else if (are_coplanar(pair)) {
-        // The edges of faces behind a face have no effect on its front.
+        // Faces that are covered by this face do not affect its front.
         const bool is_behind = !on.face->two_sided && covers(room, {flats[i], on, tolerance});
         if (!overlap(pair) || is_behind) continue;
         const auto& corners = flats[i].face->corners;

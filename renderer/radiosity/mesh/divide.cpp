@@ -9,22 +9,25 @@ namespace radiosity {
 
 namespace {
 
-// Shares of a patch's width. A crease replaces a grid line that is nearer than KEEP. A crease whose
-// direction differs from that of a side by less than ALONG counts as parallel to the side.
+// A crease replaces a line of the face's grid if it is nearer than the fraction KEEP of the step
+// between lines. A crease counts as parallel to a side if it deviates by at most the fraction ALONG
+// of a patch's width.
 constexpr double KEEP = 1.0 / 3, ALONG = 1e-3;
-// Tolerances in units of a crease's `touch`. An edge of a quad lies on the crease if it is less
-// than ASIDE beside it, and less than BEYOND beyond its ends.
+// Tolerances in units of Line::touch. An edge of a quad lies on a crease if it is at most ASIDE
+// beside the crease and at most BEYOND beyond its ends.
 constexpr double ASIDE = 1.1, BEYOND = 1.01;
-// Number of patches assumed for a face without divisions when its creases are limited.
+// Number of patches that a face without divisions counts for, when the number of its creases is
+// limited.
 constexpr std::size_t LEAST_PATCHES = 16;
-// A crease lies in the plane of a face if its distance is less than this share of the face's size.
+// A crease lies in the plane of a face if its distance is less than this fraction of the face's
+// size.
 constexpr double IN_PLANE = 1e-5;
-// The points of a coarse grid, whose cells are two patches wide, move to a crease that is nearer
-// than this share of a cell.
+// When creases of any direction are cut, a coarse grid is used with cells two patches wide. Its
+// points move to a crease that is nearer than this fraction of a cell.
 constexpr double REACH = 0.3;
 
-// Adds a grid between four corners, with lines at these parameters. Grids do not share points, so
-// points are doubled where grids touch.
+// Adds a grid between four corners, with lines at the parameters `along` and `across`, from 0 to 1.
+// Grids do not share points, so that points are doubled where grids touch.
 void add_grid(Division& division, std::span<const Vec> corners, const std::vector<double>& along,
               const std::vector<double>& across) {
   const auto first = static_cast<std::uint32_t>(division.points.size());
@@ -38,21 +41,21 @@ void add_grid(Division& division, std::span<const Vec> corners, const std::vecto
     }
 }
 
-// The lines of `count` equal steps from 0 to 1.
+// The positions of lines at `count` equal steps from 0 to 1.
 std::vector<double> make_even_lines(int count) {
   std::vector<double> lines;
   for (int i = 0; i <= count; ++i) lines.push_back(double(i) / count);
   return lines;
 }
 
-// A desired grid line at a parameter from 0 to 1. It is dropped if an earlier line is nearer than
+// The wanted position of a grid line, from 0 to 1. It is omitted if an earlier line is nearer than
 // `touch`.
 struct Wanted {
   double at = 0, touch = 0;
 };
 
-// The desired lines of a grid in one direction, in order of priority: contacts, then creases
-// parallel to the lines, then the ends of creases across them.
+// The wanted lines of a grid in one direction, in order of priority: contacts, then creases
+// parallel to the lines, then the ends of creases at right angles to them.
 struct Row {
   std::vector<Wanted> contacts, creases, ends;
 };
@@ -62,15 +65,15 @@ bool is_near(std::span<const double> lines, const Wanted& wanted) {
       lines, [&](double line) { return std::abs(line - wanted.at) < wanted.touch; });
 }
 
-// The grid lines from 0 to 1: the desired lines, and the given lines that are not near any desired
-// one.
+// The grid lines from 0 to 1: the wanted lines, and those given lines that are not near a wanted
+// line.
 std::vector<double> make_lines(const std::vector<double>& given, Row row) {
   std::ranges::sort(row.creases, {}, &Wanted::at);
   std::ranges::sort(row.ends, {}, &Wanted::at);
   std::vector<double> lines{0, 1};
   for (const auto* some : {&row.contacts, &row.creases, &row.ends})
     for (Wanted wanted : *some) {
-      // A position that equals a given line up to rounding becomes that line, bit for bit.
+      // A position that equals a given line up to rounding becomes that line bit for bit.
       for (const double line : given)
         if (std::abs(wanted.at - line) < 1e-9) wanted.at = line;
       if (wanted.at > 0 && wanted.at < 1 && !is_near(lines, wanted)) lines.push_back(wanted.at);
@@ -84,19 +87,20 @@ std::vector<double> make_lines(const std::vector<double>& given, Row row) {
   return lines;
 }
 
-// A face to be cut, and the creases on it.
+// A face to be divided, and the creases and contacts on it.
 struct Cutting {
   const Face& face;
   int along, across;  // number of patches along and across the face
-  std::size_t most;   // limit on the number of patches with creases
+  std::size_t most;   // limit on the number of patches from which on creases are omitted
   Vec normal;
-  double width;                // width of a patch
-  std::vector<Line> contacts;  // contacts in the plane, inside the face or on its border
-  std::vector<Line> creases;   // folds and creases in the plane, inside the face or on its border
-  std::vector<Line> crossing;  // lines inside the face: contacts, folds, strips, creases
+  double width;                // of a patch
+  std::vector<Line> contacts;  // in the face's plane, inside the face or on its border
+  // Folds and creases in the face's plane, inside the face or on its border.
+  std::vector<Line> creases;
+  std::vector<Line> crossing;  // contacts, folds, strips and creases inside the face
 };
 
-// The length of the part of a crease that is at least `margin` above all planes.
+// The length of that part of a crease that is at least `margin` above all planes.
 double find_inside(const Crease& crease, std::span<const Plane> planes, double margin) {
   const auto inside = clip_segment(crease.a, crease.b, planes, margin);
   return inside ? (inside->to - inside->from) * length(crease.b - crease.a) : 0;
@@ -135,7 +139,7 @@ Cutting make_cutting(const Face& face, int refine, const Cuts& cuts) {
   return cutting;
 }
 
-// The creases of a parallelogram that are parallel to its sides, and all others.
+// The creases of a parallelogram that are parallel to its sides, and all other creases.
 struct Rows {
   Row along, across;
   std::vector<Line> others;
@@ -192,7 +196,7 @@ Division make_grid(const Cutting& cutting, const Rows& rows, const Grid& even) {
   return division;
 }
 
-// Removes every second line within runs of equal steps.
+// Removes every second line where neighbouring steps are equal.
 std::vector<double> thin_out(const std::vector<double>& lines) {
   std::vector<double> some{lines.front()};
   for (std::size_t i = 1; i < lines.size(); ++i) {
@@ -205,7 +209,8 @@ std::vector<double> thin_out(const std::vector<double>& lines) {
   return some;
 }
 
-// The edges of quads that lie on a crease, each once. Short edges may be slightly oblique to it.
+// The edges of quads that lie on one of the lines; each edge occurs once. Short edges may be at a
+// small angle to the line.
 std::vector<Edge> find_edges(const Division& division, std::span<const Line> lines,
                              const Vec& normal) {
   std::vector<Edge> found;
@@ -230,8 +235,8 @@ std::vector<Edge> find_edges(const Division& division, std::span<const Line> lin
   return found;
 }
 
-// Cuts along creases of any direction. Cuts coarse cells first, then divides each into several
-// quads.
+// Divides a face with creases of any direction. First cuts coarse cells along the creases, then
+// divides each cell into several quads.
 Division divide_freely(const Cutting& cutting, const Rows& rows) {
   Face coarse = cutting.face;
   coarse.along = (cutting.along + 1) / 2;

@@ -11,28 +11,30 @@ using Edge = std::array<std::uint32_t, 2>;  ///< indices of two points
 
 struct Division {
   std::vector<Vec> points;
-  /// point indices, counter-clockwise; neighbours share points
+  /// Indices of four points, counter-clockwise. Neighbouring quads share points.
   std::vector<std::array<std::uint32_t, 4>> quads;
-  std::vector<Edge> creases;   ///< edges of quads that lie on a crease
-  std::vector<Edge> contacts;  ///< edges of quads that lie on a contact, also in `creases`
-  std::size_t left_out = 0;    ///< number of creases that are not completely edges of quads
+  std::vector<Edge> creases;   ///< edges of quads that lie on a crease or contact
+  std::vector<Edge> contacts;  ///< those edges of `creases` that lie on a contact
+  std::size_t left_out = 0;    ///< number of creases that did not completely become edges
 };
 
-/// Divides a face. A face of 4 corners becomes a grid of along x across quads. Any other face
-/// becomes several grids, one for each corner, between the corner, the middles of the adjacent
-/// edges, and the centre.
+/// Divides a face into quads, ignoring creases and contacts. A face of 4 corners becomes a grid
+/// with Face::along x Face::across quads, multiplied by `refine` each way. Any other face becomes
+/// several grids, one per corner: between the corner, the middles of the adjacent edges, and the
+/// centre.
 Division divide_face(const Face& face, int refine);
-/// The grid lines of a face with 4 corners: its own grid, or even lines.
+/// The grid lines of a face with 4 corners: those of Face::grid, or evenly spaced ones.
 Grid find_grid(const Face& face, int refine);
-/// Halves the marked steps between lines. Step i is the one after lines[i].
+/// Halves the marked steps between lines. marks[i] is for the step after lines[i].
 void halve(std::vector<double>& lines, const std::vector<bool>& marks);
-/// The creases in the plane of a face that lie on the face, or outside it by at most `touch`.
+/// The creases that lie in the plane of a face and on the face, or outside it by at most `touch`.
 std::vector<Crease> select_creases(const Face& face, std::span<const Crease> creases, double touch);
 /// The width of the narrowest quads of a face, along its edges.
 double find_patch_width(const Face& face, int refine);
-/// The number of quads of a face.
+/// The number of quads that divide_face() makes without creases.
 std::size_t count_quads(const Face& face, int refine);
-/// The number of patches of a room without creases, on all sides of its faces except mirrors.
+/// The number of patches in a room without creases. Counts both sides of two-sided faces, but no
+/// mirrors.
 std::size_t count_patches(const Room& room, int refine);
 
 /// Limit on the number of patches of a room.
@@ -41,23 +43,25 @@ inline constexpr std::size_t MOST_PATCHES = 10'000'000;
 /// A crease or contact is moved to a vertex that is nearer than this fraction of a patch's width.
 inline constexpr double CREASE_TOUCH = 0.1, CONTACT_TOUCH = 0.002;
 
-/// Lines that may cut a face.
+/// Lines along which a face may be divided.
 struct Cuts {
   std::span<const Crease> creases{};  ///< creases, the most important ones first
-  /// contacts with other faces, which are cut before all creases
+  /// Contacts with other faces. They are cut before all creases.
   std::span<const Crease> contacts{};
-  std::span<const Crease> folds{};   ///< lines that are cut before creases and never left out
-  std::span<const Crease> strips{};  ///< like folds, but the illumination is smooth there
-  /// Limit on the number of patches with creases, as a multiple of the number without creases.
+  /// Lines below open edges; cut before creases and never omitted.
+  std::span<const Crease> folds{};
+  /// Lines beside folds; cut like folds, but the light is smooth there.
+  std::span<const Crease> strips{};
+  /// Limit on the number of a face's patches, as a multiple of the number without creases.
   int growth = 1000;
 };
 
-/// Divides a face such that creases and contacts in its plane become edges of quads. To meet
+/// Divides a face so that creases and contacts in its plane become edges of quads. To coincide with
 /// existing edges, a crease may be moved by a tenth of a patch's width, and a contact by 0.002 of
-/// it. Lines shorter than this are left out.
+/// it. Shorter lines are omitted.
 Division divide_face(const Face& face, int refine, const Cuts& cuts);
 
-/// Bilinear interpolation of four corners at (s, t), each 0..1.
+/// Interpolates bilinearly between four corners at the parameters (s, t), each from 0 to 1.
 Vec eval_bilinear(std::span<const Vec> corners, double s, double t);
 
 }  // namespace radiosity

@@ -9,22 +9,23 @@ namespace radiosity {
 
 namespace {
 
-// How far a face is lifted above another, relative to the larger face's size and to its largest
-// coordinate. It is more than a ray's epsilon.
+// The distance by which a face is lifted above another is the sum of two fractions: of the larger
+// face's size, and of its largest coordinate. It exceeds the distance that a ray ignores at its
+// start.
 constexpr double LIFT = 1e-7, LIFT_OF_PLACE = 1e-9;
-constexpr double LEAST_LIFT = 2 * renderer::SELF_RELATIVE;  // relative to the largest coordinate
+constexpr double LEAST_LIFT = 2 * renderer::SELF_RELATIVE;  // fraction of the largest coordinate
 
 bool same_side(const Pair& pair) {
   return pair.on.face->two_sided || pair.other.face->two_sided ||
          dot(pair.on.plane.normal, pair.other.plane.normal) > 0;
 }
 
-// A face that another one covers.
+// Two overlapping faces in one plane: `other` covers `on`.
 struct Covering {
   std::uint32_t on, other;
 };
 
-// The height of a face above one that it covers, in a stack of `levels`.
+// The height of a face above one that it covers, in a stack of `levels` lifted levels.
 double eval_step(const Flat& on, const Flat& other, int levels) {
   const double size = std::max(on.size, other.size);
   const double place = std::max(max_abs(other.bounds.lo), max_abs(other.bounds.hi));
@@ -32,7 +33,8 @@ double eval_step(const Flat& on, const Flat& other, int levels) {
   return std::min(LIFT * size + LIFT_OF_PLACE * place, most);
 }
 
-// Groups of faces that are lifted together. A group is named by one of its faces, its root.
+// Groups of faces that get the same lift. The number of a group is that of one of its faces, its
+// root.
 class Groups {
  public:
   Groups(std::span<const Flat> flats, std::span<const Covering> coverings)
@@ -51,7 +53,8 @@ class Groups {
     return face;
   }
 
-  // Unites the groups of two faces, unless one of them is below the other or faces the other side.
+  // Unites the groups of two faces, unless one group is below the other or they face opposite
+  // sides.
   void unite(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);
@@ -88,8 +91,8 @@ class Groups {
 
  private:
   struct Group {
-    std::vector<Covering> above, below;  // of which a member is covered, and covers
-    std::optional<Vec> up;               // none yet if all members are two-sided
+    std::vector<Covering> above, below;  // where a member is covered, and where a member covers
+    std::optional<Vec> up;  // direction of the lift; none yet if all members are two-sided
     int levels_above = 0, levels_below = 0;
     double height = 0;
     std::size_t waiting = 0;
@@ -99,7 +102,7 @@ class Groups {
     return group_[g].above.size() + group_[g].below.size();
   }
 
-  // True if a group is above (or below) another.
+  // True if group `to` is above group `from`, or below it if not `upwards`.
   bool reaches(std::uint32_t from, std::uint32_t to, bool upwards) {
     std::vector<std::uint32_t> open{from}, seen{from};
     while (!open.empty()) {
@@ -117,7 +120,7 @@ class Groups {
     return false;
   }
 
-  // Orders the groups from the bottom.
+  // Sorts the groups so that each one follows all groups below it.
   void sort() {
     for (std::uint32_t f = 0; f < flats_.size(); ++f) {
       group_[f].waiting = group_[f].below.size();
@@ -128,7 +131,7 @@ class Groups {
         if (const std::uint32_t g = find(other); --group_[g].waiting == 0) order_.push_back(g);
   }
 
-  // Raises the groups that cover a group. All steps of a stack share its height.
+  // Raises the groups that cover group `g`. All levels of a stack share its limit on height.
   void raise_above(std::uint32_t g) {
     Group& group = group_[g];
     if (!group.up) group.up = flats_[g].plane.normal;
@@ -142,7 +145,7 @@ class Groups {
   }
 
   std::span<const Flat> flats_;
-  std::vector<std::uint32_t> root_;  // another face of the group, in the end its root
+  std::vector<std::uint32_t> root_;  // another face of the group; finally its root
   std::vector<Group> group_;         // by root
   std::vector<std::uint32_t> order_;
 };

@@ -1,21 +1,22 @@
 #pragma once
-// Order of faces that overlap in one plane.
+// Order in depth of faces that overlap in one plane.
 
 #include "renderer/radiosity/mesh/flats.hpp"
 
 namespace radiosity {
 
-/// True if the other of two faces that overlap in one plane covers the first. Both show the same
-/// side, and the other one emits, else is smaller, else is listed later.
+/// True if `other` covers `on`, for two faces that overlap in one plane. Both must show the same
+/// side. The one that emits light covers the other; otherwise, the smaller one does; if they are
+/// equally large, the one listed later.
 bool covers(const Room& room, const Pair& pair);
 
-/// The displacement of each face, so that those that cover others are in front of them. A lifted
-/// face is above those that it covers by 1e-7 of the size of the larger face. Faces of the same
-/// side that abut get the same displacement, those of one material first, unless one of them is
-/// below the other. All levels of a stack together stay within 1e-6 of the size of its largest
-/// face, unless each is only twice the epsilon of a ray above the next. A two-sided face is lifted
-/// to one side, the front of the faces that it covers. The light of its back is lost where it
-/// covers them. `neighbours` has, for each face, the others that may touch it.
+/// The displacement of each face that puts covering faces in front of covered ones. A face is
+/// lifted above those that it covers by 1e-7 of the larger face's size. Abutting faces of one side
+/// get the same displacement, unless one of them is below the other; pairs of one material are
+/// treated first. All levels of a stack stay within 1e-6 of the size of its largest face, unless
+/// each is only twice the distance that a ray ignores at its start above the next. A two-sided face
+/// is lifted to one side, the front of the faces that it covers; the light of its back is lost
+/// where it covers them. `neighbours` lists, for each face, the other faces that may touch it.
 std::vector<Vec> find_lifts(const Room& room, std::span<const Flat> flats,
                             std::span<const std::vector<std::uint32_t>> neighbours);
 

@@ -15,20 +15,20 @@ namespace radiosity {
 
 namespace {
 
-// Number of patches that creases may always produce in a room, however few it has without. In a
-// single face, creases may multiply the number of patches by up to MOST_FACE_GROWTH.
+// Number of patches that creases may always produce in a room, even if it has few patches without
+// creases. In a single face, creases may multiply the number of patches by up to MOST_FACE_GROWTH.
 constexpr std::size_t MOST_ANYHOW = 2000;
 constexpr int MOST_FACE_GROWTH = 64;
-// Largest step of the illumination in a penumbra, relative to the mean illumination that the room
-// would have if it were closed.
+// Largest step of the illumination in a penumbra, as a fraction of the mean illumination that the
+// room would have if it were closed.
 constexpr double STEP = 0.005;
 
-// The face as seen from behind.
+// The reversed face, for its second side.
 Face turn(Face face) {
   std::ranges::reverse(face.corners);
   std::ranges::reverse(face.normals);
   for (Vec& normal : face.normals) normal = -normal;
-  if (face.corners.size() == 4) {  // along and across are exchanged
+  if (face.corners.size() == 4) {  // exchanges the directions along and across
     std::swap(face.along, face.across);
     std::swap(face.grid.along, face.grid.across);
   }
@@ -37,8 +37,8 @@ Face turn(Face face) {
   return face;
 }
 
-// A slightly larger polygon. Otherwise rays could pass between two faces if a corner of one lies in
-// the middle of an edge of the other.
+// Makes a polygon slightly larger. Otherwise, rays could pass between two faces where a corner of
+// one lies in the middle of an edge of the other.
 std::vector<Vec> grow(std::vector<Vec> corners) {
   constexpr double SHARE = 1e-9;
   const Vec centre = eval_centre(corners);
@@ -52,7 +52,7 @@ void check_count(const Face& face, std::size_t patches) {
                     "fewer divisions (of the room's faces, or by refine)");
 }
 
-// Throws if the room has too many patches, before any are made.
+// Throws BadInput if the room has too many patches, before any are made.
 void check_count(const Room& room, int refine) {
   std::size_t patches = 0;
   for (const Face& face : room.faces) {
@@ -62,7 +62,7 @@ void check_count(const Room& room, int refine) {
   }
 }
 
-// The normals of a face. If the face is part of a curved surface, they are interpolated.
+// The normals of a face. They are interpolated if the face is part of a curved surface.
 class Normals {
  public:
   explicit Normals(const Face& face) : flat_(normalize(eval_area_normal(face.corners))) {
@@ -122,7 +122,7 @@ class Builder {
     return std::max(MOST_ANYHOW, plain * static_cast<std::size_t>(params_.crease_growth));
   }
 
-  // Removes strips and creases until the room is within its limit of patches.
+  // Removes strips and creases until the room is within its limit on the number of patches.
   void limit_cuts() {
     growth_ = MOST_FACE_GROWTH;
     const std::size_t most = find_most_patches();
@@ -137,15 +137,15 @@ class Builder {
     return std::ranges::any_of(contacts_, [](const Contacts& c) { return !c.strips.empty(); });
   }
 
-  // Halves the number of strips until the patches are at most `most`.
+  // Halves the number of strips until there are at most `most` patches.
   void limit_strips(std::size_t most) {
     std::size_t strips = MOST_STRIPS;
     while (has_strips() && count_with_cuts() > most)
       contacts_ = find_contacts(room_, params_.refine, strips /= 2);
   }
 
-  // Finds the largest growth per face that keeps the limit: first halves the growth, then raises it
-  // by bisection.
+  // Finds the largest growth per face with at most `most` patches in the room: halves the growth,
+  // then raises it by bisection.
   void limit_creases(std::size_t most) {
     growth_ = MOST_FACE_GROWTH;
     while (growth_ > 1 && count_with_cuts() > most) growth_ /= 2;
@@ -156,7 +156,7 @@ class Builder {
     }
   }
 
-  // The lines that cut a face of the room.
+  // The lines along which the face with this number is divided.
   Cuts make_cuts(std::uint32_t face) const {
     const Contacts& contacts = contacts_[face];
     return {room_.creases, contacts.lines, contacts.folds, contacts.strips, growth_};
@@ -235,10 +235,10 @@ class Builder {
   const MeshParams& params_;
   Mesh mesh_;
   Welder welder_;
-  std::vector<Contacts> contacts_;  // contacts of each face
-  Edges creases_, touched_;         // edges on creases or contacts; edges on contacts
+  std::vector<Contacts> contacts_;  // by face
+  Edges creases_, touched_;         // edges on creases or contacts, and edges on contacts only
   std::uint32_t object_ = 0;
-  int growth_ = 1;  // growth that make_cuts() passes to Cuts::growth
+  int growth_ = 1;  // value of Cuts::growth for make_cuts()
 };
 
 }  // namespace

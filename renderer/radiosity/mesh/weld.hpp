@@ -1,5 +1,5 @@
 #pragma once
-// Merger of points at the same position with the same normal and material.
+// Merges points that have the same position, normal and material.
 
 #include <array>
 #include <boost/functional/hash.hpp>
@@ -11,8 +11,8 @@ namespace radiosity {
 
 class Welder {
  public:
-  /// `bounds` contain all points. Positions that differ by less than about 1e-9 of the largest
-  /// coordinate count as the same.
+  /// `bounds` must contain all points. Positions that differ by less than about 1e-9 of the largest
+  /// coordinate count as equal.
   explicit Welder(const renderer::Bounds& bounds) {
     const double size = std::max(max_abs(bounds.lo), max_abs(bounds.hi));
     if (!(size > 0)) return;
@@ -21,7 +21,7 @@ class Welder {
     unit_ = std::ldexp(1.0, exponent);
   }
 
-  /// Returns the number of the point. A new point gets the next number; the first is 0.
+  /// Returns the number of the merged point. A new point gets the next number, counted from 0.
   std::uint32_t weld(const Vec& at, const Vec& normal, std::uint32_t material) {
     const auto cell = [&](double x) { return std::llround(x / unit_); };
     const auto turn = [](double x) { return std::llround(x * (1 << 24)); };
@@ -32,8 +32,8 @@ class Welder {
 
  private:
   using Key = std::array<std::int64_t, 7>;
-  // Width of the cells of a grid; positions in the same cell are the same. It is a power of two, so
-  // that binary fractions lie in the middle of a cell.
+  // Side of the cells of a grid. Positions in one cell count as equal. The side is a power of two,
+  // so that binary fractions lie in the middle of a cell.
   double unit_ = 1;
   std::unordered_map<Key, std::uint32_t, boost::hash<Key>> known_;
 };

@@ -12,15 +12,15 @@ using renderer::require;
 
 namespace {
 
-// tolerances relative to the face's size, and to its square
+// Tolerances as fractions of the face's size (REPEATED) and of its square (NO_AREA).
 constexpr double REPEATED = 1e-9, NO_AREA = 1e-9;
-constexpr double OFF_PLANE = 1e-6;  // tolerance relative to the face's size
-constexpr double NO_TURN = 1e-6;    // least sine of the angle between two edges
+constexpr double OFF_PLANE = 1e-6;  // as a fraction of the face's size
+constexpr double NO_TURN = 1e-6;    // smallest sine of the angle between two edges
 
 std::string show(const Vec& v) { return fmt::format("({}, {}, {})", v.x, v.y, v.z); }
 
-// Limits the size of numbers so that products remain finite. NaN is refused too, since comparisons
-// with it are false.
+// Limits the magnitude of numbers so that products remain finite. Also refuses NaN, because
+// comparisons with it are false.
 void require_finite(const Vec& v, const std::string& what) {
   const double max = renderer::MAX_NUMBER;
   require(std::abs(v.x) <= max && std::abs(v.y) <= max && std::abs(v.z) <= max,
@@ -53,8 +53,8 @@ void check_plane(std::span<const Vec> corners, double size) {
   }
 }
 
-// Requires that every corner turns left, and that the corners, seen from the first, span at most
-// half a turn. The polygon then winds once.
+// Requires that the border turns left at every corner, and that the corners, seen from the first
+// one, span at most half a turn. The border then goes round exactly once.
 void check_convex(std::span<const Vec> corners) {
   const std::size_t n = corners.size();
   const Vec normal = normalize(eval_area_normal(corners));
