@@ -8,14 +8,14 @@
 
 namespace renderer {
 
-/// Coordinates along the view's axes: right, above and ahead of the eye.
+/// Coordinates of a point relative to the eye, along the view's axes: right, above and ahead.
 inline Vec to_eye(const View& view, const Vec& at) {
   const Vec way = at - view.from;
   return {dot(way, view.right), dot(way, view.above), dot(way, view.ahead)};
 }
 
-/// Scan converter that finds the samples of an image covered by polygons, and interpolates N linear
-/// values.
+/// Scan converter. Finds the samples of an image that a polygon covers, and interpolates N values
+/// linearly.
 template <std::size_t N>
 class Scanner {
  public:
@@ -25,13 +25,14 @@ class Scanner {
     Values values{};
   };
 
-  /// Limits the scan conversion to samples in `area`.
+  /// Limits the scan conversion to the samples in `area`.
   Scanner(const Raster& raster, const Area& area) : raster_(raster), area_(area) {}
 
-  /// Calls put(x, y, nearness, values) for each sample in a polygon, by the even-odd rule.
-  /// `nearness` is 1 / depth. The part behind the eye is clipped. Values are interpolated along the
-  /// edges and then along the scan line (H. Gouraud, 1971), which is linear in triangles. Polygons
-  /// that share an edge ahead of the eye neither share samples nor leave a gap.
+  /// Calls put(x, y, nearness, values) for each sample in a polygon, whose inside is defined by the
+  /// even-odd rule. `nearness` is 1 / depth. The part behind the eye is cut off. Values are
+  /// interpolated along the edges and then along the scan line (H. Gouraud, 1971), which is linear
+  /// in triangles. Polygons that share an edge in front of the eye neither share samples nor leave
+  /// a gap.
   template <class Put>
   void scan(const std::vector<Corner>& corners, const Put& put) {
     project(corners, find_near(corners));
@@ -43,8 +44,8 @@ class Scanner {
     for (int y = first; y < end; ++y) scan_line(y, put);
   }
 
-  /// Calls put(x, y, nearness, values) along the line from `a` to `b`, once for each column that it
-  /// crosses, or for each row if these are more. The part behind the eye is clipped.
+  /// Calls put(x, y, nearness, values) along the line from `a` to `b`: once for each column that it
+  /// crosses, or for each row if it crosses more rows. The part behind the eye is cut off.
   template <class Put>
   void draw_line(const Corner& a, const Corner& b, const Put& put) {
     project({a, b}, 1e-9 * std::max(max_abs(a.at), max_abs(b.at)));
@@ -72,15 +73,15 @@ class Scanner {
   }
 
  private:
-  // A point of the image. Its values are multiplied by 1 / depth, which makes them linear in the
-  // image.
+  // A point in the image. Its values have been multiplied by 1 / depth, which makes them linear in
+  // the image.
   struct Spot {
-    double x, y;      // in pixels, (0, 0) is the first sample
-    double nearness;  // reciprocal of the depth
+    double x, y;      // in pixels; (0, 0) is the first sample
+    double nearness;  // 1 / depth
     Values values;
   };
 
-  // The least integer not less than `at`, clamped to `start`..`start + length`.
+  // The smallest integer that is at least `at`, clamped to `start`..`start + length`.
   static int clip_up(double at, int start, int length) {
     return static_cast<int>(
         std::ceil(std::clamp(at, static_cast<double>(start), static_cast<double>(start + length))));
@@ -101,16 +102,16 @@ class Scanner {
     spots_.push_back(spot);
   }
 
-  // The depth of the near plane for clipping: half the least depth at which a sample can meet the
-  // polygon's plane. It clips nothing visible, and avoids harmful rounding close to the eye. 0 if
-  // the polygon's plane is seen edge-on.
+  // The depth of the near plane at which polygons are cut off: half the smallest depth at which a
+  // sample can meet the polygon's plane. Nothing visible is lost, and harmful rounding close to the
+  // eye is avoided. 0 if the polygon's plane is seen edge-on.
   double find_near(const std::vector<Corner>& corners) const {
     Vec normal, middle;
     for (const Corner& c : corners) middle += (1.0 / static_cast<double>(corners.size())) * c.at;
     for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++)
       normal += cross(corners[j].at - middle, corners[i].at - middle);
-    // Along the direction (x, y, 1), the depth of the plane is dot(normal, middle) / dot(normal,
-    // way). The divisor is largest at a corner of the area.
+    // In the direction `way` = (x, y, 1), the depth of the plane is dot(normal, middle) /
+    // dot(normal, way). The divisor is largest at a corner of the area.
     double most = 0;
     for (const int x : {area_.x, area_.x + area_.width})
       for (const int y : {area_.y, area_.y + area_.height})
@@ -119,8 +120,8 @@ class Scanner {
     return most > 0 ? 0.5 * std::abs(dot(normal, middle)) / most : 0;
   }
 
-  // Fills `spots_` with the corners that are at least `near` ahead, and with the intersections of
-  // edges with the near plane.
+  // Fills `spots_` with the corners whose depth is at least `near`, and with the points where edges
+  // cross the near plane.
   void project(const std::vector<Corner>& corners, double near) {
     spots_.clear();
     if (!(near > 0)) return;
@@ -145,8 +146,8 @@ class Scanner {
     const Spot* last = &spots_.back();
     for (const Spot& spot : spots_) {
       if ((spot.y < y) != (last->y < y)) {
-        // Orders the ends from top to bottom, so that polygons agree on a shared edge to the last
-        // bit.
+        // Orders the ends from top to bottom, so that two polygons with a common edge compute it
+        // equally to the last bit.
         const Spot &a = spot.y < y ? spot : *last, &b = spot.y < y ? *last : spot;
         crossings_.push_back(mix(a, b, (y - a.y) / (b.y - a.y)));
       }

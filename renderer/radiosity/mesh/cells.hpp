@@ -24,7 +24,6 @@ struct CellParams {
 /// cells stay well-shaped. A crease cuts all cells that it crosses over more than its `touch`. If
 /// it passes a cell's corner within `touch`, the cut goes through the corner. A cut that would
 /// leave a very narrow part is omitted.
-/// leave slivers are omitted.
 ///
 /// Then divides each cell into one quad per corner. Its points are the corner, the middles of the
 /// two adjacent edges, and the centre of the cell. A cell may have a straight corner where only its

@@ -151,7 +151,7 @@ std::size_t count_lines(const Row& row, int even) {
          static_cast<std::size_t>(even);
 }
 
-// Adds a crease to the row of lines parallel to it, and its ends to the other row.
+// Adds a line to the row of grid lines parallel to it, and its two ends to the other row.
 void add_to_rows(const Line& line, double at, double from, double to, Row& own, double own_size,
                  Row& other, double other_size) {
   (line.contact ? own.contacts : own.creases).push_back({at, line.touch / own_size});

@@ -14,39 +14,40 @@ namespace radiosity {
 
 namespace {
 
-// Share of the allowed mean square error that may remain in patches that are not halved.
+// Fraction of the allowed mean square error that may remain in patches that are not halved.
 constexpr double LEFT = 0.5;
 // A patch is halved only along its longer side if this side is more than LONG times as long as the
-// other.
+// shorter one.
 constexpr double LONG = 1.5;
-// Rows are halved in only one direction if the light changes more than STEEP times as much in it as
-// in the other.
+// Rows are halved in only one direction if the light changes more than STEEP times as much in this
+// direction as in the other.
 constexpr double STEEP = 2;
-// Limits for make_lit_mesh(): how often patches are halved, and the growth of their number.
+// Limits of make_lit_mesh(): the number of rounds of halving, and the growth of the number of
+// patches.
 constexpr int MOST_HALVINGS = 2;
 constexpr std::size_t MOST_GROWTH = 2;
-// Limit on attempts to halve patches while their number does not grow.
+// Number of attempts to halve patches while their number does not grow.
 constexpr int MOST_TRIES = 4;
-// Unsent fraction of light in the solutions between rounds. It may be large, since light that
-// causes sharp edges is sent early. A mesh that seems good enough is tested again with the fraction
-// LESS.
+// Unsent fraction of the light at which the solutions between rounds end. It may be large, because
+// the light that causes sharp edges is sent early. A mesh that seems good enough is tested again
+// with the smaller fraction LESS.
 constexpr double ROUGH = 0.2, LESS = 0.02;
 
-// Mean square of an error over a patch, divided by the squared error in the middle. The ratio is
-// between 4/9 and 8/15 for illumination that is quadratic along both sides.
+// Mean square of the error over a patch, as a fraction of the squared error in its middle. For
+// illumination that is quadratic along both sides, the fraction is between 4/9 and 8/15.
 constexpr double SMOOTH = 0.5;
 
-// Pixels along the longer side of the picture used for the error estimate.
+// Number of pixels along the longer side of the picture for the error estimate.
 constexpr int SIDE = 256;
 
-// The weight of each patch in the picture from the room's view (see find_shares()).
+// The weight of each patch in the picture from the given view (see find_shares()).
 std::vector<Rgb> find_weights(const Mesh& mesh, const renderer::View& view) {
   const double scale = std::min(1.0, static_cast<double>(SIDE) / std::max(view.width, view.height));
   const auto shorten = [&](int side) { return std::max(1, static_cast<int>(scale * side)); };
   return find_shares(mesh, view, {.width = shorten(view.width), .height = shorten(view.height)});
 }
 
-// The radiosity at the middle of a patch, which follows from its mean and corners by Simpson's
+// The radiosity at the middle of a patch. It follows from the mean and the corners by Simpson's
 // rule.
 Rgb find_middle(const Mesh& mesh, const Solution& solution, std::uint32_t p) {
   Rgb corners;
@@ -54,8 +55,8 @@ Rgb find_middle(const Mesh& mesh, const Solution& solution, std::uint32_t p) {
   return 1.5 * (solution.means[p] + -1.0 / 12 * corners);
 }
 
-// The light computed at a patch's middle, less the interpolated surface there. 0 for a curved
-// patch, since its middle is lit with the normal of a flat one.
+// The computed light at a patch's middle, less the interpolated surface there. 0 for a patch of a
+// curved surface, because the light at its middle is computed with the normal of the flat patch.
 Rgb find_off(const Mesh& mesh, const Solution& solution, const Illumination& illumination,
              std::uint32_t p) {
   const Patch& patch = mesh.patches[p];
@@ -66,8 +67,8 @@ Rgb find_off(const Mesh& mesh, const Solution& solution, const Illumination& ill
   return find_middle(mesh, solution, p) + -1.0 * eval_illumination(illumination, p, 0.5, 0.5);
 }
 
-// The contribution of each patch to the picture's mean square error over the colours, from the
-// error at its middle.
+// The contribution of each patch to the picture's mean square error over the colours, estimated
+// from the error at the patch's middle.
 std::vector<double> find_errors(const Mesh& mesh, const Solution& solution,
                                 const Illumination& illumination, const std::vector<Rgb>& weights) {
   std::vector<double> errors;
@@ -78,9 +79,9 @@ std::vector<double> find_errors(const Mesh& mesh, const Solution& solution,
   return errors;
 }
 
-// The patches at whose middle the surface differs from the computed light by more than
-// MOST_OFF_HERE, relative to the light including unsent light. Sorted by squared difference times
-// area, largest first.
+// The patches where the interpolated surface differs from the computed light by more than
+// MOST_OFF_HERE in the middle. The difference is relative to the light, including unsent light. The
+// result is sorted by squared difference times area, largest first.
 std::vector<std::uint32_t> find_patches_off(const Mesh& mesh, const Solution& solution) {
   const Illumination illumination = reconstruct(mesh, solution.vertices, {});
   std::vector<std::pair<double, std::uint32_t>> found;
@@ -99,8 +100,8 @@ std::vector<std::uint32_t> find_patches_off(const Mesh& mesh, const Solution& so
   return patches;
 }
 
-// The mean square radiosity of the picture over the colours, without emission. Unsent light is
-// assumed uniform.
+// The mean square of the picture's radiosity over the colours, without emission. Assumes that
+// unsent light is uniform.
 double eval_mean_square(const Mesh& mesh, const Solution& solution,
                         const std::vector<Rgb>& weights) {
   double total = 0;
@@ -114,8 +115,8 @@ double eval_mean_square(const Mesh& mesh, const Solution& solution,
   return total;
 }
 
-// The patches with the largest errors, such that the errors of all others sum up to at most
-// `allowed`.
+// The patches with the largest errors, as many as needed so that the errors of all other patches
+// add up to at most `allowed`.
 std::vector<std::uint32_t> choose(const std::vector<double>& errors, double allowed) {
   std::vector<std::uint32_t> order(errors.size());
   std::iota(order.begin(), order.end(), 0u);
@@ -127,7 +128,7 @@ std::vector<std::uint32_t> choose(const std::vector<double>& errors, double allo
   return order;
 }
 
-// The extent of a patch in its face: the least and largest parameters of its corners.
+// The extent of a patch in its face: the smallest and largest parameters of its corners.
 struct Extent {
   Corner lo, hi;
 };
@@ -148,8 +149,8 @@ Extent find_extent(const Face& face, const Patch& patch) {
   return extent;
 }
 
-// Marks each step between lines of which more than a tenth lies in the interval, and the step that
-// contains the interval's middle.
+// Marks each step between grid lines if more than a tenth of it lies in the interval from `from` to
+// `to`. Also marks the step that contains the interval's middle.
 void mark(const std::vector<double>& lines, double from, double to, std::vector<bool>& marks) {
   const double middle = (from + to) / 2;
   for (std::size_t i = 0; i + 1 < lines.size(); ++i) {
@@ -159,17 +160,17 @@ void mark(const std::vector<double>& lines, double from, double to, std::vector<
   }
 }
 
-// The rows of a face's patches that are to be halved.
+// The rows of patches of a face that are to be halved, along and across the face.
 struct Marks {
   std::vector<bool> along, across;
 };
 
-// Directions of a face in which the rows of a patch are halved.
+// The directions of a face in which the rows of one patch are halved.
 struct Ways {
   bool along = false, across = false;
 };
 
-// The direction of a patch's longer side, or both directions.
+// The direction of a patch's longer side; both directions if the sides are of similar length.
 Ways find_long_ways(const Face& face, const Patch& patch) {
   const auto [lo, hi] = find_extent(face, patch);
   const double wide = (hi.u - lo.u) * length(face.corners[1] - face.corners[0]);
@@ -177,7 +178,8 @@ Ways find_long_ways(const Face& face, const Patch& patch) {
   return {LONG * wide > high, LONG * high > wide};
 }
 
-// The direction in which the light at a patch's corners changes most, or both directions.
+// The direction in which the light of a patch's corners changes most; both directions if it changes
+// similarly.
 Ways find_steep_ways(const Face& face, const Patch& patch, const Solution& solution) {
   const Vec u = normalize(face.corners[1] - face.corners[0]);
   const Vec v = normalize(face.corners[3] - face.corners[0]);
@@ -194,7 +196,7 @@ Ways find_steep_ways(const Face& face, const Patch& patch, const Solution& solut
   return {STEEP * along > across, STEEP * across > along};
 }
 
-// Halves rows of the chosen patches. `find_ways(face, patch)` returns the directions for a patch.
+// Halves the rows of the chosen patches. `find_ways(face, patch)` returns the directions.
 void refine(Room& room, const Mesh& mesh, const std::vector<std::uint32_t>& chosen,
             const auto& find_ways) {
   std::vector<Marks> marks;
@@ -223,8 +225,8 @@ void refine(Room& room, const Mesh& mesh, const std::vector<std::uint32_t>& chos
   }
 }
 
-// Halves the chosen patches. Nothing if that makes no more patches or too many. Retries, since new
-// lines that are too near to a contact or crease are dropped.
+// Halves the chosen patches. Returns none if that makes too many patches, or no more than before.
+// Tries again, because new grid lines are dropped if they are too near to a contact or crease.
 std::optional<Mesh> make_finer(Room& room, const MeshParams& params, const Mesh& mesh,
                                const std::vector<std::uint32_t>& chosen) {
   for (int tries = 0; tries < MOST_TRIES; ++tries) {
@@ -257,7 +259,7 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
     face.along *= params.mesh.refine;
     face.across *= params.mesh.refine;
   }
-  room.fine_near_lights = false;  // adapt_mesh() itself halves rows, where the solution needs it
+  room.fine_near_lights = false;  // the rounds below halve rows where the solution needs it
   MeshParams parts = params.mesh;
   parts.refine = 1;
   SolveParams rough = params.solve;
@@ -273,7 +275,7 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
     const double square = eval_mean_square(mesh, solution, weights);
     const double total = std::accumulate(errors.begin(), errors.end(), 0.0);
     const double allowed = adapt.error * adapt.error * square;
-    // Avoids division by 0 if only lamps are visible.
+    // Only lamps are visible if `square` is 0.
     adapted.error = square > 0 ? std::sqrt(total / square) : 0;
     if (!(square > 0 && total > allowed)) {
       if (rough.tolerance <= std::max(params.solve.tolerance, LESS)) return adapted;
@@ -293,8 +295,8 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
 
 namespace {
 
-// Halves rows of the chosen patches. Leaves out the last half of these repeatedly until the room
-// has at most `most` patches.
+// Halves the rows of the chosen patches. If the room then has more than `most` patches, drops the
+// last half of the choice and tries again.
 Room halve_some(const Room& room, const AdaptedMesh& adapted, std::vector<std::uint32_t> chosen,
                 int refined, std::size_t most) {
   for (; !chosen.empty(); chosen.resize(chosen.size() / 2)) {

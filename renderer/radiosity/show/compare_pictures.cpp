@@ -6,7 +6,7 @@ namespace radiosity {
 
 namespace {
 
-// Sums of squares of the difference and of the reference.
+// Sums of the squares of the difference and of the reference.
 struct Squares {
   double difference = 0, reference = 0;
   void add(double found, double expected) {
@@ -21,7 +21,8 @@ struct LineError {
   int shift = 0;
 };
 
-// Compares value(pixel, false) of the picture with value(pixel, true) of the reference.
+// Compares the picture with the reference along a row. value(pixel, false) is the value of a pixel
+// in the picture, value(pixel, true) that in the reference.
 template <class Value>
 LineError compare_lines(int width, const Compared& where, const Value& value) {
   Squares squares;

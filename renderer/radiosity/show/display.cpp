@@ -39,7 +39,7 @@ std::string make_exr(const Picture& picture) {
     pixels.insert(name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(floats.data() + first++),
                                    PIXEL, PIXEL * static_cast<std::size_t>(picture.width)));
   }
-  Imf::StdOSStream bytes;  // written in memory first, since the destination may be a pipe
+  Imf::StdOSStream bytes;  // written to memory first, because the destination may be a pipe
   {
     Imf::OutputFile file(bytes, header);
     file.setFrameBuffer(pixels);

@@ -9,13 +9,13 @@ namespace {
 
 constexpr double Rgb::*COLOURS[] = {&Rgb::r, &Rgb::g, &Rgb::b};
 
-// Allowed overshoot of a surface beyond the range of the illumination around it, relative to that
+// How far a surface may overshoot the range of the illumination around it, as a fraction of this
 // range.
 constexpr double OVERSHOOT = 0.25;
-// Largest ratio of an edge's bends at its two ends.
+// Largest ratio of the bends of an edge at its two ends (see limit_change()).
 constexpr double MOST_BEND = 2;
-// Change along an edge at one end that is always allowed, as a fraction of the illumination at the
-// darker end. It makes the edge bulge by 4/27 of that change, 2 % of the illumination.
+// A change at one end of an edge that is always allowed, as a fraction of the illumination at the
+// darker end. It makes the edge bulge by 4/27 of this change, 2 % of the illumination.
 constexpr double FREE = 0.15;
 
 }  // namespace

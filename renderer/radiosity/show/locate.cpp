@@ -27,7 +27,7 @@ struct Box {
   }
 };
 
-// Indices along u and v of the cell in a side's grid that contains a point, or is nearest to it.
+// Indices along u and v of the cell that contains a point in a side's grid, or is nearest to it.
 std::array<int, 2> find_cell(const Side& side, const Corner& at) {
   const auto find = [&](double from_lo, double cell) {
     return static_cast<int>(std::clamp(from_lo / cell, 0.0, side.across - 1.0));
@@ -57,9 +57,9 @@ void make_grid(const Mesh& mesh, Side& side, const renderer::Polygon& polygon) {
 
 }  // namespace
 
-// Inverts the bilinear map Q = s E + t F + s t G. Elimination of s yields cross(Q - t F, E + t G) =
+// Inverts the bilinear map Q = s E + t F + s t G. Elimination of s gives cross(Q - t F, E + t G) =
 // a t^2 + b t + c = 0. In a counter-clockwise quad, the quadratic increases at the root inside,
-// since the map's Jacobian is positive there.
+// because the Jacobian of the map is positive there.
 Corner invert_bilinear(const std::array<Corner, 4>& corners, const Corner& point) {
   const Corner e = corners[1] - corners[0], f = corners[3] - corners[0];
   const Corner g = corners[2] - corners[1] - f, q = point - corners[0];
@@ -103,8 +103,8 @@ Spot locate(const Mesh& mesh, const Side& side, std::uint32_t object, const Vec&
   const auto [x, y] = find_cell(side, at);
   const auto& near = side.cells[static_cast<std::size_t>(y * side.across + x)];
   Spot best;
-  double least = renderer::NO_HIT;  // how far s or t of `best` lies outside 0..1
-  // (A cell without patches lies beyond the border of a face that is not a rectangle.)
+  double least = renderer::NO_HIT;  // how far s or t of `best` is outside 0..1
+  // (A cell without patches is outside the border of a face that is not a rectangle.)
   for (const auto patch : near.empty() ? side.patches : near) {
     work[renderer::Op::polygon_edges] += 1;
     const auto [s, t] = invert_bilinear(project(mesh.patches[patch], polygon), at);

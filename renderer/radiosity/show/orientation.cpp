@@ -16,7 +16,8 @@ std::optional<renderer::Hit> meet(const Mesh& mesh, const renderer::Ray& ray) {
   return intersect(mesh.blockers, ray, renderer::Traversal::nearest, work);
 }
 
-// True if the hit is on a visible side. Object numbers of blockers equal face numbers.
+// True if the hit is on a side that is not black. The numbers of objects in Mesh::blockers are face
+// numbers.
 bool is_front(const Room& room, const renderer::Hit& hit) {
   return !hit.inside || room.faces[hit.object].two_sided;
 }
@@ -26,9 +27,10 @@ std::string name_face(const Room& room, std::size_t face) {
   return where.empty() ? fmt::format("face {}", face + 1) : where;
 }
 
-// Reports the share of backs in the visible surface, if it is more than half.
+// Returns a message with the percentage of visible surface that is the back of a face, if it is
+// more than half.
 std::optional<std::string> check_camera(const Room& room, const Mesh& mesh) {
-  constexpr int SIDE = 32;  // rays along each side of the picture
+  constexpr int SIDE = 32;  // rays in each direction of the picture
   const renderer::View view = make_image_plane(room.view);
   const double half_width = view.half_height * view.width / view.height;
   int fronts = 0, backs = 0;
@@ -48,10 +50,11 @@ std::optional<std::string> check_camera(const Room& room, const Mesh& mesh) {
       100.0 * backs / (fronts + backs));
 }
 
-// True if a ray from the centre of a lamp along `normal` meets the front of a face, and not
-// directly before the lamp.
+// True if a ray from the centre of a lamp along `normal` meets the front of a face that is not
+// directly in front of the lamp.
 bool lights_something(const Room& room, const Mesh& mesh, std::size_t face, const Vec& normal) {
-  constexpr double NEAR = 0.1;  // least distance of the lit face, relative to the size of the lamp
+  // Smallest distance of the lit face, as a fraction of the lamp's size.
+  constexpr double NEAR = 0.1;
   const auto& corners = room.faces[face].corners;
   const auto bounds = renderer::make_bounds(corners);
   renderer::Ray ray;

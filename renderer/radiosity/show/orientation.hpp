@@ -1,6 +1,5 @@
 #pragma once
-// Detection of faces that probably point the wrong way, mostly because of the order of their
-// corners.
+// Detection of faces that probably face the wrong way, because of the order of their corners.
 
 #include <string>
 #include <vector>
@@ -9,9 +8,9 @@
 
 namespace radiosity {
 
-/// Returns a sentence for each problem. More fronts than (black) backs of faces should be visible
-/// from the camera. A one-sided lamp should not shine into a wall or out of the room while
-/// something behind it could be lit. `mesh` is made from the room.
+/// Returns a sentence for each problem found. First, the camera should see more fronts of faces
+/// than backs, which are black. Second, a one-sided lamp should not shine into a wall or out of the
+/// room if it would light something at its other side. `mesh` is a mesh of the room.
 std::vector<std::string> find_turned_faces(const Room& room, const Mesh& mesh);
 
 }  // namespace radiosity

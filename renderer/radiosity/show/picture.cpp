@@ -20,13 +20,14 @@ renderer::Params make_params(const PictureParams& params) {
   return made;
 }
 
-// The point of a patch that a ray meets, and the ray's influence factor after all mirrors.
+// The point of a patch that a ray meets, and the product of the reflectances of all mirrors before
+// it.
 struct Seen {
   Spot spot;
   Rgb influence;
 };
 
-// Tracer of the rays of a picture.
+// Traces the rays of a picture.
 struct Tracer {
   const Mesh& mesh;
   const Sides sides;
@@ -37,8 +38,8 @@ struct Tracer {
     return intersect(mesh.blockers, ray, renderer::Traversal::nearest, work);
   }
 
-  // The first hit of the ray on a visible side. If the side that it hits is not visible, searches
-  // slightly beyond it, since two faces may lie back to back.
+  // The first hit of the ray on a side that is visible. If the side that it hits is not, also
+  // searches just behind it, because two faces may lie back to back.
   std::optional<renderer::Hit> meet_side(const renderer::Ray& ray) {
     const auto is_nothing = [&](const renderer::Hit& hit) {
       return get_side(sides, hit.object, hit.inside).kind == Side::Kind::nothing;
@@ -71,17 +72,18 @@ struct Tracer {
   }
 };
 
-// An entry of the z-buffer: the nearest surface at a pixel so far.
+// An entry of the z-buffer: the nearest surface found so far at a pixel.
 struct Fragment {
   enum class Kind : std::uint8_t { nothing, back, patch, mirror };
   Kind kind = Kind::nothing;
   std::uint32_t patch = 0;
-  double nearness = 0;  // reciprocal of the depth
+  double nearness = 0;  // 1 / depth; 0 if the pixel is empty
   double s = 0, t = 0;
 
-  // Keeps the nearer fragment. If two coincide, a front replaces a back.
+  // Replaces this fragment by a nearer one. Of two fragments at the same depth, a front replaces a
+  // back.
   void put(const Fragment& other) {
-    // relative tolerance in 1 / depth within which a front is preferred
+    // Relative difference in 1 / depth up to which fragments count as being at the same depth.
     constexpr double COINCIDENT = 1e-9;
     if (!(other.nearness > 0)) return;
     const bool over = kind == Kind::back && other.kind != Kind::back,
@@ -92,7 +94,7 @@ struct Fragment {
 };
 
 // A z-buffer for convex polygons whose corners have parameters s and t. The view must have its
-// image plane.
+// image plane (see make_image_plane()).
 class ZBuffer {
  public:
   struct Point {
@@ -106,9 +108,10 @@ class ZBuffer {
         scanner_(renderer::make_raster(view, params), renderer::get_area(params)),
         fragments_(width_ * static_cast<std::size_t>(params.height)) {}
 
-  // Draws both sides of a convex polygon of 3 corners or more. The nearest polygon stays. Of
-  // coincident ones the first stays, except that a back never hides other kinds. The polygon is cut
-  // into triangles at its first corner; in each of them, s and t are linear in space.
+  // Draws both sides of a convex polygon of at least 3 corners. At each pixel, the nearest polygon
+  // stays. Of polygons at the same depth, the first stays, except that a back never hides other
+  // kinds. The polygon is divided into triangles at its first corner; in each of them, s and t are
+  // linear in space.
   void draw(Fragment::Kind kind, std::uint32_t patch, const std::vector<Point>& points) {
     const auto corner = [&](std::size_t i) -> renderer::Scanner<2>::Corner {
       return {renderer::to_eye(view_, points[i].at), {points[i].s, points[i].t}};
@@ -121,7 +124,7 @@ class ZBuffer {
       });
   }
 
-  // Entries at y * width + x; rows run from the top.
+  // Entries of all pixels, at y * width + x; rows run from the top.
   const std::vector<Fragment>& fragments() const { return fragments_; }
 
  private:
@@ -131,7 +134,7 @@ class ZBuffer {
   std::vector<Fragment> fragments_;
 };
 
-// The area-weighted mean radiosity of the patches.
+// The mean radiosity of the patches, weighted by area and averaged over the colours.
 Rgb make_grey(const Mesh& mesh, const Illumination& illumination) {
   double sum = 0, area = 0;
   for (std::uint32_t i = 0; i < mesh.patches.size(); ++i) {

@@ -1,58 +1,62 @@
 #pragma once
-// Second pass of radiosity: a picture of a lit room (thesis, 1.2.3 and 3.2.4).
+// The second pass of radiosity: makes a picture of a room with computed light (thesis, 1.2.3 and
+// 3.2.4).
 
 #include "renderer/radiosity/light/solve.hpp"
 #include "renderer/radiosity/show/reconstruct.hpp"
 
 namespace radiosity {
 
-/// Linear colours; rows run from the top.
+/// A picture with linear colours, not limited to a range; rows run from the top.
 struct Picture {
   int width = 0, height = 0;
-  std::vector<Rgb> pixels;  ///< colours of the pixels, at y * width + x
+  std::vector<Rgb> pixels;  ///< at y * width + x
   bool operator==(const Picture&) const = default;
 };
 
 struct PictureParams {
-  int width = 0, height = 0;  ///< pixels, 1..65536 each and 2^28 together; 0: those of the view
-  int samples = 1;  ///< rays along and across a pixel, in a regular grid, 1..64; 1: its centre
-  int depth = 8;    ///< limit on the mirrors along a ray, 0..1000
+  /// In pixels, 1..65536 each, product at most 2^28; 0: those of the view.
+  int width = 0, height = 0;
+  int samples = 1;  ///< rays along and across a pixel, in a regular grid, 1..64; 1: the centre only
+  int depth = 8;    ///< limit on the number of mirrors along a ray, 0..1000
 };
 
 /// Makes the fields width, height, pixel_samples and depth.
 base::Fields<PictureParams> picture_fields();
-/// Throws BadInput with the field, the value found and the values expected.
+/// Throws BadInput with the name of the field, the value found and the values expected.
 void check(const PictureParams& params);
 
-/// Replaces width and height by those of the view if they are 0. Throws as check() does.
+/// Replaces a width and height of 0 by those of the view. Throws as check() does.
 PictureParams fit(PictureParams params, const renderer::View& view);
 
 /// Makes a picture by simplified ray tracing. A ray is reflected by mirrors until it meets a
-/// diffuse patch, and has the illumination there, without feelers and shading. A ray is black if it
-/// meets nothing, a back, or a mirror after `depth` others. Throws as check() and
-/// renderer::make_image_plane() do. Adds to `work` one Op::sample_updated for each ray from the
-/// eye, and one Op::ray_reflected for each mirror.
+/// diffuse patch. Its colour is the illumination there; no further rays are cast and no shading is
+/// computed. A ray is black if it meets nothing, the back of a face, or a mirror after `depth`
+/// other mirrors. Throws as check() and renderer::make_image_plane() do. Counts in `work` one
+/// Op::sample_updated for each ray from the eye, and one Op::ray_reflected for each mirror.
 Picture trace_picture(const Mesh& mesh, const Illumination& illumination,
                       const renderer::View& view, const PictureParams& params,
                       renderer::Work& work);
 
-/// Makes the picture of a lit room, without counting its work.
+/// Makes the picture of a room with computed light, without counting work.
 Picture trace_picture(const LitRoom& lit, const ReconstructionParams& reconstruction,
                       const renderer::View& view, const PictureParams& params);
 
-/// For each patch, the weight of its mean square radiosity in the mean square of the picture: the
-/// fraction of pixels that show the patch, each pixel multiplied by the squared influence factor
-/// after mirrors. Samples the centres of pixels. Throws as trace_picture() does.
+/// Returns a weight for each patch: the fraction of pixels that show the patch, each multiplied by
+/// the squared reflectance of the mirrors in between. The sum of the patches' mean square
+/// radiosities with these weights is the mean square of the picture. Samples the centres of pixels.
+/// Throws as trace_picture() does.
 std::vector<Rgb> find_shares(const Mesh& mesh, const renderer::View& view,
                              const PictureParams& params);
 
-/// For each pixel, true if it shows an emitter, directly or in a mirror.
+/// By pixel: true if the pixel shows an emitter, directly or in a mirror.
 std::vector<bool> find_emitters(const Mesh& mesh, const renderer::View& view,
                                 const PictureParams& params);
 
 /// Makes a picture by z-buffer, with one sample per pixel. Mirrors are shown in the mean grey of
-/// the room. Without mirrors and with parallelograms as patches, it equals trace_picture() except
-/// at the edges of faces. Other patches are cut into two triangles in which s and t are linear.
+/// the room. If the room has no mirrors and all patches are parallelograms, the picture equals that
+/// of trace_picture() except at the edges of faces. Other patches are divided into two triangles in
+/// which s and t are linear.
 Picture preview_picture(const Mesh& mesh, const Illumination& illumination,
                         const renderer::View& view, const PictureParams& params);
 

@@ -9,10 +9,11 @@
 namespace radiosity {
 namespace {
 
-// The parameters of a patch's corners, in order.
+// The parameters s and t of a patch's four corners, in order.
 constexpr std::size_t S[] = {0, 1, 1, 0}, T[] = {0, 0, 1, 1};
 
-// Indices in G_H, by rows (Eq 3.4), of the value and derivatives at a corner (s, t), each 0 or 1.
+// Where the matrix G_H (thesis Eq 3.4), stored by rows, holds the value and the derivatives at the
+// corner (s, t).
 struct Slots {
   std::size_t value, by_s, by_t, by_st;
 };
@@ -20,8 +21,9 @@ constexpr Slots find_slots(std::size_t s, std::size_t t) {
   return {4 * s + t, 4 * (s + 2) + t, 4 * s + t + 2, 4 * (s + 2) + t + 2};
 }
 
-// Sets the value of a corner, and its derivatives by s and t, from the changes along the edges to
-// the next and previous corners. An edge runs along s or t, in either direction.
+// Stores the value at a corner in `g`, and the derivatives by s and t. These follow from the
+// changes along the edges to the next and previous corners; an edge runs along s or t, in either
+// direction.
 void set_corner(std::span<Rgb> g, std::uint32_t corner, const Rgb& value, const Rgb& to_next,
                 const Rgb& to_prev) {
   const std::size_t s = S[corner], t = T[corner];
@@ -32,19 +34,19 @@ void set_corner(std::span<Rgb> g, std::uint32_t corner, const Rgb& value, const 
   g[at.by_t] = (t == 0 ? 1.0 : -1.0) * (next_is_s ? to_prev : to_next);
 }
 
-// The Hermite basis S M_H, Eq 3.2 and 3.3.
+// The Hermite basis S M_H of thesis Eq 3.2 and 3.3.
 std::array<double, 4> eval_hermite_basis(double s) {
   const double s2 = s * s, s3 = s2 * s;
   return {2 * s3 - 3 * s2 + 1, 3 * s2 - 2 * s3, s3 - 2 * s2 + s, s3 - s2};
 }
 
-// Derivative of the basis by s.
+// The derivative of the Hermite basis by s.
 std::array<double, 4> eval_hermite_slopes(double s) {
   const double s2 = s * s;
   return {6 * s2 - 6 * s, 6 * s - 6 * s2, 3 * s2 - 4 * s + 1, 3 * s2 - 2 * s};
 }
 
-// Builder of G_H for every patch.
+// Computes the matrix G_H (thesis Eq 3.4) of every patch.
 class Bicubic {
  public:
   Bicubic(const Mesh& mesh, std::span<const Rgb> vertices, const ReconstructionParams& params)
@@ -55,7 +57,7 @@ class Bicubic {
         slopes_(find_slopes(mesh, fans_, vertices)),
         limits_(find_limits(mesh, fans_, vertices)) {}
 
-  // Sets the values vertex by vertex, since each corner of a patch belongs to one vertex.
+  // Processes vertex by vertex: each corner of a patch belongs to one vertex.
   std::vector<Rgb> make() {
     for (const Seam& seam : find_seams(mesh_, fans_.twins)) close(seam);
     std::vector<Rgb> values(16 * mesh_.patches.size());
@@ -69,7 +71,7 @@ class Bicubic {
   }
 
  private:
-  // The derivative along an edge at its beginning, times its length.
+  // The derivative along an edge at its beginning, multiplied by the length of the edge.
   Rgb find_change(std::uint32_t from, std::uint32_t to) const {
     const auto fixed = fixed_.find({from, to});
     if (fixed != fixed_.end()) return fixed->second;
@@ -81,7 +83,7 @@ class Bicubic {
                         vertices_[to] + -1.0 * vertices_[from], -1.0 * step(to, from));
   }
 
-  // Makes the illumination along all short edges of a seam follow the curve of the long edge.
+  // Makes the illumination along all short edges of a seam follow the cubic of the long edge.
   void close(const Seam& seam) {
     const Rgb ends[] = {vertices_[seam.from], vertices_[seam.to], find_change(seam.from, seam.to),
                         -1.0 * find_change(seam.to, seam.from)};
@@ -112,7 +114,7 @@ class Bicubic {
     });
   }
 
-  // Sets the corners of a patch at the vertex.
+  // Sets the values at those corners of a patch that are at the vertex.
   void set_corners(std::span<Rgb> g, std::uint32_t vertex, const Wedge& wedge,
                    const Slopes<Slopes<Rgb>>& bend) const {
     const auto& corners = mesh_.patches[wedge.patch].corners;
@@ -125,7 +127,8 @@ class Bicubic {
       const Slots at = find_slots(S[c], T[c]);
       const double sign = S[c] == T[c] ? 1.0 : -1.0;
       Rgb twist;
-      // "Substituting s + t for d" in the thesis: along s + t, the slopes by s and by t add up.
+      // The thesis says "substituting s + t for d": in the direction s + t, the slopes by s and t
+      // add up.
       if (params_.twist == Twist::diagonal) twist = sign * (g[at.by_s] + g[at.by_t]);
       if (params_.twist == Twist::estimated && next != vertex && prev != vertex)
         twist = find_twist(mesh_, wedge, slopes_[vertex], bend);
@@ -140,7 +143,7 @@ class Bicubic {
   std::vector<Rgb> vertices_;
   std::vector<Slopes<Rgb>> slopes_;
   std::vector<Limits> limits_;
-  // prescribed changes along the edges of seams
+  // Prescribed changes along the edges of seams, by the two ends of the edge.
   std::map<std::pair<std::uint32_t, std::uint32_t>, Rgb> fixed_;
 };
 

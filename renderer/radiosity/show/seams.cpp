@@ -11,7 +11,7 @@ namespace radiosity {
 
 namespace {
 
-// For each vertex, the first of its twins.
+// By vertex: the first of its twins, including itself.
 std::vector<std::uint32_t> find_firsts(std::span<const std::uint32_t> twins) {
   std::vector<std::uint32_t> firsts(twins.size(), ~0u);
   for (std::uint32_t v = 0; v < twins.size(); ++v)
@@ -23,8 +23,8 @@ class SeamFinder {
  public:
   SeamFinder(const Mesh& mesh, std::span<const std::uint32_t> twins)
       : mesh_(mesh), firsts_(find_firsts(twins)), beside_(mesh.vertices.size()) {
-    // Number of patches at each edge. Twins count as one vertex, so that creases do not separate
-    // patches.
+    // Number of patches at each edge. Twins count as one vertex, so that patches are neighbours
+    // even if a crease has split their vertices.
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
     for (const Patch& patch : mesh.patches)
       for (std::size_t i = 0; i < 4; ++i)
@@ -45,13 +45,14 @@ class SeamFinder {
   }
 
  private:
-  // Sorts the seams such that each comes before those that end on it. If there is a cycle, sorts
-  // all by length, the longest first.
+  // Sorts the seams so that each one comes before the seams that end on it. If this leads to a
+  // cycle, sorts all of them by length, the longest first.
   std::vector<Seam> sort(std::vector<Seam> seams) const {
     std::ranges::stable_sort(seams, std::greater{}, [&](const Seam& seam) {
       return length(mesh_.vertices[seam.to].at - mesh_.vertices[seam.from].at);
     });
-    std::multimap<std::uint32_t, std::size_t> on;  // seams that end at a stop
+    // By vertex that is a stop: the seams on which it lies.
+    std::multimap<std::uint32_t, std::size_t> on;
     for (std::size_t i = 0; i < seams.size(); ++i)
       for (const auto& stop : seams[i].stops) on.emplace(stop.vertex, i);
     std::vector<std::vector<std::size_t>> needs(seams.size());
@@ -66,7 +67,7 @@ class SeamFinder {
     return sorted;
   }
 
-  // The seam along an edge; none unless shorter edges connect its ends.
+  // The seam along an edge; none unless a series of shorter edges connects the ends of the edge.
   std::optional<Seam> follow(std::uint32_t from, std::uint32_t to) const {
     const Vec way = mesh_.vertices[to].at - mesh_.vertices[from].at;
     Seam seam{from, to, {}};
@@ -86,10 +87,10 @@ class SeamFinder {
     return std::nullopt;
   }
 
-  // The position of a vertex on the way from another one, as a fraction; none if it is not on the
-  // way.
+  // The position of a vertex on the straight way from another vertex, as a fraction. None if the
+  // vertex is not on the way.
   std::optional<double> find_share(std::uint32_t from, const Vec& way, std::uint32_t vertex) const {
-    constexpr double NEAR = 1e-7;  // tolerance relative to the length of the way
+    constexpr double NEAR = 1e-7;  // tolerance as a fraction of the way's length
     const Vec to = mesh_.vertices[vertex].at - mesh_.vertices[from].at;
     const double share = dot(to, way) / dot(way, way);
     return length(to - share * way) < NEAR * length(way) ? std::optional(share) : std::nullopt;
@@ -97,7 +98,7 @@ class SeamFinder {
 
   const Mesh& mesh_;
   std::vector<std::uint32_t> firsts_;
-  // for each vertex, the other ends of the border edges that begin there
+  // By vertex: the other ends of the border edges that begin there.
   std::vector<std::vector<std::uint32_t>> beside_;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> borders_;
 };

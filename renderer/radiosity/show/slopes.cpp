@@ -10,8 +10,8 @@ namespace radiosity {
 
 namespace {
 
-// The neighbours on the border through a vertex. In the direction to `after`, the patches are on
-// the left. None for an inner vertex, or if several borders meet.
+// The neighbours of a vertex on the border through it. On the way to `after`, the patches are on
+// the left. There is no Border for an inner vertex, or if several borders meet.
 struct Border {
   std::uint32_t after = 0, before = 0;
 };
@@ -45,29 +45,33 @@ Wedge make_wedge(const Mesh& mesh, std::uint32_t patch, std::uint32_t vertex) {
   return wedge;
 }
 
-// Marks inner edges. Corners run counter-clockwise, so an inner edge is the next one in one patch
-// and the previous one in the other.
+// Marks the inner edges. Corners are counter-clockwise, so that an inner edge is the next edge in
+// one of its patches and the previous edge in the other.
 void mark_inner(std::span<Wedge> wedges) {
   for (Wedge& a : wedges)
     for (Wedge& b : wedges)
       if (a.next == b.prev) a.next_inner = b.prev_inner = true;
 }
 
-// True if one direction continues the other, within 8 degrees.
+// True if one direction is the straight continuation of the other, within 8 degrees.
 bool is_straight(const Vec& a, const Vec& b) {
   return dot(a, b) < -0.99 * std::sqrt(dot(a, a) * dot(b, b));
 }
 
-// Weight of an edge: 1, or (3 |edge| / |other|)^2 if the edge is less than a third as long as its
-// continuation `other`. A small error at the end of a short edge makes a steep slope, and thus a
-// large error in the patches of the long edge.
+// Weight of an edge: 1, or (3
+// edge
+// /
+// other
+// )^2 if the edge is less than a third as long as `other`, its continuation beyond the vertex. A
+// small error of illumination at the end of a short edge makes a steep slope, and thus a large
+// error in the patches of the long edge.
 double find_trust(double edge, double other) {
   const double share = other > 0 ? std::min(1.0, 3 * edge / other) : 1.0;
   return share * share;
 }
 
-// The weight of an edge. Its continuation is the longest of the edges that go straight on, within
-// 45 degrees.
+// The weight of the edge from `v` to a neighbour. Its continuation is the longest of the edges on
+// the other side of `v` that go straight on, within 45 degrees.
 double trust_edge(const Mesh& mesh, const Vertex& v, std::span<const Wedge> wedges,
                   std::uint32_t neighbour) {
   const Vec edge = unfold(v, mesh.vertices[neighbour].at);
@@ -98,7 +102,7 @@ auto sort_key(const Vertex& v) {
                     v.normal.z, v.material);
 }
 
-// True if a crease has split the vertices. Such vertices have the same place, lit point, normal and
+// True if a crease has split the vertices. They then have the same position, lit point, normal and
 // material, and hence the same illumination.
 bool are_twins(const Vertex& a, const Vertex& b) { return sort_key(a) == sort_key(b); }
 
@@ -149,9 +153,9 @@ Fans make_fans(const Mesh& mesh) {
 
 namespace {
 
-// The mean of the planes of a vertex's patches. `change(neighbour, inner)` returns the change of
-// the quantity from the vertex to a neighbour; `inner` is false if the edge between them is a
-// border.
+// The mean of the tangent planes of a vertex's patches. `change(neighbour, inner)` returns the
+// change of the quantity from the vertex to a neighbour; `inner` is false if the edge between them
+// is on a border.
 template <class T, class Change>
 Slopes<T> eval_mean_plane(const Mesh& mesh, const Fans& fans, std::uint32_t vertex,
                           const Change& change) {
@@ -163,12 +167,12 @@ Slopes<T> eval_mean_plane(const Mesh& mesh, const Fans& fans, std::uint32_t vert
   return mean.get();
 }
 
-// Finds the slopes at inner vertices first, then on straight borders, then at corners.
+// Finds the slopes of all vertices: first inside, then on straight borders, then at corners.
 struct SlopeFinder {
   const Mesh& mesh;
   const Fans& fans;
   std::span<const Rgb> vertices;
-  std::vector<Slopes<Rgb>> slopes;  // slopes found so far
+  std::vector<Slopes<Rgb>> slopes;  // the slopes found so far, by vertex
 
   Rgb difference(std::uint32_t from, std::uint32_t to) const {
     return vertices[to] + -1.0 * vertices[from];
@@ -177,20 +181,20 @@ struct SlopeFinder {
     return unfold(mesh.vertices[from], mesh.vertices[to].at);
   }
 
-  // Extrapolates the change at the beginning of an edge: 2 (B_1 - B_0) - m, by the parabola through
-  // both ends that has the slope m at the far end. `back` is -m, the slope in the opposite
-  // direction.
+  // Extrapolates the change at the beginning of an edge by the parabola through both ends that has
+  // the known slope m at the far end: 2 (B_1 - B_0) - m. `whole` is B_1 - B_0. `back` is -m, the
+  // slope in the opposite direction.
   static Rgb bend(const Rgb& whole, const Rgb& back) { return 2.0 * whole + back; }
 
-  // The change at the beginning of an edge that leads inside.
+  // The change at the beginning of an edge that leads into the surface.
   Rgb find_inner_change(std::uint32_t vertex, std::uint32_t neighbour) const {
     const Rgb whole = difference(vertex, neighbour);
     if (fans.places[neighbour] >= fans.places[vertex]) return whole;
     return bend(whole, along(slopes[neighbour], way(neighbour, vertex)));
   }
 
-  // The change along a border to a neighbour; none unless the border passes straight through the
-  // vertex or a twin.
+  // The change along a border to a neighbour. None unless the border goes straight through the
+  // vertex or one of its twins.
   std::optional<Rgb> find_straight_change(std::uint32_t vertex, std::uint32_t neighbour) const {
     const Vertex& to = mesh.vertices[neighbour];
     std::uint32_t v = vertex;
@@ -205,7 +209,7 @@ struct SlopeFinder {
     return std::nullopt;
   }
 
-  // The change along a border, computed only from vertices on the border, so that it is the same on
+  // The change along a border. It depends only on vertices of the border, so that it is the same on
   // both sides of a crease.
   Rgb find_border_change(std::uint32_t vertex, std::uint32_t neighbour) const {
     if (const auto known = find_straight_change(vertex, neighbour)) return *known;
@@ -214,8 +218,8 @@ struct SlopeFinder {
     return back ? bend(whole, *back) : whole;
   }
 
-  // Replaces the slope along a straight border by that of the parabola through the vertex and its
-  // two neighbours.
+  // Replaces the slope along a straight border by the slope of the parabola through the vertex and
+  // its two neighbours on the border.
   void follow_border(std::uint32_t vertex, const Border& border, Slopes<Rgb>& at) const {
     const Vec a = way(vertex, border.after), b = way(vertex, border.before);
     const double la = length(a), lb = length(b);
@@ -227,8 +231,8 @@ struct SlopeFinder {
     at = at + Slopes<Rgb>{whole.x * missing, whole.y * missing, whole.z * missing};
   }
 
-  // Replaces the slopes at a corner by the plane through its two borders, unless these are nearly
-  // parallel.
+  // Replaces the slopes at a corner by those of the plane through its two borders, unless the
+  // borders are nearly parallel.
   void follow_borders(std::uint32_t vertex, const Border& border, Slopes<Rgb>& at) const {
     const Vec& normal = mesh.vertices[vertex].normal;
     const Vec a = way(vertex, border.after), b = way(vertex, border.before);
@@ -267,10 +271,10 @@ std::vector<Slopes<Rgb>> find_slopes(const Mesh& mesh, const Fans& fans,
 
 namespace {
 
-// Rotates slopes by the shortest rotation that takes the unit normal `from` to `to`.
+// Rotates the slopes by the smallest rotation that takes the unit normal `from` to `to`.
 Slopes<Rgb> turn(const Slopes<Rgb>& slopes, const Vec& from, const Vec& to) {
   const double cosine = dot(from, to);
-  if (!(cosine > -0.5)) return {};  // larger rotations cannot occur within a patch
+  if (!(cosine > -0.5)) return {};  // a larger rotation cannot occur within a patch
   const Rgb out = -1 / (1 + cosine) * along(slopes, to);
   const Vec both = from + to;
   return slopes + Slopes<Rgb>{both.x * out, both.y * out, both.z * out};
@@ -293,7 +297,7 @@ Rgb find_twist(const Mesh& mesh, const Wedge& wedge, const Slopes<Rgb>& slopes,
   const Vec next = mesh.vertices[wedge.next].at, prev = mesh.vertices[wedge.prev].at;
   const Vec opposite = mesh.vertices[corners[(wedge.corner + 2) % 4]].at;
   const Vec a = unfold(v, next), b = unfold(v, prev);
-  // Takes the mean, since the two orders of differentiation must agree.
+  // The two orders of differentiation must give one result, so takes their mean.
   const Rgb mixed = 0.5 * (along(along(bend, a), b) + along(along(bend, b), a));
   return mixed + along(slopes, (v.at - next) + (opposite - prev));
 }
