@@ -11,8 +11,8 @@ namespace renderer {
 
 namespace {
 
-// Directions to the nine children of a sphere that points towards +z: six around its equator, 15
-// degrees off the axes, and three above.
+// Directions from a sphere that points towards +z to its nine children: six around its equator, at
+// 15 degrees from the axes, and three above.
 std::array<Vec, 9> make_directions() {
   const double s = (std::sqrt(6.0) - std::sqrt(2.0)) / 4, c = (std::sqrt(6.0) + std::sqrt(2.0)) / 4;
   const double h = std::sqrt(0.5), low = std::sqrt(1 / 3.0), high = std::sqrt(2 / 3.0);
@@ -27,7 +27,7 @@ std::array<Vec, 9> make_directions() {
            {h, -h, 0}}};
 }
 
-// Applies to `v` the shortest rotation from +z to the unit vector `to`. Uses no sines, so that all
+// Rotates `v` by the shortest rotation from +z to the unit vector `to`. Uses no sines, so that all
 // hosts get the same bits.
 Vec turn(const Vec& v, const Vec& to) {
   const double d = 1 + to.z;
@@ -41,7 +41,7 @@ Vec turn(const Vec& v, const Vec& to) {
 struct Flake {
   Vec centre;
   double radius;
-  Vec up;  // unit vector away from the centre of its parent
+  Vec up;  // unit vector away from the parent's centre
 };
 
 std::vector<Flake> make_sphereflake(std::size_t n) {
@@ -59,8 +59,8 @@ std::vector<Flake> make_sphereflake(std::size_t n) {
   return flakes;
 }
 
-// Rounds to six significant digits, like the SPD's own program. Only this rounding reproduces the
-// ray counts of the SPD's files, since rays between touching spheres depend on it.
+// Rounds to six significant digits, as the SPD's own program does. Rays between touching spheres
+// depend on this rounding; without it, the numbers of rays would differ from those of the SPD.
 double round_to_six_digits(double value) {
   char text[32];
   const char* end = fmt::format_to(text, "{:.6g}", value);
@@ -68,13 +68,13 @@ double round_to_six_digits(double value) {
   return value;
 }
 
-// Adds a polygon of the room. z is up; lengths are in metres.
+// Adds a rectangle to the room. z points up; lengths are in metres.
 void add_rectangle(Scene& scene, const Vec& corner, const Vec& u, const Vec& v) {
   const Vec corners[] = {corner, corner + u, corner + u + v, corner + v};
   add_polygon(scene, corners);
 }
 
-// Adds a block between two opposite corners. Its six faces point outwards.
+// Adds a block, given by two opposite corners. Its six faces point outwards.
 void add_block(Scene& scene, const Vec& lo, const Vec& hi) {
   const Vec x{hi.x - lo.x, 0, 0}, y{0, hi.y - lo.y, 0}, z{0, 0, hi.z - lo.z};
   add_rectangle(scene, lo, y, x);
@@ -87,7 +87,7 @@ void add_block(Scene& scene, const Vec& lo, const Vec& hi) {
 
 constexpr double ROOM_X = 5, ROOM_Y = 5, ROOM_Z = 2.7;
 
-// Adds a grid of lights below the ceiling, filled row by row.
+// Adds a grid of `lights` point lights below the ceiling, row by row.
 void add_room_lights(Scene& scene, int lights) {
   const int columns = static_cast<int>(std::ceil(std::sqrt(lights)));
   const int rows = (lights + columns - 1) / columns;
@@ -98,7 +98,7 @@ void add_room_lights(Scene& scene, int lights) {
                             {intensity, intensity, intensity}});
 }
 
-// Adds the walls of the room. The back wall surrounds the window.
+// Adds the walls of the room. The back wall leaves an opening for the window.
 void add_room_walls(Scene& scene, const Vec& window_lo, const Vec& window_hi) {
   const Vec x{ROOM_X, 0, 0}, y{0, ROOM_Y, 0}, z{0, 0, ROOM_Z}, back = y;
   add_rectangle(scene, {0, 0, 0}, z, x);
@@ -113,7 +113,7 @@ void add_room_walls(Scene& scene, const Vec& window_lo, const Vec& window_hi) {
                 {0, 0, height});
 }
 
-// Adds the legs of the table, and the rails between neighbouring legs below the top.
+// Adds the legs of the table, and the rails between neighbouring legs under the table top.
 void add_table_frame(Scene& scene, const Vec& lo, const Vec& hi) {
   constexpr double RADIUS = 0.03;
   const Vec feet[] = {{lo.x, lo.y, 0}, {hi.x, lo.y, 0}, {hi.x, hi.y, 0}, {lo.x, hi.y, 0}};

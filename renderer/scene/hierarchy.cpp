@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::uint32_t NONE = Box::INNER;
 
-// Limit on the nodes that insertion may visit: a constant, plus a number for each object.
+// Limit on the number of nodes visited by insertion: a constant, plus a number for each object.
 constexpr std::size_t MOST_LOOKS = 10'000'000, MOST_LOOKS_PER_OBJECT = 2000;
 
 struct Node {
@@ -23,7 +23,7 @@ struct Node {
 struct Tree {
   std::vector<Node> nodes;
   std::uint32_t root = NONE;
-  std::size_t looks = 0;  // number of nodes that insertion has visited
+  std::size_t looks = 0;  // number of nodes visited by insertion so far
 };
 
 std::uint32_t add_node(Tree& tree, const Bounds& bounds, std::uint32_t item) {
@@ -36,7 +36,7 @@ void append_child(Tree& tree, std::uint32_t parent, std::uint32_t child) {
   tree.nodes[child].parent = parent;
 }
 
-// Replaces `leaf` by an inner node that has `leaf` as its child.
+// Replaces `leaf` by a new inner node with `leaf` as its only child, and returns the inner node.
 std::uint32_t make_pair_place(Tree& tree, std::uint32_t leaf) {
   const std::uint32_t inner = add_node(tree, tree.nodes[leaf].bounds, NONE);
   const std::uint32_t parent = tree.nodes[leaf].parent;
@@ -49,7 +49,7 @@ std::uint32_t make_pair_place(Tree& tree, std::uint32_t leaf) {
   return inner;
 }
 
-// The best node found so far for a new object to join.
+// The best node found so far that a new object can join.
 struct Choice {
   std::uint32_t node = NONE;
   double cost = Bounds::INF;
@@ -59,14 +59,14 @@ struct Choice {
   }
 };
 
-// A path down the tree. `inherited` is the added cost of the nodes above `node`.
+// A node to be searched. `inherited` is the cost that the object adds to all nodes above it.
 struct Way {
   std::uint32_t node;
   double inherited;
 };
 
-// Computes the cost of adding `object` as a further child of `way.node`, and the cost of pairing
-// it with each leaf among the node's children. Appends to `ways` the paths to search next.
+// Evaluates two ways to add `object`: as a further child of `way.node`, and paired with each leaf
+// among the node's children. Appends to `ways` the nodes to be searched next.
 void weigh(const Tree& tree, const Bounds& object, const Way& way, Choice& best,
            std::vector<Way>& ways) {
   const Node& n = tree.nodes[way.node];
@@ -88,12 +88,13 @@ void weigh(const Tree& tree, const Bounds& object, const Way& way, Choice& best,
   std::reverse(ways.begin() + static_cast<std::ptrdiff_t>(before), ways.end());
 }
 
-// Finds the node that `object` should join: an inner node as another child, or a leaf to form a
-// pair. The cost of a node is its area times its number of children. The cost of a choice includes
-// the growth of all nodes above. The search descends to the child that grows least. It ends at a
-// leaf, or when no node below can be better, since every place costs at least the object's own
-// area. If several children grow equally, because they contain the object, it tries all and takes
-// the least cost. (Goldsmith and Salmon take the child with the nearest centre, or any.)
+// Finds the node that `object` should join: an inner node, as another child, or a leaf, to form a
+// pair with it. The cost of a node is its area multiplied by its number of children. The cost of a
+// choice includes the growth of all nodes above. The search descends to the child that grows least.
+// It ends at a leaf, or when no node below can be better, because every place costs at least the
+// object's own area. If several children grow equally, because they contain the object, it tries
+// all of them and takes the lowest cost. (Goldsmith and Salmon take the child with the nearest
+// centre, or any.)
 std::uint32_t find_place(Tree& tree, const Bounds& object) {
   Choice best{tree.root};
   if (tree.nodes[tree.root].item != NONE) return best.node;
@@ -122,8 +123,8 @@ void insert(Tree& tree, const Bounds& object, std::uint32_t item) {
     tree.nodes[up].bounds = join(tree.nodes[up].bounds, object);
 }
 
-// Adds a tree of the given items and returns its root. Splits recursively at the median of the
-// centres, along the axis of their largest extent.
+// Builds a tree of the given objects and returns its root. Splits recursively at the median of the
+// objects' centres, along the axis in which the centres extend most.
 std::uint32_t add_halves(Tree& tree, std::span<const Bounds> objects,
                          std::span<std::uint32_t> items) {
   if (items.size() == 1) return add_node(tree, objects[items[0]], items[0]);
@@ -144,7 +145,8 @@ std::uint32_t add_halves(Tree& tree, std::span<const Bounds> objects,
   return inner;
 }
 
-// Adds the objects from `first` on by median splits, without a search for the best place of each.
+// Adds the objects from number `first` on, by median splits instead of a search for the best place
+// of each object.
 void add_rest(Tree& tree, std::span<const Bounds> objects, std::size_t first) {
   std::vector<std::uint32_t> items(objects.size() - first);
   std::iota(items.begin(), items.end(), static_cast<std::uint32_t>(first));
@@ -156,7 +158,7 @@ void add_rest(Tree& tree, std::span<const Bounds> objects, std::size_t first) {
   tree.root = both;
 }
 
-// The bounds of all boxes, from the bounds of the objects in them.
+// The bounding boxes of all nodes, computed from the bounding boxes of the objects in them.
 std::vector<Bounds> eval_bounds(const std::vector<Box>& boxes, std::span<const Bounds> objects) {
   std::vector<Bounds> all(boxes.size());
   for (std::size_t i = boxes.size(); i-- > 0;) {
@@ -174,7 +176,7 @@ Bounds mix(const Bounds& a, const Bounds& b, double share) {
   return {(1 - share) * a.lo + share * b.lo, (1 - share) * a.hi + share * b.hi};
 }
 
-// Sets the boxes' bounds when the shutter opens, and their motion with the objects.
+// Sets the boxes as they are when the shutter opens, and their displacement with the objects.
 void set_motion(Hierarchy& hierarchy, std::span<const Bounds> at_open,
                 std::span<const Bounds> at_close) {
   auto& boxes = hierarchy.boxes;
@@ -185,8 +187,8 @@ void set_motion(Hierarchy& hierarchy, std::span<const Bounds> at_open,
   }
 }
 
-// Expected cost of a ray, as in find_place(), summed over three times: shutter open, halfway and
-// closed.
+// Expected cost of a ray, with costs as in find_place(). It is the sum over three times: shutter
+// open, halfway and closed.
 double eval_cost(const Hierarchy& hierarchy) {
   const auto& boxes = hierarchy.boxes;
   double cost = 0;
@@ -206,7 +208,7 @@ double eval_cost(const Hierarchy& hierarchy) {
 Hierarchy make_hierarchy(std::span<const Bounds> objects) {
   Tree tree;
   tree.nodes.reserve(2 * objects.size());
-  // Limits insertion, since it takes quadratic time if many objects are in the same place: all
+  // Limits insertion: it takes quadratic time if many objects are in one place, because all of them
   // become children of one box.
   const std::size_t most = MOST_LOOKS + MOST_LOOKS_PER_OBJECT * objects.size();
   std::size_t inserted = 0;
@@ -214,10 +216,10 @@ Hierarchy make_hierarchy(std::span<const Bounds> objects) {
     insert(tree, objects[inserted], static_cast<std::uint32_t>(inserted));
   if (inserted < objects.size()) add_rest(tree, objects, inserted);
 
-  // Stores boxes depth first. The skip of a box is set after its content has been stored.
+  // Stores boxes depth first. Sets `skip` of a box after the boxes inside it have been stored.
   struct Step {
     std::uint32_t index;
-    bool ends_box;  // true: completes the box `index`; false: stores the node `index`
+    bool ends_box;  // true: sets `skip` of the box `index`; false: stores the node `index`
   };
   Hierarchy flat;
   flat.boxes.reserve(tree.nodes.size());
@@ -240,8 +242,8 @@ Hierarchy make_hierarchy(std::span<const Bounds> objects) {
   return flat;
 }
 
-// Builds a hierarchy for each of three times and keeps the best, since insertion is greedy and the
-// best time cannot be predicted.
+// Builds a hierarchy for each of three times and keeps the best one: the order of insertion
+// matters, so that the best time cannot be predicted.
 Hierarchy make_hierarchy(std::span<const Bounds> at_open, std::span<const Bounds> at_close) {
   Hierarchy best;
   double least = Bounds::INF;

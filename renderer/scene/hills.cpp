@@ -9,17 +9,18 @@ namespace renderer {
 
 namespace {
 
-// Seeds of the random numbers, one for each purpose. Octaves of ridges use the seeds from 0 on.
+// Seeds of the random numbers, one for each purpose. The octaves of eval_ridges() use the seeds
+// from 0 upwards.
 enum Seed { ROLLING = 100, ROUGHNESS, MASSIFS, BORDERS, FORESTS, ORDER };
 
-// A random number from -1 to 1, keyed by `which` and a lattice point.
+// A random number from -1 to 1. It depends only on `which` and on a point of the integer lattice.
 double random_at_point(std::uint64_t which, double x, double y) {
   const auto key = (static_cast<std::uint64_t>(static_cast<std::int64_t>(x)) << 32) ^
                    static_cast<std::uint32_t>(static_cast<std::int64_t>(y));
   return static_cast<double>(base::random_at(which, key) >> 11) * 0x1p-52 - 1;
 }
 
-// K. Perlin's gradient noise (1985, 2002), about -0.7..0.7, and 0 on the integer lattice.
+// K. Perlin's gradient noise (1985, 2002). Its values are about -0.7..0.7, and 0 at lattice points.
 double eval_noise(std::uint64_t seed, double x, double y) {
   const double left = std::floor(x), front = std::floor(y), u = x - left, v = y - front;
   const auto slope = [&](double i, double j) {
@@ -32,7 +33,7 @@ double eval_noise(std::uint64_t seed, double x, double y) {
   return blend(v, blend(u, slope(0, 0), slope(1, 0)), blend(u, slope(0, 1), slope(1, 1)));
 }
 
-// F. Musgrave's ridged multifractal, 0 to about 1, with rugged heights and smooth valleys.
+// F. Musgrave's ridged multifractal, from 0 to about 1. Heights are rugged, and valleys are smooth.
 double eval_ridges(double x, double y) {
   constexpr int OCTAVES = 8;
   double sum = 0, share = 0.5, weight = 1;
@@ -40,7 +41,7 @@ double eval_ridges(double x, double y) {
     const double ridge = 1 - std::min(1.0, 1.5 * std::abs(eval_noise(octave, x, y)));
     weight = std::min(1.0, ridge * ridge * weight * 1.6);
     sum += share * weight;
-    // rotated and shifted, so that octaves share no lattice
+    // rotated and shifted, so that no two octaves have a common lattice
     const double turned = 2 * (0.8 * x - 0.6 * y) + 0.37;
     y = 2 * (0.6 * x + 0.8 * y) + 0.59;
     x = turned;
@@ -48,14 +49,14 @@ double eval_ridges(double x, double y) {
   return sum;
 }
 
-// Smooth step from 0 before `from` to 1 beyond `to`.
+// A smooth step: 0 up to `from`, 1 from `to` on.
 double eval_step(double from, double to, double value) {
   const double t = std::clamp((value - from) / (to - from), 0.0, 1.0);
   return t * t * (3 - 2 * t);
 }
 
-// Height of the ground above the lake's surface, which is at 0. Distant ground rises to mountains
-// of different heights.
+// Height of the ground above the surface of the lake, which is at 0. Distant ground rises to
+// mountains of different heights.
 double eval_ground(double x, double y) {
   const double hills = 1.8 * (eval_ridges(x / 8 + 1.6, y / 8) - 0.4);
   const double rolling =
@@ -69,17 +70,17 @@ double eval_ground(double x, double y) {
   return 0.7 + hills + rolling + mountains - lake;
 }
 
-// Indices of points, counter-clockwise from above.
+// Indices of the points of a triangle, counter-clockwise as seen from above.
 using Corners = std::array<std::uint32_t, 3>;
 
-// Strips of triangles between rows of points, from the front row to the back row.
+// Strips of triangles between rows of points; rows run from front to back.
 struct Ground {
   std::vector<Vec> points;
   std::vector<Corners> triangles;
 };
 
-// Adds a row. `way` runs from 0 in front to 1 at the back. Distance and width of rows grow with
-// `way`, by a fourth power that approximates an exponential.
+// Adds a row of points. `way` is 0 for the front row and 1 for the back row. Distance and width of
+// rows grow with the fourth power of a function of `way` that approximates an exponential.
 void add_row(Ground& ground, double way, int segments) {
   constexpr double REACH = 0.42;
   const double q = (1 + REACH * way) / (1 - REACH * way), distance = 1.2 * q * q * q * q;
@@ -90,8 +91,8 @@ void add_row(Ground& ground, double way, int segments) {
   }
 }
 
-// Adds the triangles between the rows that begin at `front` and at `back`. The back row ends at
-// `end`.
+// Adds the triangles between two rows of points: from index `front` to `back` - 1, and from `back`
+// to `end` - 1.
 void add_strip(Ground& ground, std::uint32_t front, std::uint32_t back, std::uint32_t end) {
   const auto& p = ground.points;
   for (std::uint32_t a = front, b = back; a + 1 < back || b + 1 < end;) {
@@ -102,9 +103,9 @@ void add_strip(Ground& ground, std::uint32_t front, std::uint32_t back, std::uin
   }
 }
 
-// Makes `n` triangles. A strip has a triangle for each segment of its two rows, and all rows get
-// the same number of segments. Each two of the remaining triangles come from an extra segment of an
-// inner row, and a last one from an extra segment of the last row.
+// Makes `n` triangles in strips. A strip has a triangle for each segment of its two rows. All rows
+// get the same number of segments; some get one more to reach `n`. An extra segment in an inner row
+// adds two triangles, one in the last row adds one.
 Ground make_ground(int n) {
   const int strips = static_cast<int>(std::sqrt(0.8 * n)), segments = n / (2 * strips);
   const int wanting = n % (2 * strips);
@@ -120,14 +121,15 @@ Ground make_ground(int n) {
   return ground;
 }
 
-// Shuffles the triangles. In row order, the boxes of the hierarchy would be as long as rows, and
-// the number of tests would double.
+// Shuffles the triangles. In the order of rows, the boxes of the hierarchy would be as long as
+// rows, which would double the number of tests.
 void shuffle(std::vector<Corners>& triangles) {
   for (std::size_t i = triangles.size(); i > 1; --i)
     std::swap(triangles[i - 1], triangles[base::random_at(ORDER, i) % i]);
 }
 
-// Makes a unit normal for each point: the mean of the triangles around it, weighted by their areas.
+// Makes a unit normal for each point: the mean of the normals of the triangles around it, weighted
+// by area.
 std::vector<Vec> make_normals(const Ground& ground) {
   const auto& p = ground.points;
   std::vector<Vec> normals(p.size());
@@ -145,7 +147,8 @@ constexpr Surface COVERS[] = {{.colour = {0.10, 0.22, 0.30}, .kd = 0.45, .ks = 0
                               {.colour = {0.56, 0.50, 0.45}, .kd = 0.8},
                               {.colour = {0.95, 0.96, 1.00}, .kd = 0.9}};
 
-// Ground cover of a triangle, by height and slope. Noise frays the borders between covers.
+// Chooses the ground cover of a triangle by its height and slope. Noise frays the borders between
+// covers.
 Cover choose_cover(const Ground& ground, const std::vector<Vec>& normals, const Corners& corners) {
   Vec centre, normal;
   for (const auto i : corners) {
@@ -182,7 +185,7 @@ Scene make_hills(int n) {
     for (const auto& [a, b, c] : covered[cover]) {
       const std::array at = {ground.points[a], ground.points[b], ground.points[c]};
       const std::array bent = {normals[a], normals[b], normals[c]};
-      // A splinter between steep neighbours may face away from the normals at its corners.
+      // A thin triangle between steep neighbours may face away from the normals at its corners.
       const Vec flat = cross(at[1] - at[0], at[2] - at[0]);
       const bool is_front =
           std::ranges::all_of(bent, [&](const Vec& normal) { return dot(normal, flat) > 0; });

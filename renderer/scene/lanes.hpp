@@ -1,6 +1,6 @@
 #pragma once
-// SIMD arithmetic on four numbers, points or colours. Each lane gets the same bits as a scalar
-// computation would. SIMD is faster on processors with wide registers.
+// SIMD arithmetic on LANES (four) numbers, points or colours. Each lane gets the same bits as a
+// scalar computation. SIMD is faster on processors with wide registers.
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,8 @@
 
 #include "renderer/scene/vec.hpp"
 
-// Lanes are passed only to inlined functions, so that calling conventions do not matter.
+// Lanes are passed only to inlined functions, so that no calling convention for SIMD types is
+// needed.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wpsabi"
 
@@ -18,13 +19,13 @@ namespace renderer {
 inline constexpr std::size_t LANES = 4;
 
 using Lanes = double __attribute__((vector_size(LANES * sizeof(double))));
-/// Integers as masks: a comparison yields -1 in lanes where it holds, and 0 elsewhere.
+/// Integers used as masks: a comparison gives -1 in lanes where it is true, and 0 in the others.
 using Mask = std::int64_t __attribute__((vector_size(LANES * sizeof(std::int64_t))));
 
 [[gnu::always_inline]] inline bool holds_any(const Mask& mask) {
   return (mask[0] | mask[1] | mask[2] | mask[3]) != 0;
 }
-/// Number of lanes that the mask selects; for a sum of masks, the total over them.
+/// Number of lanes that are set in the mask; for a sum of masks, the total over these masks.
 [[gnu::always_inline]] inline std::uint64_t count(const Mask& mask) {
   return static_cast<std::uint64_t>(-(mask[0] + mask[1] + mask[2] + mask[3]));
 }
@@ -76,10 +77,10 @@ struct Rgbs {
   return Lanes{std::sqrt(a[0]), std::sqrt(a[1]), std::sqrt(a[2]), std::sqrt(a[3])};
 }
 [[gnu::always_inline]] inline Lanes abs(const Lanes& a) { return a < 0.0 ? -a : a; }
-/// std::min() and std::max() in each lane.
+/// std::min() and std::max(), in each lane.
 [[gnu::always_inline]] inline Lanes min(const Lanes& a, const Lanes& b) { return b < a ? b : a; }
 [[gnu::always_inline]] inline Lanes max(const Lanes& a, const Lanes& b) { return a < b ? b : a; }
-/// std::clamp() in each lane.
+/// std::clamp(), in each lane.
 [[gnu::always_inline]] inline Lanes clamp(const Lanes& a, double lo, double hi) {
   const Lanes least = a < lo ? lo - Lanes{} : a;
   return hi < least ? hi - Lanes{} : least;
@@ -92,9 +93,10 @@ template <class Call>
 }
 #endif
 
-/// Calls a function that computes with Lanes, with wide registers if the processor has them. The
-/// call operator must be declared always_inline, and call only inlined functions with Lanes by
-/// value. (Results are the same without wide registers, since AVX2 has no fused multiply-add.)
+/// Calls a function that computes with Lanes, compiled for wide registers if the processor has
+/// them. The call operator must be declared always_inline, and may pass Lanes by value only to
+/// inlined functions. (The results are the same with or without wide registers, because AVX2 has no
+/// fused multiply-add.)
 template <class Call>
 void run_in_lanes(const Call& call) {
 #if defined(__x86_64__) && defined(__GNUC__)

@@ -6,18 +6,19 @@ namespace renderer {
 
 namespace {
 
-// tolerances relative to a polygon's size, and to its square
+// Tolerances relative to a polygon's size (MAX_BEND, FLAT) and to its square (MIN_AREA).
 constexpr double MAX_BEND = 0.05, FLAT = 1e-6, MIN_AREA = 1e-12;
 
-// Generous bound on the rounding error of a ray's test, relative to the largest coordinate.
+// Generous bound on the rounding error of a ray's intersection test, relative to the largest
+// coordinate.
 constexpr double ROUNDING = 64 * std::numeric_limits<double>::epsilon();
-// Largest distance from an edge to which pull_inside() moves a point, and largest length of its
-// way, relative to a polygon's longest edge.
+// Limits of pull_inside(), relative to a polygon's longest edge: the distance from an edge at which
+// it moves points to, and the length of its displacement.
 constexpr double MAX_PULL = 1e-3, MAX_WAY = 1e-2;
-// Edges with a smaller sine of the angle between them count as parallel.
+// Two edges count as parallel if the sine of the angle between them is smaller than this.
 constexpr double SHARPEST = 1e-3;
 
-// Newell's method, which is correct for any simple polygon, also concave or only nearly flat ones.
+// Newell's method. It is correct for any simple polygon, even a concave or a nearly flat one.
 Vec eval_newell_normal(std::span<const Vec> corners, const Vec& centre) {
   Vec sum;
   for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++)
@@ -25,7 +26,7 @@ Vec eval_newell_normal(std::span<const Vec> corners, const Vec& centre) {
   return sum;
 }
 
-// True if all turns are to the same side and the edges go up once and down once.
+// True if all corners turn to the same side, and the border goes up once and down once.
 bool is_convex(std::span<const PolygonCorner> corners) {
   const std::size_t n = corners.size();
   const auto rise = [&](std::size_t i) { return corners[(i + 1) % n].v - corners[i % n].v; };
@@ -43,7 +44,7 @@ bool is_convex(std::span<const PolygonCorner> corners) {
   return (left == 2 * n || right == 2 * n) && climbs <= 1;
 }
 
-// Sets the edges of a polygon from its corners.
+// Computes the edges of a polygon from its corners.
 void set_edges(std::span<PolygonCorner> corners) {
   const PolygonCorner& first = corners.front();
   PolygonCorner* last = &corners.back();
@@ -60,7 +61,7 @@ void set_edges(std::span<PolygonCorner> corners) {
   }
 }
 
-// Sets the fields that tell which rays need intersect_closely().
+// Sets the fields of a polygon that decide which rays need intersect_closely().
 void set_limits(Polygon& polygon, std::span<const Vec> corners, const Bounds& box, double size) {
   double bend = 0;
   for (const Vec& p : corners)
@@ -179,7 +180,7 @@ Bounds make_bounds(const Polygon& polygon, std::span<const PolygonCorner> pool) 
 }
 
 Bounds make_bounds(const Cone& cone) {
-  // A disc of radius r perpendicular to the unit axis a extends r * sqrt(1 - a_i^2) along
+  // A disc of the radius r, perpendicular to the unit axis a, extends r * sqrt(1 - a_i^2) along
   // coordinate i.
   const Vec& a = cone.axis;
   const auto reach = [](double c) { return std::sqrt(std::max(0.0, 1 - c * c)); };
@@ -200,8 +201,8 @@ Vec eval_normal(const Cone& c, const Vec& point) {
 
 namespace {
 
-// interpolate() with the vector `spoke(i)` from the point to corner i, and the value `value(i)` of
-// the corner.
+// Computes interpolate(). `spoke(i)` is the vector from the point to corner i, and `value(i)` is
+// the value at this corner.
 template <class Spoke, class Value>
 Blend blend(std::size_t count, const Spoke& spoke, const Value& value) {
   const auto size = [](const Corner& c) { return std::sqrt(c.u * c.u + c.v * c.v); };
@@ -213,18 +214,18 @@ Blend blend(std::size_t count, const Spoke& spoke, const Value& value) {
     if (a_size == 0) return {value_a, Blend::On::corner};
     if (b_size == 0) return {value_b, Blend::On::corner};
     const double below = a_size * b_size + a.u * b.u + a.v * b.v;
-    // On an edge, the value is linear between its ends.
+    // On an edge, the value is linear between the ends of the edge.
     if (!(below > 0)) return {b_size * value_a + a_size * value_b, Blend::On::edge};
-    // tangent of half the angle subtended by the edge
+    // tangent of half the angle that the edge spans as seen from the point
     const double half_tan = (a.u * b.v - a.v * b.u) / below;
     sum += (half_tan / a_size) * value_a + (half_tan / b_size) * value_b;
   }
   return {sum};
 }
 
-// Coordinates with a ray as third axis: (u, v) across it, 0 on it, and the distance w along it. The
-// transformation of a corner depends on nothing else, so that all faces with this corner agree on
-// its place.
+// Coordinates whose third axis is a ray: (u, v) across the ray, 0 on the ray, and the distance w
+// along it. The coordinates of a corner depend only on the ray and the corner, so that all faces
+// with this corner get equal values.
 struct RayAxes {
   RayAxes(const Vec& origin, const Vec& direction) {
     if (std::abs(direction.y) > std::abs(direction.x)) w = 1;
@@ -246,15 +247,15 @@ struct RayAxes {
   double shear_u, shear_v, inverse;
 };
 
-// True if the edge crosses the half-line v = 0, u > 0. The result is the same for both directions
-// of the edge.
+// True if the edge from p to q crosses the half-line v = 0, u > 0. The result does not depend on
+// the direction of the edge.
 bool crosses(const Corner& p, const Corner& q) {
   if ((p.v > 0) == (q.v > 0)) return false;
   const Corner &a = p.v > 0 ? q : p, &b = p.v > 0 ? p : q;
   return a.u * b.v - b.u * a.v > 0;
 }
 
-// The point of the edge nearest to (0, 0), with its distance along the ray.
+// The point of the edge that is nearest to (u, v) = (0, 0), with its distance along the ray.
 Corner3 find_nearest(const Corner3& a, const Corner3& b) {
   const double u = b.u - a.u, v = b.v - a.v, square = u * u + v * v;
   const double share = square > 0 ? std::clamp(-(a.u * u + a.v * v) / square, 0.0, 1.0) : 0;
@@ -283,9 +284,8 @@ double intersect_closely(const Polygon& polygon, const PolygonCorner* pool, cons
   }
   if (!(most > epsilon)) return NO_HIT;
 
-  // The even-odd rule finds one of the faces at a shared edge, as exactly one of them has an odd
-  // number of crossings. If the ray meets the edge itself, within rounding, it meets all of its
-  // faces.
+  // Of the faces at a shared edge, the even-odd rule finds exactly one: it has an odd number of
+  // crossings. If the ray meets the edge itself, within rounding, it meets all faces at this edge.
   const double tolerance = ROUNDING * largest;
   bool inside = false;
   double on_edge = NO_HIT;
@@ -309,15 +309,16 @@ double intersect_closely(const Polygon& polygon, const PolygonCorner* pool, cons
 
 namespace {
 
-// One or two edges that are close to a point: their corners, and their inward unit normals in the
-// plane (u, v).
+// One or two edges that are close to a point: their first corners, and their unit normals in the
+// plane (u, v), which point inwards.
 struct CloseEdges {
   std::size_t corner[2];
   Corner normal[2];
   int count = 0;
 };
 
-// Adds an edge that is nearer to a point than a margin. Returns false if there is no other one.
+// Adds to `edges` an edge that is nearer than `margin` to the point `at`. Returns false if there is
+// no further one.
 bool add_close_edge(std::span<const PolygonCorner> corners, const Corner& at, double margin,
                     CloseEdges& edges) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -333,8 +334,8 @@ bool add_close_edge(std::span<const PolygonCorner> corners, const Corner& at, do
   return false;
 }
 
-// The way by which the distance from the edges grows by a margin; at a corner, along its bisector.
-// It is 0 between two parallel edges.
+// The displacement by which the distance from the edges grows by `margin`. At a corner, it is along
+// the bisector. Between two parallel edges, it is 0.
 Corner find_way_inside(const CloseEdges& edges, double margin) {
   const auto& [a, b] = edges.normal;
   if (edges.count == 1) return {margin * a.u, margin * a.v};
@@ -358,7 +359,7 @@ Vec pull_inside(const Polygon& polygon, const PolygonCorner* pool, const Vec& po
   const double margin = std::min(EDGE_MARGIN * epsilon, MAX_PULL * span);
   CloseEdges edges;
   Corner way;
-  // At a sharp corner, the way from one edge leads close to another one.
+  // At a sharp corner, the displacement from one edge can lead close to another one.
   while (edges.count < 2 && add_close_edge(corners, {at.u + way.u, at.v + way.v}, margin, edges)) {
     way = find_way_inside(edges, margin);
     const double size = std::sqrt(way.u * way.u + way.v * way.v);

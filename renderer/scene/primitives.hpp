@@ -1,6 +1,6 @@
 #pragma once
-// The four primitives of NFF, prepared for intersection. The make_ functions throw BadInput "found
-// ..., expected ..." for degenerate shapes; readers of files add the position.
+// The four primitives of NFF, with data prepared for intersection tests. The make_ functions throw
+// BadInput "found ..., expected ..." for degenerate shapes; readers of files add the position.
 
 #include <cstdint>
 #include <vector>
@@ -9,10 +9,10 @@
 
 namespace renderer {
 
-/// Object and surface that a primitive belongs to.
+/// The object and the surface to which a primitive belongs.
 struct Tag {
-  std::uint32_t object = 0;   ///< number of the object, in file order
-  std::uint32_t surface = 0;  ///< surface of the object in Scene::surfaces
+  std::uint32_t object = 0;   ///< number of the object, from 0 in the file's order
+  std::uint32_t surface = 0;  ///< index of the surface in Scene::surfaces
 };
 
 struct Sphere {
@@ -21,13 +21,13 @@ struct Sphere {
   Tag tag;
 };
 
-/// A pair of coordinates. For a point of a polygon, they are those of its projection onto the
-/// coordinate plane with the least distortion.
+/// Two coordinates. For a point of a polygon, they are the coordinates of its projection onto that
+/// coordinate plane which distorts the polygon least.
 struct Corner {
   double u = 0, v = 0;
 };
 
-/// A pair of coordinates with the third one.
+/// Two coordinates as in Corner, and the third coordinate.
 struct Corner3 : Corner {
   double w = 0;
 };
@@ -37,57 +37,60 @@ struct Line {
   double normal_u = 0, normal_v = 0, offset = 0;
 };
 
-/// A polygon's corner and the edge from there to the next corner. The edge's normal points to the
-/// inside of a convex polygon, and is 0 if the corners are at the same place.
+/// A corner of a polygon, and the edge from it to the next corner. The edge's normal points to the
+/// inside of a convex polygon. The normal is 0 if both corners are at the same position.
 struct PolygonCorner : Corner3 {
   Line edge;
 };
 
-/// Shape of a polygon. If it is bent, corners are off the mean plane by more than rounding.
+/// Shape of a polygon. In a bent polygon, corners are off the mean plane by more than rounding
+/// errors.
 enum class Shape : std::uint8_t { convex, concave, bent };
 
-/// A polygon, convex or not. The even-odd rule defines its inside. Its corners run
-/// counter-clockwise as seen from its front, unless it is a patch.
+/// A polygon, which need not be convex. The even-odd rule defines its inside. Its corners are
+/// counter-clockwise as seen from its front, except for a Patch.
 struct Polygon {
   Vec normal;                          ///< unit normal of the front
-  double offset = 0;                   ///< the mean plane is dot(normal, p) = offset
-  std::uint32_t first = 0, count = 0;  ///< range of its corners in the scene's pool
-  std::uint8_t u = 0, v = 1, w = 2;    ///< kept axes u and v, and projection axis w
+  double offset = 0;                   ///< the mean plane is dot(normal, point) = offset
+  std::uint32_t first = 0, count = 0;  ///< first corner in Scene::corners, and number of corners
+  /// Indices of the axes u and v that are kept, and of the projected axis w.
+  std::uint8_t u = 0, v = 1, w = 2;
   Shape shape = Shape::concave;
   Tag tag;
-  double slack = 0;  ///< see eval_closeness(), scene units; infinite if the shape is bent
+  double slack = 0;  ///< in scene units, see eval_closeness(); infinite for a bent shape
 };
 
-/// A polygon with normals interpolated between its corners. They point to its front.
+/// A polygon with normals that are interpolated between its corners. They point to its front.
 struct Patch : Polygon {
-  std::uint32_t normals = 0;  ///< index of its first normal in the scene's pool of normals
+  std::uint32_t normals = 0;  ///< index of its first normal in Scene::normals
 };
 
-/// The side of a cone or cylinder, open at both ends.
+/// The curved side of a cone or cylinder, which is open at both ends.
 struct Cone {
   Vec base;
   Vec axis;  ///< unit vector from base to apex
   double height = 0, base_radius = 0;
-  double slope = 0;  ///< growth of the radius per unit of height
+  double slope = 0;  ///< growth of the radius per unit of height, from base to apex
   Tag tag;
 };
 
 Sphere make_sphere(const Vec& centre, double radius, Tag tag);
-/// Makes a polygon and appends its corners to `pool`. Corners off the mean plane by more than 5 %
-/// of the polygon's size are an error. A polygon bent by less is a surface through its edges.
+/// Makes a polygon and appends its corners to `pool`. Throws BadInput if a corner is off the mean
+/// plane by more than 5 % of the polygon's size. A polygon that is bent less is a surface through
+/// its edges.
 Polygon make_polygon(std::span<const Vec> corners, Tag tag, std::vector<PolygonCorner>& pool);
-/// Makes a patch. `corner_normals` has one for every corner, of any length but 0.
+/// Makes a patch. `corner_normals` has one normal for each corner, of any length except 0.
 Patch make_patch(std::span<const Vec> corners, std::span<const Vec> corner_normals, Tag tag,
                  std::vector<PolygonCorner>& pool, std::vector<Vec>& normal_pool);
-/// Throws BadInput if the corners form no valid polygon or, with normals, no valid patch. Polygons
-/// without an area are invalid.
+/// Throws BadInput if the corners form no valid polygon or, with normals, no valid patch. A polygon
+/// without an area is invalid.
 void check_polygon(std::span<const Vec> corners, std::span<const Vec> corner_normals);
 Cone make_cone(const Vec& base, double base_radius, const Vec& apex, double apex_radius, Tag tag);
 
-/// Position of a polygon's corner, as given.
+/// Position of a polygon's corner in the scene, with its original coordinates.
 Vec eval_corner(const Polygon& polygon, const Corner3& corner);
 
-// Translation of a primitive. The corners of a polygon are in `pool`.
+// Move a primitive by a vector. The corners of a polygon are in `pool`.
 void translate(Sphere& sphere, const Vec& by);
 void translate(Polygon& polygon, const Vec& by, std::vector<PolygonCorner>& pool);
 void translate(Cone& cone, const Vec& by);
@@ -96,15 +99,15 @@ Bounds make_bounds(const Sphere& sphere);
 Bounds make_bounds(const Polygon& polygon, std::span<const PolygonCorner> pool);
 Bounds make_bounds(const Cone& cone);
 
-/// The unit normal of the primitive itself at a point on it.
+/// The unit normal of a primitive at a point on it. For a patch, this is the normal of its plane.
 inline Vec eval_normal(const Sphere& s, const Vec& point) { return normalize(point - s.centre); }
 inline Vec eval_normal(const Polygon& p, const Vec&) { return p.normal; }
 Vec eval_normal(const Cone& c, const Vec& point);
 
 /// Interpolation at a point between values at a polygon's corners, by mean value coordinates (M.
-/// Floater, 2003). These are defined for any polygon, and barycentric in a triangle. `sum` is the
-/// interpolated value times a factor. The factor is 1 at a corner and > 0 on an edge. Elsewhere its
-/// sign depends on the side from which the polygon is projected.
+/// Floater, 2003). They exist for any polygon, and are barycentric in a triangle. `sum` is the
+/// interpolated value multiplied by a factor: 1 at a corner, positive on an edge. Elsewhere, the
+/// factor's sign depends on the side from which the polygon is projected.
 struct Blend {
   Vec sum;
   enum class On : std::uint8_t { inside, edge, corner } on = On::inside;
@@ -112,34 +115,35 @@ struct Blend {
 Blend interpolate(const Polygon& polygon, std::span<const PolygonCorner> pool,
                   std::span<const Vec> values, const Vec& point);
 
-/// The normal at a point, interpolated between those of the corners.
+/// The unit normal at a point of a patch, interpolated between the normals at the corners.
 Vec eval_smooth_normal(const Patch& patch, std::span<const PolygonCorner> pool,
                        std::span<const Vec> normal_pool, const Vec& point);
 
-// Ray-primitive tests. Each intersect() returns the least distance > epsilon at which the ray meets
-// the primitive, or infinity. For polygons it may also return infinity for a distance beyond
-// `reach`.
+// Intersection tests of a ray with a primitive. Each intersect() returns the smallest distance
+// greater than epsilon at which the ray meets the primitive, or infinity. For polygons, it may also
+// return infinity for a distance beyond `reach`.
 //
-// Self-intersection: a ray may start on the tested primitive itself. The root at the origin is then
-// known and omitted, regardless of rounding. A flat primitive has no other root, a quadric has one.
-// The epsilon is for other primitives that contain the origin.
+// Self-intersection: a ray may start on the tested primitive itself. The solution at the ray's
+// origin is then known and omitted, regardless of rounding. A flat primitive has no other solution,
+// a curved one has one. The epsilon is for other primitives that contain the origin.
 //
-// All tests, except for intersect_closely(), are inlined into every traversal, since calls would
-// slow a rendering by a tenth.
+// All tests except intersect_closely() are inlined into every traversal, because calls would slow
+// down a rendering by a tenth.
 
 inline constexpr double NO_HIT = std::numeric_limits<double>::infinity();
 
-/// A ray with the counts of its tests.
+/// A ray during a search, with the counts of its tests.
 struct Probe {
   const Vec &origin, &direction;
-  std::uint32_t from;            ///< object at the ray's origin
+  std::uint32_t from;            ///< number of the object on which the ray starts
   double epsilon;                ///< see eval_epsilon()
-  double reach;                  ///< distance beyond which hits do not matter
-  const PolygonCorner* corners;  ///< corner pool of the scene
+  double reach;                  ///< hits beyond this distance do not matter
+  const PolygonCorner* corners;  ///< Scene::corners
   double closeness;              ///< see eval_closeness()
-  /// number of sphere tests with a root, and of polygon tests with the plane ahead
+  /// Number of sphere tests whose equation has a solution, and of polygon tests with the plane
+  /// ahead.
   std::uint32_t roots = 0, edges = 0;
-  bool is_close = false;  ///< intersect_closely() has hit the polygon
+  bool is_close = false;  ///< intersect_closely() found the last hit
 
   bool starts_on(const Tag& tag) const { return tag.object == from; }
 };
@@ -150,8 +154,8 @@ struct Probe {
   const Vec to_centre = s.centre - origin;
   const double along = dot(to_centre, direction);
   if (ray.starts_on(s.tag)) return 2 * along > epsilon ? 2 * along : NO_HIT;
-  // Uses the foot of the perpendicular from the centre to the ray, which avoids cancellation even
-  // if the origin is far away.
+  // The foot of the perpendicular from the centre to the ray avoids cancellation even if the origin
+  // is far away.
   const Vec across = to_centre - along * direction;
   const double square = s.radius * s.radius - dot(across, across);
   if (!(square >= 0)) return NO_HIT;
@@ -162,12 +166,12 @@ struct Probe {
 }
 
 // Watertight meshes (S. Woop, C. Benthin and I. Wald, 2013). Rounding moves the point at which a
-// ray meets a polygon's plane. A ray through the common edge of two faces could thus miss both. The
-// test in the plane therefore decides only if the point is farther from all edges than rounding can
-// move it. Otherwise intersect_closely() decides.
+// ray meets a polygon's plane, so that a ray through the common edge of two faces could miss both.
+// The test in the plane therefore decides only if the point is farther from all edges than rounding
+// can move it. Otherwise, intersect_closely() decides.
 
-/// How far a point is inside a convex polygon: its least distance from the lines of the edges.
-/// Outside, the result is negative.
+/// How far a point is inside a convex polygon: the smallest distance from the lines of its edges.
+/// The result is negative outside.
 [[gnu::always_inline]] inline double find_depth_in_convex(std::span<const PolygonCorner> corners,
                                                           double u, double v) {
   const auto side = [&](std::size_t i) __attribute__((always_inline)) {
@@ -179,8 +183,8 @@ struct Probe {
   return least;
 }
 
-/// Like find_depth_in_convex(), but for any polygon, by the even-odd rule. The result may be nearer
-/// to 0 than the distance of the nearest edge, but it has the right sign.
+/// Like find_depth_in_convex(), but for any polygon, by the even-odd rule. The result has the right
+/// sign, but may be nearer to 0 than the distance to the nearest edge.
 [[gnu::always_inline]] inline double find_depth(std::span<const PolygonCorner> corners, double u,
                                                 double v) {
   bool inside = false;
@@ -200,41 +204,42 @@ struct Probe {
   return inside ? nearest : -nearest;
 }
 
-/// Least distance of a hit point from an edge, relative to the epsilon of rays that start at the
-/// hit point.
+/// Smallest distance of a hit point from an edge, as a multiple of the epsilon of rays that start
+/// at the hit point.
 inline constexpr double EDGE_MARGIN = 16;
 
-/// Largest cosine between a polygon's normal and a ray that counts as meeting the polygon edge-on.
+/// A ray meets a polygon edge-on if the cosine between the polygon's normal and the ray is at most
+/// this.
 inline constexpr double EDGE_ON = 1e-6;
 
-/// Part of Polygon::slack, relative to the largest coordinate. It is more than EDGE_MARGIN times
-/// the epsilon of rays that start on the polygon.
+/// Part of Polygon::slack, relative to the largest coordinate. It exceeds EDGE_MARGIN times the
+/// epsilon of rays that start on the polygon.
 inline constexpr double CLOSE = 32e-10;
 
-/// The ray's part of the distance from an edge, in scene units, below which intersect_closely()
-/// decides whether a perpendicular ray meets the polygon. The other part is Polygon::slack. The sum
-/// is well above the rounding error of the point at which the ray meets the plane. `shift` is the
-/// displacement of the polygon by its motion.
+/// The ray's part of a limit, in scene units. If a perpendicular ray meets the polygon's plane
+/// nearer than this limit to an edge, intersect_closely() decides whether it meets the polygon. The
+/// other part of the limit is Polygon::slack. The sum is well above the rounding error of the point
+/// in the plane. `shift` is the displacement of a moving polygon.
 [[gnu::always_inline]] inline double eval_closeness(double epsilon, const Vec& shift = {}) {
   return EDGE_MARGIN * epsilon + CLOSE * max_abs(shift);
 }
 
-/// Distance at which a ray meets a polygon, edges included, or infinity. For two polygons with a
-/// common edge, it is decided in the same way, to the last bit, on which side of the edge a ray
-/// passes. No ray therefore passes between them, whatever their shapes and the order of their
+/// The distance at which a ray meets a polygon, including its edges, or infinity. For two polygons
+/// with a common edge, the decision on which side of the edge a ray passes is the same to the last
+/// bit. Therefore, no ray passes between them, regardless of their shapes and the order of their
 /// corners.
 [[gnu::noinline, gnu::cold]] double intersect_closely(const Polygon& polygon,
                                                       const PolygonCorner* pool, const Vec& origin,
                                                       const Vec& direction, double epsilon);
 
-/// Moves a point of a polygon inside if it is close to an edge. Rays from the new point meet
-/// neighbouring faces at more than `epsilon`, unless the angle between the faces is less than some
-/// 4 degrees.
+/// Moves a point of a polygon inwards if it is close to an edge. Rays from the new point then meet
+/// neighbouring faces at a distance greater than `epsilon`, unless the angle between the faces is
+/// less than about 4 degrees.
 Vec pull_inside(const Polygon& polygon, const PolygonCorner* pool, const Vec& point,
                 double epsilon);
 
-// Half of the feelers in a room go towards a given wall, but nearly all end before it. Predictable
-// branches reject such polygons.
+// In a room, half of all rays to lights go towards a given wall, but nearly all of them end before
+// it. Branches that the processor predicts well reject such polygons.
 [[gnu::always_inline]] inline double intersect(const Polygon& p, Probe& ray) {
   if (ray.starts_on(p.tag)) return NO_HIT;
   const Vec &origin = ray.origin, &direction = ray.direction;
@@ -264,13 +269,16 @@ Vec pull_inside(const Polygon& polygon, const PolygonCorner* pool, const Vec& po
 [[gnu::always_inline]] inline double intersect(const Cone& c, Probe& ray) {
   const Vec &origin = ray.origin, &direction = ray.direction;
   const bool own = ray.starts_on(c.tag);
-  // Starts near the cone, so that the squared lengths below are of the order of the cone's size.
+  // Starts near the cone, so that the squared lengths below are not much larger than the cone's
+  // size.
   const double start = own ? 0 : dot(c.base + 0.5 * c.height * c.axis - origin, direction);
   const Vec p = origin + start * direction - c.base;
   const double p_along = dot(p, c.axis), d_along = dot(direction, c.axis);
   const Vec p_across = p - p_along * c.axis, d_across = direction - d_along * c.axis;
-  // The squared distance from the axis equals the squared radius, |p + t d|^2 = r^2, at that
-  // height: a t^2 + 2 b t + k = 0.
+  // At the ray's point p + t d, the squared distance from the axis equals the squared radius at
+  // that height,
+  // p + t d
+  // ^2 = r^2. This gives a t^2 + 2 b t + k = 0.
   const double radius = c.base_radius + c.slope * p_along, growth = c.slope * d_along;
   const double a = dot(d_across, d_across) - growth * growth;
   const double b = dot(p_across, d_across) - radius * growth;

@@ -1,23 +1,24 @@
 #pragma once
-// Input checks. Errors are BadInput "found ..., expected ...".
+// Checks of input. A failed check throws BadInput "found ..., expected ...".
 
 #include "base/fields.hpp"
 
 namespace renderer {
 
-/// Throws unless `holds`. The caller adds the position.
+/// Throws BadInput unless `holds` is true. The caller adds the position to the message.
 template <class Found>
 void require(bool holds, const Found& found, std::string_view expected) {
   if (!holds) throw base::BadInput(fmt::format("found {}, expected {}", found, expected));
 }
 
-/// Throws "field: found ..., expected ..." unless `holds`.
+/// Throws BadInput "field: found ..., expected ..." unless `holds` is true.
 template <class Found>
 void require(bool holds, std::string_view field, const Found& found, std::string_view expected) {
   base::require(holds, field, "found {}, expected {}", found, expected);
 }
 
-/// Throws if the declaration of a field forbids its value. The message has the field's name.
+/// Throws BadInput with the field's name if a member of `params` has a value that its field does
+/// not allow.
 template <class P>
 void require_allowed(const base::Fields<P>& fields, const P& params) {
   for (const auto& field : fields) {
@@ -26,7 +27,7 @@ void require_allowed(const base::Fields<P>& fields, const P& params) {
   }
 }
 
-/// Runs `action`. If it throws BadInput, puts `place` before the message.
+/// Calls `action`. If it throws BadInput, puts `place` before the message.
 template <class Action>
 void at_place(std::string_view place, const Action& action) {
   try {

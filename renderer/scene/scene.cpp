@@ -16,8 +16,8 @@ bool has_mesh_texture(const Scene& scene) {
   return texture != NO_TEXTURE && scene.textures[texture].mapping.kind == Mapping::Kind::mesh;
 }
 
-// Makes the tag of a new object. `shape` is its kind; `corners` is its number of corners with
-// texture coordinates.
+// Makes the tag of a new object. `shape` names its kind in messages. `corners` is the number of its
+// corners with texture coordinates.
 Tag make_tag(const Scene& scene, std::string_view shape, std::size_t corners = 0) {
   require(!scene.surfaces.empty(), "a primitive", "a surface ('f') before the first primitive");
   require(scene.objects.size() < MAX_OBJECTS, "more objects",
@@ -41,15 +41,15 @@ void check_coordinates(std::span<const Vec> corners, std::span<const Corner> coo
           "one pair for each vertex");
 }
 
-// Stores the texture coordinates of the last polygon's corners.
+// Stores the texture coordinates of the corners of the polygon added last.
 void add_coordinates(Scene& scene, std::span<const Corner> coordinates) {
   if (coordinates.empty() || !has_mesh_texture(scene)) return;
   scene.coordinates.resize(scene.corners.size() - coordinates.size());
   for (const auto& [u, v] : coordinates) scene.coordinates.push_back({u, v, 1});
 }
 
-// Sets the gradients of a polygon's texture coordinates by fitting a plane with least squares,
-// which is exact for a triangle.
+// Sets the gradients of a polygon's texture coordinates. Fits a plane to the corners by least
+// squares, which is exact for a triangle.
 void set_gradients(TexturePoint& found, const Polygon& polygon,
                    std::span<const PolygonCorner> corners, std::span<const Vec> coordinates) {
   const double share = 1.0 / static_cast<double>(corners.size());
@@ -109,15 +109,15 @@ std::vector<Bounds> move_all(const std::vector<Bounds>& bounds, const std::vecto
   return moved;
 }
 
-// The least length of a vector while it moves from `open` by `move`.
+// The smallest length of a vector that starts as `open` and changes linearly by `move`.
 double eval_least_length(const Vec& open, const Vec& move) {
   const double square = dot(move, move);
   const double time = square > 0 ? std::clamp(-dot(open, move) / square, 0.0, 1.0) : 0.0;
   return length(open + time * move);
 }
 
-// Throws unless the view stays valid until the shutter closes. Callers check that it is valid when
-// the shutter opens.
+// Throws BadInput unless the view stays valid until the shutter closes. Callers have checked that
+// it is valid when the shutter opens.
 void check_motion(const View& view) {
   const Vec open = view.at - view.from, move = view.at_move - view.from_move;
   const double longest = std::max(length(open), length(open + move));
@@ -130,7 +130,7 @@ void check_motion(const View& view) {
           "an 'up' that is not parallel to the line from 'from' to 'at'");
 }
 
-// Sorts the primitives of one kind into the order of the leaves.
+// Sorts the primitives of one kind into the order of the hierarchy's leaves.
 template <class Primitive>
 void reorder(std::vector<Primitive>& primitives, Kind kind, Scene& scene) {
   std::vector<Primitive> sorted;
@@ -179,7 +179,7 @@ void point(View& view) {
   view.above = cross(view.right, view.ahead);
 }
 
-// tan() is rounded from extended precision, so that every library yields the same double.
+// Rounds tan() from extended precision, so that every maths library gives the same double.
 View make_image_plane(View view) {
   require(view.angle > 0 && view.angle < 180, fmt::format("a view angle of {}", view.angle),
           "degrees between 0 and 180");

@@ -15,9 +15,10 @@ std::size_t area_of(int width, int height) {
   return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
 }
 
-// Calls `add(texel, overlap)` for each texel that texel `index` of the next level covers along one
-// side. `next` is the overlap of a whole texel. (If `length` is odd, three texels are covered, two
-// of them in part.)
+// Calls `add(texel, overlap)` for each texel of a level that is covered by texel `index` of the
+// next, coarser level, in one direction. The levels have `length` and `next` texels in this
+// direction; `next` is also the overlap of a whole texel. (If `length` is odd, three texels are
+// covered, two of them partly.)
 template <class Add>
 void for_each_covered(int index, int length, int next, const Add& add) {
   const std::int64_t from = std::int64_t{index} * length, to = from + length;
@@ -51,7 +52,7 @@ Level make_next(const Level& level) {
   return next;
 }
 
-// Two neighbours in a row of `length` texels that repeats, and the weight of the second.
+// Two neighbouring texels in a row of `length` texels, and the weight of the second one.
 struct Neighbours {
   int first = 0, second = 0;
   double share = 0;
@@ -59,7 +60,7 @@ struct Neighbours {
 Neighbours find_neighbours(double coordinate, int length, Beyond beyond) {
   double part = beyond == Beyond::stays ? std::clamp(coordinate, 0.0, 1.0)
                                         : coordinate - std::floor(coordinate);
-  if (!(part >= 0)) part = 0;  // coordinates that are not finite map to 0
+  if (!(part >= 0)) part = 0;  // coordinates that are not finite become 0
   const double at = part * length - 0.5, floor = std::floor(at);
   const int first = static_cast<int>(floor);
   if (beyond == Beyond::stays)
@@ -67,7 +68,7 @@ Neighbours find_neighbours(double coordinate, int length, Beyond beyond) {
   return {(first + length) % length, (first + 1) % length, at - floor};
 }
 
-// Arc tangent for 0 <= x <= 1: halves the angle twice, then sums the series.
+// Arc tangent for 0 <= x <= 1: halves the angle twice, then sums a series.
 double eval_arc_tangent(double x) {
   for (int i = 0; i < 2; ++i) x /= 1 + std::sqrt(1 + x * x);
   const double square = x * x;
@@ -83,7 +84,8 @@ TexturePoint eval_spherical(const Mapping& m, const Vec& point) {
   TexturePoint found;
   found.beyond = Beyond::stays;
   found.u = eval_turn(y, x);
-  // Maps latitudes from a quarter turn below the equator to one above it to 0..1.
+  // Maps latitudes from the south pole (a quarter turn below the equator) to the north pole to
+  // 0..1.
   const double latitude = eval_turn(z, across);
   found.v = 0.5 + 2 * (latitude > 0.5 ? latitude - 1 : latitude);
   if (!(square > 0)) return found;
@@ -132,7 +134,7 @@ Rgb eval_bilinear(const Level& level, double u, double v, Beyond beyond) {
 }
 
 Filtered eval_filtered(const Pyramid& pyramid, double u, double v, double size, Beyond beyond) {
-  constexpr int READ = 4;  // number of texels read in a level
+  constexpr int READ = 4;  // number of texels read in one level
   const auto get = [&](std::size_t level) {
     return eval_bilinear(pyramid.levels[level], u, v, beyond);
   };
@@ -140,7 +142,7 @@ Filtered eval_filtered(const Pyramid& pyramid, double u, double v, double size, 
   const std::size_t last = pyramid.levels.size() - 1;
   const auto level = static_cast<std::size_t>(std::ilogb(std::min(0x1p30, size)));
   if (level >= last) return {get(last), READ};
-  // The weight of the next level grows linearly from 0 at size 2^level to 1 at size 2^(level + 1).
+  // The weight of the next level grows linearly, from 0 at size 2^level to 1 at size 2^(level + 1).
   const double share = std::ldexp(size, -static_cast<int>(level)) - 1;
   return {(1 - share) * get(level) + share * get(level + 1), 2 * READ};
 }
@@ -150,7 +152,7 @@ Mapping make_planar(const Vec& origin, const Vec& along_u, const Vec& along_v) {
   const Vec normal = cross(along_u, along_v);
   const double square = dot(normal, normal);
   const double u_square = dot(along_u, along_u), v_square = dot(along_v, along_v);
-  // squares of the least length, and of the least sine
+  // smallest square of a length, and smallest square of the sine
   constexpr double LEAST = 1e-40, LEAST_SINE = 1e-18;
   require(u_square >= LEAST && v_square >= LEAST && square > LEAST_SINE * u_square * v_square,
           "a planar texture whose edges span no plane", "two edges of different directions");
@@ -180,7 +182,7 @@ double eval_turn(double y, double x) {
   const double wide = std::abs(x), high = std::abs(y);
   if (wide == 0 && high == 0) return 0;
   constexpr double TURN = 2 * std::numbers::pi;
-  // Computes the angle in the first quadrant, then reflects it.
+  // Computes the angle in the first quadrant, then reflects it into the right quadrant.
   double turn = high <= wide ? eval_arc_tangent(high / wide) / TURN
                              : 0.25 - eval_arc_tangent(wide / high) / TURN;
   if (x < 0) turn = 0.5 - turn;

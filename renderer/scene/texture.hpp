@@ -1,10 +1,10 @@
 #pragma once
-// Textures as mipmaps (L. Williams, "Pyramidal Parametrics", 1983), and their mapping onto points
-// of the scene.
+// Textures as mipmaps (L. Williams, "Pyramidal Parametrics", 1983), and their placement in the
+// scene.
 //
-// Coordinates (u, v) of a texture: (0, 0) is the picture's lower left corner. u grows to the right
-// and v upwards, both by 1 for a whole picture, which repeats. No function depends on parts of the
-// maths library that differ between hosts, so that all get the same bits.
+// Coordinates (u, v) of a texture: (0, 0) is the lower left corner of the picture. u grows to the
+// right and v upwards, both by 1 for a whole picture; the picture repeats. No function uses those
+// parts of the maths library that differ between hosts, so that all hosts get the same bits.
 
 #include <cstdint>
 #include <limits>
@@ -14,7 +14,7 @@
 
 namespace renderer {
 
-/// A texel, with 0..65535 for 0 to full intensity.
+/// A texel: a pixel of a texture. 0..65535 stands for 0 to full intensity.
 struct Texel {
   std::uint16_t r = 0, g = 0, b = 0;
   bool operator==(const Texel&) const = default;
@@ -23,30 +23,32 @@ struct Texel {
 /// A picture at one resolution.
 struct Level {
   int width = 0, height = 0;
-  std::vector<Texel> texels;  ///< texels, in rows from the top
+  std::vector<Texel> texels;  ///< rows from the top
 };
 
-/// A mipmap: a picture at its own resolution, then halved along each side (rounded down, at least
-/// 1) and so on to a single texel. Each texel is the mean of those that it covers.
+/// A mipmap. The first level is the picture at its own resolution. Each further level has half as
+/// many texels along each side (rounded down, at least 1), down to a single texel. A texel is the
+/// mean of the texels that it covers.
 struct Pyramid {
   std::vector<Level> levels;
 };
 
-/// Makes the mipmap of a picture with `width` x `height` pixels, each 1 or more, rows from the top,
-/// 3 bytes per pixel.
+/// Makes the mipmap of a picture with `width` x `height` pixels, each at least 1. `rgb8` has rows
+/// from the top, 3 bytes per pixel.
 Pyramid make_pyramid(int width, int height, std::span<const std::uint8_t> rgb8);
 
-/// Number of texels of all levels together.
+/// Number of texels in all levels together.
 std::uint64_t texel_count(const Pyramid& pyramid);
 
-/// Values above and below the picture: those of a repetition of the picture, or of its edge.
+/// What is above and below the picture: the repeated picture, or the colours of the picture's edge.
 enum class Beyond : std::uint8_t { repeats, stays };
 
-/// The colour of one level by bilinear interpolation between the middles of texels.
+/// The colour of one level at (u, v), by bilinear interpolation between the centres of texels.
 Rgb eval_bilinear(const Level& level, double u, double v, Beyond beyond = Beyond::repeats);
 
-/// The colour of an area whose width is `size` texels of the first level. If `size` is at most 1,
-/// it comes from the first level, else from the two levels whose texels are nearest in size.
+/// The mean colour of an area whose width is `size` texels of the first level. For a `size` of at
+/// most 1, it comes from the first level; otherwise, from the two levels whose texels are nearest
+/// in size.
 struct Filtered {
   Rgb colour;
   int texels = 0;  ///< number of texels read
@@ -54,49 +56,49 @@ struct Filtered {
 Filtered eval_filtered(const Pyramid& pyramid, double u, double v, double size,
                        Beyond beyond = Beyond::repeats);
 
-/// A point of a texture, and the gradients of its coordinates in the scene.
+/// A point of a texture, with the gradients in the scene of its coordinates.
 struct TexturePoint {
   double u = 0, v = 0;
-  Vec grow_u{}, grow_v{};  ///< gradients, 1 / scene unit
+  Vec grow_u{}, grow_v{};  ///< gradients of u and v, per scene unit
   Beyond beyond = Beyond::repeats;
 };
 
-/// Placement of a texture in the scene.
+/// How a texture is placed in the scene.
 struct Mapping {
   enum class Kind : std::uint8_t {
-    planar,     ///< along two directions, the same on all parallel planes
-    spherical,  ///< by longitude and latitude around a middle
+    planar,     ///< by projection along a direction: the same on all parallel planes
+    spherical,  ///< by longitude and latitude around a centre
     mesh        ///< by coordinates at the corners of polygons (see Scene::coordinates)
   };
   Kind kind = Kind::mesh;
-  Vec origin{};  ///< planar: position of (0, 0); spherical: the middle
-  /// Planar: the gradients of u and v. Spherical: unit vectors to longitudes 0 and 90 degrees.
+  Vec origin{};  ///< planar: position of (u, v) = (0, 0); spherical: the centre
+  /// Planar: gradients of u and v. Spherical: unit vectors towards longitudes 0 and 90 degrees.
   Vec u{}, v{};
-  Vec axis{};  ///< spherical: unit vector to the north pole
+  Vec axis{};  ///< spherical: unit vector towards the north pole
 };
 
 /// Makes a planar mapping. `along_u` and `along_v` are the lower and the left edge of the picture.
-/// Throws BadInput unless they have lengths of at least 1e-20 and different directions.
+/// Throws BadInput unless both have a length of at least 1e-20 and their directions differ.
 Mapping make_planar(const Vec& origin, const Vec& along_u, const Vec& along_v);
-/// Makes a spherical mapping. The lower edge of the picture is at the south pole, the upper edge at
-/// the north pole. Seen from outside, u grows to the right. Longitude 0 is towards x, or towards y
-/// if the axis is near x. Throws BadInput for an axis of length 0.
+/// Makes a spherical mapping. The lower edge of the picture is at the south pole, and the upper
+/// edge at the north pole. Seen from outside, u grows to the right. Longitude 0 is towards x, or
+/// towards y if the axis is near x. Throws BadInput for an axis of length 0.
 Mapping make_spherical(const Vec& middle, const Vec& axis);
 inline Mapping make_mesh_mapping() { return {}; }
 
-/// The texture point at a scene point, for planar and spherical mappings.
+/// The texture point at a point of the scene, for planar and spherical mappings.
 TexturePoint eval_mapping(const Mapping& mapping, const Vec& point);
 
 /// A texture: a picture and its placement.
 struct Texture {
-  std::uint32_t pyramid = 0;  ///< picture of the texture, in Scene::pyramids
+  std::uint32_t pyramid = 0;  ///< index of the picture in Scene::pyramids
   Mapping mapping;
 };
 
 /// Value of Surface::texture for a surface without texture.
 inline constexpr std::uint32_t NO_TEXTURE = std::numeric_limits<std::uint32_t>::max();
 
-/// The angle from x to y, in turns, 0 <= a < 1; 0 if both are 0.
+/// The angle of the vector (x, y) from the x axis, in turns: 0 <= angle < 1; 0 if both are 0.
 double eval_turn(double y, double x);
 
 }  // namespace renderer

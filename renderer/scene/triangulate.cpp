@@ -6,7 +6,8 @@ namespace renderer {
 
 namespace {
 
-constexpr double OFF_PLANE = 1e-6, NO_AREA = 1e-12;  // relative to size, and to its square
+// Relative to the polygon's size, and to its square.
+constexpr double OFF_PLANE = 1e-6, NO_AREA = 1e-12;
 constexpr const char* CROSSED = "a polygon with crossing edges";
 constexpr std::size_t MOST_CORNERS = 1000;
 
@@ -20,12 +21,13 @@ double eval_size(std::span<const Vec> corners) {
   return length(bounds.hi - bounds.lo);
 }
 
-// Returns twice the signed area, positive if counter-clockwise.
+// Returns twice the signed area of the triangle abc: positive if it is counter-clockwise.
 double eval_turn(const Point& a, const Point& b, const Point& c) {
   return (b.u - a.u) * (c.v - a.v) - (b.v - a.v) * (c.u - a.u);
 }
 
-// Projects along the area normal, so that the front is counter-clockwise, and scales to size 1.
+// Projects the corners along the area normal, so that the front is counter-clockwise, and scales
+// them to size 1.
 std::vector<Point> project(std::span<const Vec> corners) {
   const double size = eval_size(corners);
   const Vec area = eval_area_normal(corners);
@@ -108,7 +110,7 @@ class EarClipper {
   }
 
   std::vector<Point> points_;
-  std::vector<Link> links_;  // neighbours of the remaining corners
+  std::vector<Link> links_;  // neighbours of the corners that are not yet cut off
   std::vector<std::uint32_t> reflex_;
   std::vector<Triangle> triangles_;
 };
@@ -116,7 +118,7 @@ class EarClipper {
 }  // namespace
 
 Vec eval_area_normal(std::span<const Vec> corners) {
-  // Sums over corners relative to the first one, since products of large coordinates would cancel.
+  // Computes relative to the first corner, because products of large coordinates would cancel.
   Vec sum;
   for (std::size_t i = 2; i < corners.size(); ++i)
     sum += cross(corners[i - 1] - corners[0], corners[i] - corners[0]);

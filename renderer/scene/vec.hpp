@@ -1,6 +1,6 @@
 #pragma once
-// Points, directions and boxes (right-handed, in scene units), and linear colours (1 = full
-// intensity).
+// Points, directions and boxes in scene units (right-handed axes), and linear colours, where 1 is
+// full intensity.
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ namespace renderer {
 struct Vec {
   double x = 0, y = 0, z = 0;
   bool operator==(const Vec&) const = default;
-  /// Component 0, 1 or 2.
+  /// Component x, y or z for `axis` 0, 1 or 2.
   double operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
 };
 
@@ -28,9 +28,9 @@ inline Vec cross(const Vec& a, const Vec& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 inline double length(const Vec& a) { return std::sqrt(dot(a, a)); }
-/// Unit vector along `a`, which must not be zero.
+/// Unit vector in the direction of `a`, which must not be zero.
 inline Vec normalize(const Vec& a) { return (1.0 / length(a)) * a; }
-/// Largest absolute component.
+/// The largest absolute value of the components.
 inline double max_abs(const Vec& a) {
   return std::max({std::abs(a.x), std::abs(a.y), std::abs(a.z)});
 }
@@ -38,7 +38,7 @@ inline double max_abs(const Vec& a) {
 /// An axis-aligned box.
 struct Bounds {
   static constexpr double INF = std::numeric_limits<double>::infinity();
-  Vec lo{INF, INF, INF};  ///< initially empty: contains nothing
+  Vec lo{INF, INF, INF};  ///< initially an empty box
   Vec hi{-INF, -INF, -INF};
   bool operator==(const Bounds&) const = default;
 };
@@ -56,16 +56,17 @@ inline Bounds make_bounds(std::span<const Vec> points) {
   for (const Vec& point : points) bounds = join(bounds, point);
   return bounds;
 }
-/// The box enlarged by `margin` on every side.
+/// The box, enlarged by `margin` on every side.
 inline Bounds grow(const Bounds& b, double margin) {
   const Vec by{margin, margin, margin};
   return {b.lo - by, b.hi + by};
 }
-/// True if `inner` lies in `outer`, faces included.
+/// True if `inner` lies in `outer`; their faces may touch.
 inline bool contains(const Bounds& outer, const Bounds& inner) {
   return join(outer, inner) == outer;
 }
-/// Half the surface area, which is proportional to the probability that a random ray meets the box.
+/// Half the surface area of a box. It is proportional to the probability that a random ray meets
+/// the box.
 inline double half_area(const Bounds& b) {
   const Vec e = b.hi - b.lo;
   return e.x * e.y + e.y * e.z + e.z * e.x;
