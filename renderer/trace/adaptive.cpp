@@ -6,15 +6,16 @@ namespace renderer {
 
 namespace {
 
-// Number, sum and sum of squares of the samples in a square of the pixel.
+// Number, sum and sum of squares of the samples in one square part of the pixel.
 struct Square {
   int count = 0;
   Rgb sum, squares;
 };
 
-// Estimates the squared standard error of the pixel's mean from all groups but `own`, as the
-// maximum over the components. The pixel is divided into squares of two or four samples. Only the
-// variance within squares contributes, since samples are stratified.
+// Estimates the squared standard error of the pixel's mean, as the maximum over the colour
+// components. Uses all groups of samples except `own`. The pixel is divided into squares with two
+// or four samples each. Only the variance within squares contributes, because samples are
+// stratified.
 double eval_error_square(std::span<const TracedSample> samples, int own) {
   int levels = 0;
   while (std::size_t{4} << (2 * levels) < samples.size()) ++levels;
@@ -46,7 +47,7 @@ bool has_border(std::span<const TracedSample> samples, int own, const Corners& c
   return !std::ranges::all_of(corners, [&](auto object) { return object == corners[0]; });
 }
 
-// True if the pixel's samples suffice according to all groups but `own`.
+// True if the samples of all groups except `own` show that the pixel needs no further samples.
 bool is_enough(const Sampling& s, std::span<const TracedSample> samples, int own,
                const Corners& corners) {
   if (samples.size() == FIRST_ROUND && has_border(samples, own, corners)) return false;
@@ -122,7 +123,7 @@ std::vector<std::uint8_t> make_count_map(std::span<const std::uint16_t> counts) 
   std::vector<std::uint8_t> bytes;
   bytes.reserve(3 * counts.size());
   for (const std::uint16_t count : counts) {
-    // Rounded to float, so that the result does not depend on the maths library.
+    // Rounded to float, so that the result does not depend on the host's maths library.
     const auto share = count > 1 ? static_cast<float>(std::log(count) / std::log(most)) : 0.0F;
     bytes.insert(bytes.end(), 3, static_cast<std::uint8_t>(std::lround(255 * share)));
   }

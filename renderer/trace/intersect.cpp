@@ -9,12 +9,12 @@ namespace {
 struct Nearest {
   std::uint32_t object = NO_OBJECT;
   Place place;
-  bool is_close = false;  // true if the hit is close to an edge (see Probe)
+  bool is_close = false;  // the hit is close to an edge (see Probe)
 };
 
-// State and counts of a traversal.
+// State of a traversal, with the counts of its tests.
 struct Walk {
-  // (A constructor, because GCC fills fields missing in an initialiser list with a slow
+  // (There is a constructor because GCC fills fields missing in an initialiser list with a slow
   // instruction.)
   Walk(const Scene& scene, const Ray& ray)
       : scene(scene), ray(ray), probe{ray.origin, ray.direction,
@@ -27,9 +27,9 @@ struct Walk {
   const Scene& scene;
   const Ray& ray;
   Nearest best;
-  Probe probe;  // the reach of the probe is the distance of the nearest hit so far
+  Probe probe;  // `probe.reach` is the distance of the nearest hit so far
   std::uint32_t boxes = 0;
-  std::uint32_t tests[4] = {};  // number of tests by Kind
+  std::uint32_t tests[4] = {};  // by Kind: number of tests
 };
 
 [[gnu::always_inline]] inline void take_counts(Walk& walk, Work& work) {
@@ -40,12 +40,12 @@ struct Walk {
   work[Op::polygon_edges] += std::exchange(walk.probe.edges, 0);
 }
 
-// Access callback that does nothing.
+// An access callback that does nothing.
 struct NoListener {
   static constexpr bool LISTENS = false;
 };
 
-// Access callback that reports each read, with up-to-date counts.
+// An access callback that reports each read, together with the counts so far.
 struct AccessListener {
   static constexpr bool LISTENS = true;
   Access& access;
@@ -61,7 +61,7 @@ struct AccessListener {
   }
 };
 
-// Tests a primitive at the time of the ray, by moving the ray instead of the primitive.
+// Tests a moving primitive at the time of the ray. Moves the ray instead of the primitive.
 template <class Primitive>
 [[gnu::always_inline]] inline double intersect_moved(const Primitive& primitive, Walk& walk) {
   const Vec shift = eval_shift(walk.scene, primitive.tag.object, walk.ray.time);
@@ -80,7 +80,7 @@ template <class Primitive>
   return distance;
 }
 
-// MOVES: the objects of the scene move.
+// Tests the primitive at `place`. MOVES is true if objects of the scene move.
 template <bool MOVES, class Listener>
 [[gnu::always_inline]] inline void consider(Walk& walk, Place place, const Listener& listener) {
   if constexpr (Listener::LISTENS) listener.object(walk, place);
@@ -109,8 +109,8 @@ void walk_linear(Walk& walk, const Listener& listener) {
   for (const Place place : walk.scene.objects) consider<MOVES>(walk, place, listener);
 }
 
-// Traverses depth first in stored order. CLIP: boxes beyond the nearest hit so far are skipped.
-// ANY: the search stops at any hit.
+// Traverses the boxes depth first, in stored order. With CLIP, skips boxes beyond the nearest hit
+// so far. With ANY, stops at any hit. MOVES is true if objects of the scene move.
 template <bool CLIP, bool ANY, bool MOVES, class Listener>
 void walk_boxes(Walk& walk, const Listener& listener) {
   const Box* boxes = walk.scene.hierarchy.boxes.data();
@@ -119,8 +119,8 @@ void walk_boxes(Walk& walk, const Listener& listener) {
   const auto count = static_cast<std::uint32_t>(walk.scene.hierarchy.boxes.size());
   const Vec o = walk.ray.origin;
   const Vec inverse{1 / walk.ray.direction.x, 1 / walk.ray.direction.y, 1 / walk.ray.direction.z};
-  // The ray enters every box through the planes at one corner, and leaves through the opposite
-  // ones.
+  // The ray enters every box through the three planes at one corner, and leaves it through the
+  // planes at the opposite corner.
   using Face = const Vec Bounds::*;
   const Face in_x = inverse.x < 0 ? &Bounds::hi : &Bounds::lo;
   const Face in_y = inverse.y < 0 ? &Bounds::hi : &Bounds::lo;
@@ -129,7 +129,8 @@ void walk_boxes(Walk& walk, const Listener& listener) {
   const Face out_y = inverse.y < 0 ? &Bounds::lo : &Bounds::hi;
   const Face out_z = inverse.z < 0 ? &Bounds::lo : &Bounds::hi;
   double begin = 0;
-  asm("" : "+m"(begin));  // hides the 0 from GCC, which would compute the first maximum by a branch
+  // Hides the 0 from GCC, which would otherwise compute the first maximum by a branch.
+  asm("" : "+m"(begin));
   std::uint32_t tested = 0;
   for (std::uint32_t i = 0; i < count;) {
     const Box& box = boxes[i];
@@ -142,8 +143,8 @@ void walk_boxes(Walk& walk, const Listener& listener) {
     }
     if constexpr (Listener::LISTENS) listener.box(walk, i);
     ++tested;
-    // Slab test: the interval from the last entry to the first exit. A NaN (0 * infinity, when the
-    // ray runs in a face) compares false and leaves the interval unchanged.
+    // Slab test: the ray is in the box from its last entry to its first exit. A NaN (0 * infinity,
+    // if the ray runs in a face of the box) compares as false and leaves the interval unchanged.
     double enter = begin, leave = CLIP ? walk.probe.reach : NO_HIT;
     const auto clip = [&](Face in_face, Face out_face, double Vec::*axis) {
       double in_plane = (box.bounds.*in_face).*axis, out_plane = (box.bounds.*out_face).*axis;
@@ -174,8 +175,8 @@ Vec pull_from_edges(const Scene& scene, Place place, const Vec& point, double ep
   });
 }
 
-// Makes the hit on the nearest object. For a feeler, omits point and normal. Inlined, because a
-// call with `walk` as argument would keep its counts in memory.
+// Makes the hit on the nearest object. For a shadow feeler (ray to a light), omits point and
+// normal. Inlined, because a call with `walk` as an argument would force its counts into memory.
 template <bool MOVES>
 [[gnu::always_inline]] inline void fill_hit(const Walk& walk, Hit& hit) {
   const Scene& scene = walk.scene;
@@ -185,7 +186,7 @@ template <bool MOVES>
   hit.object = walk.best.object;
   if (ray.kind == RayKind::shadow) return;
   hit.point = ray.origin + hit.distance * ray.direction;
-  Vec still = hit.point;  // the hit point before the object moved
+  Vec still = hit.point;  // the position of the hit point when the shutter opened
   if constexpr (MOVES) still = hit.point - eval_shift(scene, hit.object, ray.time);
   const Vec geometric = visit(scene, place, [&](const auto& primitive) {
     hit.surface = primitive.tag.surface;
@@ -195,8 +196,8 @@ template <bool MOVES>
   if (place.kind() == Kind::patch) {
     const Vec smooth =
         eval_smooth_normal(scene.patches[place.index()], scene.corners, scene.normals, still);
-    // At a silhouette, the interpolated normal may face away from the ray although the plane's
-    // normal does not. It is then turned until it just faces the ray.
+    // Near the outline of an object, the interpolated normal may face away from the ray although
+    // the normal of the plane does not. It is then turned until it just faces the ray.
     const double along = dot(smooth, ray.direction);
     if (along * dot(geometric, ray.direction) > 0)
       hit.normal = smooth;
@@ -211,7 +212,7 @@ template <bool MOVES>
                  still;
 }
 
-// The result of the traversal.
+// Returns the result of the traversal and adds its counts to `work`.
 template <bool MOVES>
 [[gnu::always_inline]] inline std::optional<Hit> conclude(Walk& walk, Work& work) {
   take_counts(walk, work);

@@ -13,12 +13,12 @@ std::uint64_t mix(std::uint64_t a, std::uint64_t b) { return base::random_at(a, 
 
 double to_unit(std::uint64_t bits) { return static_cast<double>(bits >> 11) * 0x1p-53; }
 
-// The random stream of one pixel for one purpose.
+// The seed of the random numbers of one pixel for one purpose.
 std::uint64_t make_stream(const Sampling& s, const SampleKey& key, Dimension dimension) {
   return mix(mix(s.seed, key.pixel), std::uint64_t{key.path} << 8 | std::uint64_t(dimension));
 }
 
-// The region of a sample in its round.
+// Index of the sample's region among the regions of its round.
 int find_region(std::uint64_t stream, const Round& round, int pass) {
   const auto key =
       static_cast<std::uint32_t>(mix(stream, ~static_cast<std::uint64_t>(round.first)));
@@ -33,8 +33,8 @@ std::uint32_t reverse(std::uint32_t x) {
   return x << 16 | x >> 16;
 }
 
-// Flips each bit at random, depending only on the bits above it (A. Owen, 1995). Points in a common
-// half, quarter ... of the line stay together.
+// Flips each bit at random, depending only on the more significant bits (A. Owen, 1995). Points in
+// a common half, quarter and so on of the line stay together.
 std::uint32_t scramble(std::uint32_t x, std::uint32_t seed) {
   x = reverse(x) + seed;
   for (const std::uint32_t factor : {0x6c50b47cu, 0xb82f1e52u, 0xc7afe638u, 0x8d22f6e6u})
@@ -42,9 +42,9 @@ std::uint32_t scramble(std::uint32_t x, std::uint32_t seed) {
   return reverse(x);
 }
 
-// The index of an adaptive pixel's sample in its group's sequence. In Dimension::pixel, indices
-// have the order of the samples. In other dimensions, each round pairs samples and indices at
-// random.
+// In an adaptive pixel, the index of a sample in the sequence of its group. For Dimension::pixel,
+// indices are in the order of the samples. For other dimensions, each round pairs samples and
+// indices at random.
 int find_index(const Sampling& s, const SampleKey& key, Dimension dimension, std::uint64_t stream) {
   const int place = key.pass / GROUPS;
   if (dimension == Dimension::pixel) return place;
@@ -68,7 +68,7 @@ SquarePoint sample_group(const Sampling& s, const SampleKey& key, Dimension dime
           (static_cast<double>(quarter >> 1) + at.v) / 2};
 }
 
-// Series for sin() and cos(), for angles of at most pi / 4.
+// Series for sin() and cos(), valid for angles up to pi / 4.
 double eval_sine(double x) {
   const double square = x * x;
   double sum = 0;

@@ -6,26 +6,26 @@ namespace renderer {
 
 namespace {
 
-// Highlight of Phong's model. The power is rounded to float, so that the result does not depend on
-// the maths library.
+// Phong's highlight. The power is rounded to float, so that the result does not depend on the
+// host's maths library.
 double eval_highlight(double cosine, double shine) {
   return cosine > 0 ? static_cast<double>(static_cast<float>(std::pow(cosine, shine))) : 0.0;
 }
 
-// A point on the visible side of a spherical light, uniform in solid angle; the light's middle if
-// `from` is inside.
+// A point on the visible side of a spherical light, uniformly distributed in solid angle as seen
+// from `from`. If `from` is inside the light, the light's centre.
 Vec find_on_sphere(const Light& light, const SquarePoint& at, const Vec& from) {
   const Vec to_middle = light.at - from;
   const double square = dot(to_middle, to_middle), radius_square = light.radius * light.radius;
   if (square <= radius_square) return light.at;
   // Maps equal areas of the disc to equal solid angles: 1 - cos grows with the square of the
-  // radius.
-  // squared sine of the largest angle to the light's middle
+  // radius. `most` is the squared sine of the largest angle from the direction to the light's
+  // centre.
   const double most = radius_square / square;
   const double rise = most / (1 + std::sqrt(1 - most));
   const auto [u, v] = map_to_disc(at);
   const double share = std::min(1.0, u * u + v * v), cosine = 1 - rise * share;
-  // The sine, divided by the radius on the disc. sine^2 = (1 - cosine) (1 + cosine) avoids
+  // The sine, divided by the radius on the disc. The form sine^2 = (1 - cosine) (1 + cosine) avoids
   // cancellation.
   const double scale = std::sqrt(rise * (1 + cosine));
   const Vec axis = normalize(to_middle);
@@ -36,7 +36,7 @@ Vec find_on_sphere(const Light& light, const SquarePoint& at, const Vec& from) {
   return from + (middle - std::sqrt(std::max(0.0, half_square))) * way;
 }
 
-// A ray from the hit of `ray`, without its direction and influence.
+// Makes a ray that starts at the hit of `ray`, without direction and influence.
 Ray make_child(const Ray& ray, const Hit& hit, RayKind kind) {
   Ray child;
   child.origin = hit.point;
@@ -56,8 +56,8 @@ Ray make_child(const Ray& ray, const Hit& hit, RayKind kind) {
 
 SampleKey key_of(const Ray& ray, std::uint32_t path) { return {ray.sample, ray.pass, path}; }
 
-// The sample's point on a light, as seen from `from`. (Its random numbers depend on the ray's path
-// combined with the number of the light.)
+// The point of a light that this sample uses, as seen from `from`. (Its random numbers depend on
+// the ray's path combined with the number of the light.)
 Vec find_light(const Light& light, const Sampling& sampling, const Ray& ray, std::size_t number,
                const Vec& from) {
   if (light.shape == LightShape::point) return light.at;
@@ -68,7 +68,8 @@ Vec find_light(const Light& light, const Sampling& sampling, const Ray& ray, std
   return find_on_sphere(light, p, from);
 }
 
-// Spreads the direction `axis` over a disc of this radius at distance 1.
+// A direction near `axis`: towards a point of a disc with this radius, perpendicular to `axis` at
+// distance 1.
 Vec spread(const Vec& axis, double radius, const Vec& normal, const SquarePoint& at) {
   const auto [u, v] = map_to_disc(at);
   const Across across = make_across(axis);
@@ -77,9 +78,9 @@ Vec spread(const Vec& axis, double radius, const Vec& normal, const SquarePoint&
   return side * dot(axis, normal) < 0 ? way - 2 * side * normal : way;
 }
 
-// Width over which a texture is filtered: one pixel, or half a pixel if a pixel has several
-// samples, as if it had 2 x 2. The width must not depend on the number of samples, which adaptive
-// sampling does not know in advance.
+// The width over which a texture is filtered: one pixel, or half a pixel if pixels have several
+// samples (as with 2 x 2 samples). It must not depend on the number of samples, because adaptive
+// sampling does not know this number in advance.
 double eval_pixel_width(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit) {
   const double share = params.sampling.pixel_samples > 1 ? 0.5 : 1;
   return share * make_raster(scene.view, params).step * (ray.travelled + hit.distance);
@@ -92,7 +93,8 @@ Rgb eval_texture(const Scene& scene, const Params& params, const Ray& ray, const
   const Vec point =
       scene.moves.empty() ? hit.point : hit.point - eval_shift(scene, hit.object, ray.time);
   const TexturePoint at = find_texture_point(scene, texture, hit.object, point);
-  // Projects onto the surface, since gradients of spheres and planes need not lie in it.
+  // Projects onto the surface, because gradients of spherical and planar mappings need not lie in
+  // it.
   const auto along = [&](const Vec& way) {
     return length(way - dot(way, hit.normal) * hit.normal);
   };
@@ -107,7 +109,8 @@ Rgb eval_texture(const Scene& scene, const Params& params, const Ray& ray, const
   return colour;
 }
 
-// fS = f * (kd * cos(theta) + kr * cos^n(phi)), Eq 4.17; 0 for a light behind the surface.
+// Computes fS = f * (kd * cos(theta) + kr * cos^n(phi)), thesis Eq 4.17; 0 for a light behind the
+// surface.
 Rgb eval_feeler_influence(const Surface& s, const Rgb& colour, const Hit& hit, const Rgb& f,
                           const Vec& to_light, const Vec& mirrored) {
   const double cosine = dot(hit.normal, to_light);
@@ -179,7 +182,7 @@ PlanePoint make_plane_point(const View& view, const Params& p, int x, int y) {
 
 namespace {
 
-// The view after this share of the shutter's time.
+// The view when the fraction `share` of the shutter's time has passed.
 View move(View view, double share) {
   view.from += share * view.from_move;
   view.at += share * view.at_move;
@@ -193,7 +196,8 @@ SampleKey make_key(const Params& p, int x, int y, int pass) {
           pass};
 }
 
-// A ray, not normalised, from the middle of the lens to the image plane at distance 1.
+// A ray from the centre of the lens to a point of the image plane at distance 1. The direction is
+// not normalised.
 Ray make_eye_ray(const View& view, const Params& p, int x, int y, const SquarePoint& in_pixel) {
   const Raster raster = make_raster(view, p);
   const double right = (x + in_pixel.u - raster.left) * raster.step;
@@ -206,10 +210,10 @@ Ray make_eye_ray(const View& view, const Params& p, int x, int y, const SquarePo
   return ray;
 }
 
-// Offset from a pixel's upper left corner to the position `p.sample`.
+// Offset in pixels from a pixel's upper left corner to the position `p.sample`.
 double shift_of(const Params& p) { return p.sample == SamplePosition::corner ? 0 : 0.5; }
 
-// Makes a primary ray from a point of the lens. `view` is the view at the ray's time.
+// Makes a ray from a point of the lens. `view` is the view at the ray's time.
 Ray make_lens_ray(const View& view, const Params& p, int x, int y, int pass) {
   const SampleKey key = make_key(p, x, y, pass);
   SquarePoint in_pixel;
@@ -222,7 +226,7 @@ Ray make_lens_ray(const View& view, const Params& p, int x, int y, int pass) {
   ray.pass = static_cast<std::uint16_t>(pass);
   const double radius = p.sampling.lens * view.lens.aperture / 2;
   if (radius > 0) {
-    // All rays through the same point of the image meet in the plane in focus.
+    // All rays through one point of the image meet in the plane in focus.
     const auto [u, v] = map_to_disc(sample_square(p.sampling, key, Dimension::lens));
     const Vec in_focus = ray.origin + view.lens.focus * ray.direction;
     ray.origin += radius * (u * view.right + v * view.above);

@@ -9,12 +9,12 @@ namespace renderer {
 
 namespace {
 
-// Sums of masks, from which count() gets the counts of work.
+// Sums of masks. count() converts them to numbers of tests.
 struct Counts {
   Mask boxes{}, tests{}, edges{};
 };
 
-// eval_epsilon() for each lane.
+// The result of eval_epsilon() for each lane.
 [[gnu::always_inline]] inline Lanes eval_epsilons(const Scene& scene, const Vecs& origin) {
   const Lanes largest = max(max(abs(origin.x), abs(origin.y)), abs(origin.z));
   return renderer::clamp(SELF_RELATIVE * largest, scene.least_epsilon, scene.epsilon);
@@ -47,7 +47,7 @@ struct Counts {
   return inside ? nearest : -nearest;
 }
 
-// intersect_closely() for one lane.
+// True if intersect_closely() finds a hit for the ray of lane `i`.
 bool is_met_closely(const Scene& scene, const Polygon& p, const ShadowRays& rays, std::size_t i,
                     double epsilon) {
   const Vec origin{rays.origin.x[i], rays.origin.y[i], rays.origin.z[i]};
@@ -55,7 +55,7 @@ bool is_met_closely(const Scene& scene, const Polygon& p, const ShadowRays& rays
   return intersect_closely(p, scene.corners.data(), origin, direction, epsilon) < rays.reach[i];
 }
 
-// The rays among `here` that the polygon blocks: intersect() for each lane.
+// The lanes of `here` whose ray is blocked by the polygon: intersect() for each lane.
 [[gnu::always_inline]] inline Mask meet(const Scene& scene, const Polygon& p,
                                         const ShadowRays& rays, const Lanes& epsilon,
                                         const Mask& here, Counts& counts) {
@@ -84,7 +84,8 @@ bool is_met_closely(const Scene& scene, const Polygon& p, const ShadowRays& rays
   return hit;
 }
 
-// Slab test of a box. Each lane enters the box by the plane that its direction meets first.
+// Slab test of a box in all lanes. The ray of each lane enters the box by the plane that its
+// direction meets first.
 struct Slabs {
   explicit Slabs(const ShadowRays& rays) : rays(rays) {
     const Vecs& d = rays.direction;
@@ -109,8 +110,8 @@ struct Slabs {
   Vecs inverse;
 };
 
-// Traverses the boxes. Each lane has its own next box, and waits at boxes that only other lanes
-// need. A blocked feeler needs no further boxes.
+// Traverses the boxes. Each lane has its own next box; it waits while only other lanes need the
+// current box. A lane whose ray is blocked needs no further boxes.
 [[gnu::always_inline]] inline void block_lanes(const Scene& scene, ShadowRays& rays, Work& work) {
   constexpr std::int64_t NEVER = std::numeric_limits<std::int64_t>::max();
   const Box* boxes = scene.hierarchy.boxes.data();
