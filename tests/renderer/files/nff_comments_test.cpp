@@ -1,4 +1,4 @@
-// Statements in comments, which extend NFF.
+// Tests the statements in comments that extend NFF.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ const std::string COMMENTED_VIEW =
     "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 45\nhither 1\nresolution 4 3\n";
 const std::string COMMENTED_SURFACE = "f 1 0.5 0.25 0.6 0.3 20 0.1 1.5\n";
 
-// A folder with an NFF file and the files that it refers to.
+// A folder with an NFF file and the other files that it names.
 class Folder {
  public:
   Folder() {
@@ -110,7 +110,7 @@ TEST(NffComments, EveryKindOfObjectMoves) {
   EXPECT_GT(hits, 200);
 }
 
-// Comments that begin like statements but are prose, as they occur in older files.
+// Comments that begin like statements but are prose. Such comments occur in older files.
 TEST(NffComments, ProseIsNoStatement) {
   const Scene plain = parse(COMMENTED_VIEW + COMMENTED_SURFACE + "s 0 0 0 1\nl 1 1 1\n");
   const Scene scene =
@@ -131,7 +131,7 @@ TEST(NffComments, ProseIsNoStatement) {
 }
 
 struct WrongComment {
-  std::string text;   // text after the view (7 lines) and the surface (line 8)
+  std::string text;   // file content after the view (7 lines) and the surface (line 8)
   std::string error;  // expected message, after "test.nff:"
 };
 class NffCommentsWrong : public testing::TestWithParam<WrongComment> {};
@@ -185,8 +185,8 @@ INSTANTIATE_TEST_SUITE_P(
         WrongComment{"# path no-such.csv", "9: no-such.csv: cannot be read"},
         WrongComment{"# camera no-such.txt", "9: no-such.txt: cannot be read"}));
 
-// A word that is meant as a number makes a statement, which is then refused. Names may be in upper
-// case, and a blank may be missing.
+// A word that was meant as a number makes the comment a statement, which is then refused. Names may
+// be in upper case, and the blank after '#' may be missing.
 TEST(NffComments, WhatLooksLikeAStatementIsNotIgnored) {
   const auto read = [](const std::string& line) {
     return parse(COMMENTED_VIEW + COMMENTED_SURFACE + line + "\ns 0 0 0 1\n");

@@ -1,4 +1,4 @@
-// NFF files: every statement, and error messages.
+// Tests the reader of NFF files: every statement, and error messages.
 
 #include <gtest/gtest.h>
 
@@ -67,7 +67,7 @@ TEST(Nff, LineEndsAndMarksOfOtherSystems) {
 }
 
 struct Wrong {
-  std::string text;   // text after the view (7 lines) and the surface (line 8)
+  std::string text;   // file content after the view (7 lines) and the surface (line 8)
   std::string error;  // expected message, after "test.nff:"
 };
 

@@ -1,4 +1,4 @@
-// Textures in comments of NFF files.
+// Tests textures, which NFF files state in comments.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -9,19 +9,19 @@
 namespace renderer::test {
 namespace {
 
-// the view, line 1 of the file
+// The view, which is line 1 of the file.
 const std::string CAMERA = "v from 0 0 9 at 0 0 0 up 0 1 0 angle 40\n";
 const std::string WHITE = "f 1 1 1 1 0 0 0 0\n";
 const std::string SQUARE = "p 4 0 0 0 1 0 0 1 1 0 0 1 0\n";
 
-// A folder with the picture a.png, 2 x 1 pixels, red and green.
+// Provides a folder with the picture a.png of 2 x 1 pixels, red and green.
 class NffTexture : public testing::Test {
  protected:
   NffTexture() { save_png(path("a.png"), 2, 1, {255, 0, 0, 0, 255, 0}); }
 
   std::string path(const std::string& name) const { return (folder_.path / name).string(); }
   Scene parse(const std::string& text) const { return parse_scene(CAMERA + text, path("s.nff")); }
-  // The error message, without the folder.
+  // The error message, with the folder removed.
   std::string error_of(const std::string& text) const {
     const auto message = ::test::message_of<base::BadInput>([&] { parse(text); });
     const std::string folder = folder_.path.string() + "/";
@@ -39,7 +39,7 @@ TEST_F(NffTexture, IsOfTheSurfaceSetLast) {
   const Scene scene =
       parse(WHITE + SQUARE + WHITE + "# texture a.png planar 1 2 3  2 0 0  0 4 0\n" + SQUARE +
             "# texture a.png spherical 0 0 0 axis 0 1 0\n" + SQUARE + WHITE + SQUARE);
-  // A surface that objects already have stays unchanged.
+  // A later texture does not change the surface of earlier objects.
   ASSERT_EQ(scene.surfaces.size(), 4u);
   EXPECT_EQ(scene.surfaces[0].texture, NO_TEXTURE);
   EXPECT_EQ(scene.surfaces[1].texture, 0u);
@@ -84,9 +84,9 @@ TEST_F(NffTexture, TravelsWithItsObjectFromFrameToFrame) {
                            "# shutter 0 0.5\n# move 4 0 0\n" + SQUARE;
   for (const int frame : {0, 3}) {
     const Scene scene = parse_scene(text, path("s.nff"), frame);
-    // A quarter of a frame later, the object is one unit further.
+    // A quarter of a frame later, the object has moved by one unit.
     Ray ray;
-    // the same texture point as (0.25, 0.5) at time 0
+    // the texture point that was at (0.25, 0.5) at time 0
     ray.origin = {4.0 * frame + 1 + 0.25, 0.5, 5};
     ray.direction = {0, 0, -1};
     ray.time = 0.5;

@@ -1,5 +1,5 @@
-// OBJ files with the habits of the programs that write them. The generator knows what each file
-// holds, and computes from its own lists what a reader must find.
+// Tests OBJ files that imitate the habits of various programs. The generator computes from its own
+// lists of faces what a reader must find in each file.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -13,9 +13,9 @@
 namespace renderer::test {
 namespace {
 
-// A face of the file, as the reader must return it.
+// A face in the file, as the reader should return it.
 struct KnownFace {
-  std::vector<Vec> corners;  // each corner once
+  std::vector<Vec> corners;  // without repeated corners
   Rgb colour;
   bool is_bent = false, has_normals = false;
 };
@@ -23,9 +23,9 @@ struct KnownFace {
 struct Habits {
   const char* program;
   const char* head;
-  const char* number;  // printf's format of a coordinate
+  const char* number;  // printf format of a coordinate
   const char* line_end = "\n";
-  const char* blank = " ";  // separates a statement and its values
+  const char* blank = " ";  // between a statement and its values
   const char* face_end = "";
   std::vector<std::string> materials{};  // names
   enum class Corners { v, v_vt, v_vn, all, wings } corners = Corners::all;
@@ -84,7 +84,7 @@ const std::vector<Habits>& habits() {
   return ALL;
 }
 
-// Writes a file and lists what it holds.
+// Writes an OBJ file and lists the faces in it.
 class Exporter {
  public:
   Exporter(std::uint64_t seed, std::string stem)
@@ -120,7 +120,7 @@ class Exporter {
     text = ended;
   }
 
-  // Some programs do not name the MTL file, some name one that does not exist.
+  // Some programs do not name the MTL file; others name a file that does not exist.
   void write_materials() {
     for (const auto& name : habits_.materials) {
       const Rgb colour{0.001 * random_.below(1000), 0.001 * random_.below(1000), 0.5};
@@ -180,7 +180,8 @@ class Exporter {
     }
   }
 
-  // Points in a random coordinate plane: a star around the origin, so that it is flat to the bit.
+  // Returns corners of a star around the origin in a random coordinate plane, so that the face is
+  // exactly flat.
   std::vector<Vec> make_flat() {
     const int axis = random_.below(3), count = 3 + random_.below(5);
     const double height = round(random_.range(-5, 5)), middle = random_.range(-5, 5);
@@ -200,7 +201,7 @@ class Exporter {
     write_face(vertices, statements, corners, corners, false);
   }
 
-  // Lifts every second corner off the plane.
+  // Moves every second corner off the plane of the face.
   void write_bent(std::string& vertices, std::string& statements) {
     auto corners = make_flat();
     while (corners.size() < 4) corners = make_flat();
@@ -212,7 +213,7 @@ class Exporter {
     write_face(vertices, statements, corners, corners, true);
   }
 
-  // Writes one corner twice, as programs do that write a triangle as a quadrilateral.
+  // Writes one corner twice, as programs do that write triangles as quadrilaterals.
   void write_repeated(std::string& vertices, std::string& statements) {
     const auto corners = make_flat();
     auto repeated = corners;
@@ -249,7 +250,7 @@ class Exporter {
     if (!colour_) ++grey;
   }
 
-  // The corners are the last vertices.
+  // Describes a face whose corners are the vertices written last.
   std::string describe_face(std::size_t count, bool has_vt, bool has_vn) {
     const auto number = [&](std::size_t back, std::size_t all) {
       return habits_.is_relative ? fmt::format("-{}", back) : fmt::format("{}", all + 1 - back);
@@ -304,7 +305,7 @@ class Exporter {
   const Habits& habits_;
   std::string stem_;
   std::map<std::string, Rgb> colours_;
-  std::optional<Rgb> colour_;  // colour of the current material, if known
+  std::optional<Rgb> colour_;  // colour of the current material; none if unknown
   bool has_library_ = false, is_library_missing_ = false;
   std::size_t vertices_ = 0, coordinates_ = 0, normals_ = 0;
 
@@ -333,7 +334,7 @@ struct FoundFaces : NffTarget {
   void add_cone(const Vec&, double, const Vec&, double) override {}
 };
 
-// Twice the area times the normal, corner by corner around the origin.
+// Twice the area multiplied by the normal, summed over the corners around the origin.
 Vec sum_area(const std::vector<Vec>& corners) {
   Vec sum;
   for (std::size_t i = 0; i < corners.size(); ++i)
@@ -341,9 +342,9 @@ Vec sum_area(const std::vector<Vec>& corners) {
   return sum;
 }
 
-// Compares a face with the first faces of `found`, and returns how many of these are its parts. A
-// bent face is found as triangles between its corners, with the same border, and hence the same
-// area.
+// Compares a face with the first faces in `found`, and returns how many of these are its parts. A
+// bent face is found as triangles between its corners. Their border is the border of the face, so
+// that the areas must be equal.
 std::size_t compare(const KnownFace& known, std::span<const FoundFace> found) {
   const auto count = known.is_bent ? known.corners.size() - 2 : 1;
   if (found.size() < count) {

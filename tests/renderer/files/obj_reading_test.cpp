@@ -1,4 +1,4 @@
-// What the OBJ and MTL readers make of files as programs write them, statement by statement.
+// Tests the OBJ and MTL readers on files as programs write them, statement by statement.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -12,8 +12,9 @@
 namespace renderer::test {
 namespace {
 
-// Describes each polygon by its colour and its corners: "0.8,0.8,0.8: 0,0,0 1,0,0 0,1,0". Appends
-// "n" if it has normals, and "t" with the first corner's coordinates if it has a picture.
+// A target that describes each polygon by its colour and its corners, as in "0.8,0.8,0.8: 0,0,0
+// 1,0,0 0,1,0". Appends "n" if the polygon has normals, and "t" with the first corner's texture
+// coordinates if it has a picture.
 struct ToldFaces : NffTarget {
   std::vector<std::string> faces;
   std::string surface;
@@ -47,7 +48,7 @@ struct ObjReading : testing::Test {
     std::ofstream(folder.path / name, std::ios::binary) << text;
   }
 
-  // Reads a text. Removes the folder from the names of files in remarks.
+  // Reads a text. Removes the folder from the file names in remarks.
   void read(const std::string& text) {
     target = {};
     left_out = {};
@@ -61,7 +62,7 @@ struct ObjReading : testing::Test {
     }
   }
 
-  // The colour of the only face.
+  // The colour of the only face in the text.
   std::string colour_of(const std::string& text) {
     read(text);
     EXPECT_EQ(target.faces.size(), 1u) << text;
@@ -82,8 +83,8 @@ TEST_F(ObjReading, WritingsOfOneTriangle) {
   const std::string red = "mtllib red.mtl\nusemtl red\n";
   const std::string texts[] = {
       red + POINTS + FACE,
-      red + FACE + POINTS,                                // before its vertices
-      "usemtl red\n" + POINTS + FACE + "mtllib red.mtl",  // before its library
+      red + FACE + POINTS,                                // face before its vertices
+      "usemtl red\n" + POINTS + FACE + "mtllib red.mtl",  // material before its library
       "\xEF\xBB\xBF" + red + POINTS + FACE,
       red + POINTS + FACE + "\x1A",
       red + POINTS + "f 1 2 \\\n3\n",
@@ -93,12 +94,13 @@ TEST_F(ObjReading, WritingsOfOneTriangle) {
       red + POINTS + "f 1/ 2/ 3/",
       red + POINTS + "fo 1 2 3",
       red + POINTS + "\tf\t1  2\t3 \t# it ends here",
-      red + POINTS + "f 1 1 2 3 3",  // corners more than once
+      red + POINTS + "f 1 1 2 3 3",  // repeated corners
       red + POINTS + "f 1 2 3 1",
       "MTLLIB red.mtl\nUseMtl red\n" + POINTS + "F 1 2 3",
       red + "v 0.0D+00 0 0\nv 1.0d0 0e-400 0E-400\nv +0 1. .0\n" + FACE,
       red + "v 0 0 0 1\nv 1 0 0 1.0\nv 0 1 0\n" + FACE,
-      red + "# C:\\models\\\n" + POINTS + FACE,  // no continuation
+      // A backslash in a comment does not continue the line.
+      red + "# C:\\models\\\n" + POINTS + FACE,
       red + "o C:\\models\\\n" + POINTS + FACE,
       red + "g one two \\\n  three\n" + POINTS + FACE,
       red + POINTS + "s 1\nmg 1 0.5\nlod 0\nbevel off\nc_interp on\nusemap off\n" + FACE,
@@ -164,7 +166,7 @@ TEST_F(ObjReading, OneBadFaceNeverRejectsAFile) {
   }
 }
 
-// A vertex that cannot be read keeps its number.
+// An unreadable vertex keeps its number, and only the faces that use it are lost.
 TEST_F(ObjReading, ABadVertexTakesOnlyItsFaces) {
   read("v 0 0 0\nv 1 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\nf -4 -3 -1\nf -4 -2 -1\n");
   EXPECT_EQ(target.faces, (std::vector{GREY, GREY}));
@@ -313,7 +315,7 @@ TEST_F(ObjReading, PicturesAreTheRestOfTheLineAfterTheirOptions) {
   }
 }
 
-// The triangles of a bent face have its border.
+// The triangles of a bent face must have the border of the face.
 TEST_F(ObjReading, BentFacesAreTriangles) {
   const std::string bent = "v 0 0 0\nv 1 0 1\nv 1 1 0\nv 0 1 1\n";
   read(bent + "f 1 2 3 4\n");

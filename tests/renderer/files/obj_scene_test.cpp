@@ -1,4 +1,4 @@
-// Scenes as OBJ, and conversion of NFF to OBJ and back.
+// Tests scenes as OBJ files, and the conversion of NFF to OBJ and back.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,7 +22,7 @@ class ObjScene : public ::testing::Test {
     return (folder_.path / name).string();
   }
 
-  // Saves a scene as NAME.obj with its MTL file, and returns the text of the OBJ.
+  // Saves a scene as NAME.obj with its MTL file, and returns the content of the OBJ file.
   std::string save_obj(const std::string& name, const auto& tell) {
     ObjText obj(folder_.path.string(), name + ".mtl");
     NffAsObj nff(obj, left_out_);
@@ -44,8 +44,8 @@ std::vector<Samples::Sums> render_small(const Scene& scene) {
   return render(scene, make_params(40, 30, 4)).samples.sums;
 }
 
-// Sends random content that OBJ can express: polygons with and without normals, all kinds of
-// surfaces and lights.
+// Sends random content that OBJ can express to the target: polygons with and without normals, and
+// all kinds of surfaces and lights.
 void tell_random(Random& random, NffTarget& target) {
   target.set_view(make_image_plane({.from = random.point(1) + Vec{0, 0, 6},
                                     .up = {0.1, 1, 0},
@@ -206,7 +206,7 @@ TEST_F(ObjScene, WhatIsWrongIsRejectedWithItsLine) {
     EXPECT_EQ(error_of(text).substr(0, expected.size()), expected) << error_of(text);
 }
 
-// The third surface equals the first, so its material is used again.
+// The third surface equals the first, so that the first material is used again.
 TEST_F(ObjScene, MaterialsOfAnNffAreNumberedFromOne) {
   const auto path = save_obj("scene", [&](NffTarget& nff) {
     const std::string triangle = "p 3 0 0 0 1 0 0 0 1 0\n";

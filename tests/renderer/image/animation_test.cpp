@@ -1,4 +1,4 @@
-// Animations, decoded again.
+// Tests animations by decoding them again.
 #include "renderer/image/animation.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 namespace renderer::test {
 namespace {
 
-// The picture shown from `from_ms` (included) to `to_ms` (excluded).
+// The picture that is shown from `from_ms` (included) to `to_ms` (excluded).
 struct Shown {
   int from_ms, to_ms;
   Bitmap bitmap;
@@ -24,7 +24,7 @@ std::vector<Shown> decode(const std::string& bytes) {
   return all;
 }
 
-// Makes frames that equal the previous one except for up to three rectangles.
+// Makes frames. Each one equals the previous frame except for up to three rectangles.
 std::vector<Frame> make_frames(Random& random, int count) {
   const int width = 1 + random.below(60), height = 1 + random.below(60);
   Bitmap bitmap{width, height, std::vector<std::uint8_t>(std::size_t(3 * width * height))};
@@ -59,7 +59,7 @@ TEST(Animation, ShowsTheFramesToTheBit) {
       while (now + 1 != shown.end() && now->to_ms <= time_ms) ++now;
       EXPECT_TRUE(now->bitmap == frame.bitmap) << "at " << time_ms << " ms";
       time_ms += frame.duration_ms;
-      // An animation of one picture is a still picture, which has no duration.
+      // libwebp writes an animation of one picture as a still picture, which has no duration.
       if (shown.size() > 1) {
         EXPECT_GE(now->to_ms, time_ms);
       }

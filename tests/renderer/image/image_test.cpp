@@ -1,4 +1,4 @@
-// Fixed-point numbers, and picture files.
+// Tests images in fixed point, and picture files.
 
 #include <gtest/gtest.h>
 #include <png.h>
@@ -113,8 +113,8 @@ TEST_F(Png, WhatCannotBeWrittenIsAnError) {
   EXPECT_FALSE(std::filesystem::is_regular_file("/dev/full"));
 }
 
-// Writes a picture of one row with libpng. If the picture is taller, its header is followed by
-// invalid bytes.
+// Writes a PNG with libpng whose header states `width` and `height`, but with only one row of
+// pixels. If `height` is greater than 1, the rest of the file is invalid.
 void save_row(const std::string& path, int width, int height, int bits, int type,
               const std::vector<std::uint8_t>& row) {
   FILE* file = std::fopen(path.c_str(), "wb");
@@ -152,7 +152,7 @@ TEST_F(Png, LoadsAnyKind) {
   EXPECT_EQ(load(8, PNG_COLOR_TYPE_GRAY, {77}), (Bytes{77, 77, 77}));
   EXPECT_EQ(load(1, PNG_COLOR_TYPE_GRAY, {0x80}), (Bytes{255, 255, 255}));
   EXPECT_EQ(load(16, PNG_COLOR_TYPE_RGB, {0, 0, 0x80, 0x80, 255, 255}), (Bytes{0, 128, 255}));
-  // Opaque pixels are kept; transparent ones become white.
+  // Opaque pixels keep their colour; transparent ones become white.
   EXPECT_EQ(load(8, PNG_COLOR_TYPE_RGB_ALPHA, {9, 8, 7, 255}), (Bytes{9, 8, 7}));
   EXPECT_EQ(load(8, PNG_COLOR_TYPE_GRAY_ALPHA, {9, 0}), (Bytes{255, 255, 255}));
 }
@@ -175,10 +175,10 @@ TEST_F(Png, WhatCannotBeLoadedIsAnErrorThatNamesTheFile) {
   EXPECT_PRED1(names, refused("P6 1 1 255 abc"));
   save_png(file, make_image());
   const std::string whole = read(file);
-  // (The last 12 bytes are the end marker.)
+  // (The last 12 bytes of a PNG are its end marker, which may be missing.)
   for (std::size_t size = 0; size + 12 < whole.size(); size += 37)
     EXPECT_PRED1(names, refused(whole.substr(0, size))) << size;
-  // Changed bytes yield an error or a picture, but never a crash.
+  // Changed bytes must give an error or a picture, but never a crash.
   Random random{8};
   for (int i = 0; i < 300; ++i) {
     std::string bytes = whole;

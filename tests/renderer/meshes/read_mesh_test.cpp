@@ -1,4 +1,4 @@
-// Reader of meshes in further formats.
+// Tests the reader of mesh formats other than OBJ and NFF.
 #include "renderer/meshes/read_mesh.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace renderer::test {
 namespace {
 
-// Target that collects the triangles.
+// A target that collects triangles.
 struct Triangles : ObjTarget {
   std::vector<std::vector<Vec>> faces;
   std::vector<std::vector<Corner>> coordinates;
@@ -37,13 +37,13 @@ class ReadMesh : public ::testing::Test {
   LeftOut left_out_;
 };
 
-// The corners and faces of a tetrahedron, as PLY and OFF list them.
+// The corners and faces of a tetrahedron, in the form used by both PLY and OFF files.
 const std::string LISTS = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n";
 const std::string PLY_HEAD =
     "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float "
     "z\nelement face {}\nproperty list uchar int vertex_indices\nend_header\n";
 
-// Six times the volume enclosed by the faces.
+// Six times the volume that the faces enclose.
 double eval_volume(const std::vector<std::vector<Vec>>& faces) {
   double sum = 0;
   for (const auto& face : faces) sum += dot(face[0], cross(face[1], face[2]));
@@ -73,8 +73,8 @@ TEST_F(ReadMesh, ATetrahedronOfThreeFormats) {
   EXPECT_EQ(left_out_.describe(), "");
 }
 
-// Makes a glTF file with one triangle in a node that has a material. Its corners are 0, 0, 0; 1, 0,
-// 0; 0, 1, 0.
+// Makes a glTF file with one triangle, (0, 0, 0), (1, 0, 0), (0, 1, 0), in a node that has a
+// material.
 std::string make_gltf(const std::string& material, const std::string& moved = "") {
   return R"({"asset": {"version": "2.0"},
     "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64,)"
@@ -93,7 +93,7 @@ std::string make_gltf(const std::string& material, const std::string& moved = ""
     "scenes": [{"nodes": [0]}], "scene": 0})";
 }
 
-// The node is moved and scaled by two.
+// The file's node moves the triangle and scales it by two.
 TEST_F(ReadMesh, AMeshIsWhereItsNodeIsAndHasItsColours) {
   const auto path = save("t.gltf", make_gltf(R"({"name": "blue", "pbrMetallicRoughness":
                                                  {"baseColorFactor": [0.125, 0.25, 0.5, 1]}})",
@@ -157,7 +157,7 @@ TEST_F(ReadMesh, AMaterialHasItsColoursAndNumbers) {
   EXPECT_EQ(glass->ior, 1.5);
 }
 
-// STL and PLY contain no materials.
+// STL and PLY files contain no materials.
 TEST_F(ReadMesh, WithoutAMaterialATriangleIsOpaque) {
   Triangles triangles;
   read_mesh(save("t.ply", fmt::format(fmt::runtime(PLY_HEAD), 4) + LISTS), triangles, left_out_);
@@ -166,7 +166,7 @@ TEST_F(ReadMesh, WithoutAMaterialATriangleIsOpaque) {
   EXPECT_EQ(triangles.materials[0].ior, 1);
 }
 
-// A triangle with one texture coordinate beyond the limit loses all of them.
+// If one texture coordinate of a triangle exceeds the limit, the triangle loses all of them.
 TEST_F(ReadMesh, CoordinatesAreKeptUpToAMillion) {
   Triangles triangles;
   read_mesh(save("t.ply",
@@ -203,7 +203,7 @@ TEST_F(ReadMesh, WhatIsReadButHasNoMeshIsRefused) {
             path + ": found none, expected a mesh of triangles");
 }
 
-// The message quotes the library's reason.
+// The error message quotes the reason that the library gives.
 TEST_F(ReadMesh, WhatIsNoMeshIsRefused) {
   for (const char* name : {"a.stl", "a.ply", "a.off", "a.dae", "a.3ds", "a.gltf", "a.glb"}) {
     const auto path = save(name, "no mesh\n");

@@ -1,4 +1,4 @@
-// Previews, compared with the ray tracer and with values calculated by hand.
+// Tests previews by comparing them with the ray tracer, and with values calculated by hand.
 #include "renderer/preview/preview.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace renderer::test {
 namespace {
 
-// For each pixel, the object that its primary ray hits.
+// By pixel: the number of the object that the ray from the eye hits.
 std::vector<std::uint32_t> find_objects(const Scene& scene, const Params& params) {
   std::vector<std::uint32_t> objects;
   Work work;
@@ -23,7 +23,7 @@ std::vector<std::uint32_t> find_objects(const Scene& scene, const Params& params
   return objects;
 }
 
-// True if one of the eight neighbours of (x, y) shows another object than (x, y) does.
+// True if one of the eight neighbours of pixel (x, y) shows another object.
 bool is_at_silhouette(const std::vector<std::uint32_t>& objects, const Params& p, int x, int y) {
   const auto at = [&](int i, int j) { return objects[static_cast<std::size_t>(j * p.width + i)]; };
   for (int j = std::max(0, y - 1); j <= std::min(p.height - 1, y + 1); ++j)
@@ -36,7 +36,8 @@ struct Compared {
   int pixels = 0, other_object = 0, off_silhouette = 0, other_sums = 0;
 };
 
-// Compares a preview with a ray-traced picture of the scene, whose ray trees have `depth` levels.
+// Compares a preview with the ray-traced picture of the scene. `depth` is the number of levels of
+// its shading trees.
 void compare(const Scene& scene, Params params, int depth, Compared& all) {
   const Preview preview = make_preview(scene, params, PreviewStep::shadows);
   const auto objects = find_objects(scene, params);
@@ -68,7 +69,8 @@ TEST(Preview, ShadowsAreTheRayTracersButAtSilhouettes) {
   EXPECT_LE(all.other_object, all.pixels / 50);
 }
 
-// The preview does not depend on the unit of length. Here the whole scene is nearer than one unit.
+// The preview must not depend on the unit of length. In this scene, everything is nearer than one
+// unit.
 TEST(Preview, OfATinySceneIsTheRayTracersToo) {
   Compared all;
   const auto parse_scaled = [](double s) {
@@ -121,7 +123,8 @@ TEST(Preview, PhongHasTheLightOfShadowsWhereNothingIsInTheWay) {
             make_preview(scene, params, PreviewStep::shadows).samples);
 }
 
-// View of a 4 x 4 image at z = 4. With samples at corners, (x, y, 0) is pixel (2 + x, 2 - y).
+// The view of a 4 x 4 image from z = 4. With samples at the corners of pixels, the point (x, y, 0)
+// is at pixel (2 + x, 2 - y).
 const std::string SQUARE_VIEW =
     "v from 0 0 4 at 0 0 0 up 0 1 0 angle 53.13010235415598 resolution 4 4\n"
     "b 0 0 0.5\n";
@@ -132,7 +135,7 @@ Params make_centred() {
   return params;
 }
 
-// One colour component of each pixel, in the layout of the image.
+// One colour component of all pixels as text, arranged as in the image.
 std::string show(const Preview& preview, double Rgb::*colour) {
   std::string text;
   for (std::uint32_t i = 0; i < preview.samples.sums.size(); ++i) {
@@ -143,7 +146,8 @@ std::string show(const Preview& preview, double Rgb::*colour) {
 }
 
 TEST(Preview, FlatHasTheColourOfTheMiddle) {
-  // The light is 2 in front of the square's middle; ka * Ia = 0.1 * 0.5.
+  // The light is at a distance of 2 in front of the square's middle. The ambient part is ka * Ia =
+  // 0.1 * 0.5.
   const Scene scene = parse(SQUARE_VIEW +
                             "l 0 0 2 0.8 0.8 0.8\nf 1 0 0 0.5 0 0 0 0\n"
                             "p 4 -1 -1 0 1 -1 0 1 1 0 -1 1 0\n");
@@ -154,7 +158,7 @@ TEST(Preview, FlatHasTheColourOfTheMiddle) {
   EXPECT_EQ(preview.work[Op::feeler_made], 1u);
 }
 
-// The eye is not in front of the square, but in the light's mirror direction.
+// The eye is not in front of the square, but where the square's middle mirrors the light.
 TEST(Preview, HighlightsAreWhereTheyAreSeenFromTheEye) {
   const Scene scene = parse(SQUARE_VIEW +
                             "l 2 0 4 0.8 0.8 0.8\nf 1 0 0 0 0.5 20 0 0\n"
@@ -164,13 +168,14 @@ TEST(Preview, HighlightsAreWhereTheyAreSeenFromTheEye) {
 }
 
 TEST(Preview, GouraudInterpolatesTheColoursOfCorners) {
-  // The light is on the normal of the left edge's middle, as far away as the corners.
+  // The light is above the middle of the square's left edge, at a height equal to the distance of
+  // the corners.
   const Scene scene = parse(SQUARE_VIEW +
                             "l -1 0 1 1 1 1\nf 1 0.5 0.25 1 0 0 0 0\n"
                             "p 4 -1 -1 0 1 -1 0 1 1 0 -1 1 0\n");
   const Preview preview = make_preview(scene, make_centred(), PreviewStep::gouraud);
-  // cos = 1 / distance, with sqrt(2) to the left corners and sqrt(6) to the right ones; 0.1 is
-  // ambient.
+  // The diffuse part is cos = 1 / distance. The distance is sqrt(2) to the left corners and sqrt(6)
+  // to the right ones. The ambient part is 0.1.
   const double left = 0.1 + 1 / std::sqrt(2), right = 0.1 + 1 / std::sqrt(6);
   for (const std::uint32_t y : {1u, 2u}) {
     EXPECT_NEAR(preview.samples.get(4 * y + 1).r, 0.75 * left + 0.25 * right, 1e-9);
@@ -183,7 +188,7 @@ TEST(Preview, GouraudInterpolatesTheColoursOfCorners) {
 }
 
 TEST(Preview, PointsAreTheCornersAndFade) {
-  // At the largest distance, a quarter of the colour remains, mixed with the background.
+  // At the farthest point, a quarter of the colour remains; the rest is the background's.
   const Scene scene = parse(SQUARE_VIEW + "f 1 0 0 1 0 0 0 0\np 3 -1 -1 0 1 -1 0 -2 2 -4\n");
   const Preview preview = make_preview(scene, make_params(4, 4, 1), PreviewStep::points);
   EXPECT_EQ(show(preview, &Rgb::r), "0 0 0 0\n0 0.25 0 0\n0 0 0 0\n0 1 0 1\n");
@@ -195,8 +200,8 @@ TEST(Preview, PointsFadeOnlyWhereOthersAreNearer) {
     const Scene scene = parse(SQUARE_VIEW + "f 1 0 0 1 0 0 0 0\n" + triangle);
     return show(make_preview(scene, make_params(4, 4, 1), PreviewStep::points), &Rgb::r);
   };
-  // The first triangle has one corner in the image. The second has two, one half a unit farther
-  // away.
+  // The first triangle has one corner in the image. The second has two, one of which is half a unit
+  // farther away.
   EXPECT_EQ(red("p 3 -1 -1 0 50 -1 0 -1 50 0\n"), "0 0 0 0\n0 0 0 0\n0 0 0 0\n0 1 0 0\n");
   EXPECT_EQ(red("p 3 -1 -1 0 1.125 -1.125 -0.5 -1 50 0\n"),
             "0 0 0 0\n0 0 0 0\n0 0 0 0\n0 1 0 0.25\n");
@@ -204,14 +209,14 @@ TEST(Preview, PointsFadeOnlyWhereOthersAreNearer) {
 
 TEST(Preview, EdgesAreThoseThatNothingHides) {
   const std::string back = "f 1 0 0 1 0 0 0 0\np 4 -2 -2 0 2 -2 0 2 2 0 -2 2 0\n";
-  // A green wall at half the distance hides the rightmost column. Red pixels belong to the back
-  // square.
+  // A green wall at half the distance hides the rightmost column. Red pixels belong to the square
+  // behind it.
   const std::string front = "f 0 1 0 1 0 0 0 0\np 4 0.25 -9 2 9 -9 2 9 9 2 0.25 9 2\n";
   const Params params = make_params(4, 4, 1);
   const auto red = [&](const std::string& objects) {
     return show(make_preview(parse(SQUARE_VIEW + objects), params, PreviewStep::edges), &Rgb::r);
   };
-  // (The right and lower edges are outside the image, whose last samples are at 1.)
+  // (The right and lower edges are outside the image, because its last samples are at 1.)
   EXPECT_EQ(red(back), "1 1 1 1\n1 0 0 0\n1 0 0 0\n1 0 0 0\n");
   EXPECT_EQ(red(back + front), "0.25 0.25 0.25 0\n0.25 0 0 0\n0.25 0 0 0\n0.25 0 0 0\n");
 }
@@ -244,7 +249,7 @@ TEST(Preview, FromWithinASphereAndACylinder) {
   compare(scene, make_params(50, 50, 1), 1, all);
   EXPECT_EQ(all.other_sums, 0);
   EXPECT_EQ(all.off_silhouette, 0);
-  EXPECT_LE(all.other_object, 60);  // rays at the cylinder's far rim may hit another object
+  EXPECT_LE(all.other_object, 60);  // rays near the cylinder's far rim may hit another object
 }
 
 TEST(Preview, NamesWhatIsWrong) {
@@ -254,7 +259,7 @@ TEST(Preview, NamesWhatIsWrong) {
             "size: found 0 x 5, expected 1 to 65536 pixels on each side");
 }
 
-// Projects a point onto the image, in pixels.
+// Projects a point of the scene onto the image; the result is in pixels.
 std::pair<double, double> project(const Scene& scene, const Raster& raster, const Vec& point) {
   const Vec way = point - scene.view.from;
   const double scale = 1 / (dot(way, scene.view.ahead) * raster.step);
@@ -262,7 +267,7 @@ std::pair<double, double> project(const Scene& scene, const Raster& raster, cons
           raster.top - dot(way, scene.view.above) * scale};
 }
 
-// Each direction of curvature may contribute a quarter of a pixel.
+// The object is curved in two directions; each may contribute a quarter of a pixel.
 TEST(Facets, AreOffTheirObjectByHalfAPixelAtMost) {
   double most_of_cylinder = 0, most_of_sphere = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
@@ -274,7 +279,8 @@ TEST(Facets, AreOffTheirObjectByHalfAPixelAtMost) {
     // Some cylinders are so near that their surface is much nearer to the eye than their axis.
     const bool is_sphere = seed % 2, is_near = seed % 8 == 2;
     const double radius = random.range(is_near ? 0.5 : 0.01, 2), turn = random.range(0, 0.3);
-    // Some cylinders stand along a coordinate axis. All three axes are equivalent.
+    // Some cylinders are parallel to a coordinate axis. The result must be right for all three
+    // axes.
     const Vec axes[] = {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
     Vec base = random.point(1.5), axis = random.direction();
     if (seed % 4 == 0) axis = axes[seed / 4 % 3];
@@ -310,11 +316,11 @@ TEST(Facets, AreOffTheirObjectByHalfAPixelAtMost) {
   }
   EXPECT_LE(most_of_sphere, 0.5);
   EXPECT_LE(most_of_cylinder, 0.25);
-  EXPECT_GE(most_of_sphere, 0.2);  // the tessellation is no finer than necessary
+  EXPECT_GE(most_of_sphere, 0.2);  // the tessellation must not be finer than necessary
   EXPECT_GE(most_of_cylinder, 0.1);
 }
 
-// The way from pole to pole is half of the way around.
+// The distance from pole to pole along the surface is half of the circumference.
 TEST(Facets, OfASphereAreNoHigherThanWide) {
   int odd = 0;
   for (int i = 1; i <= 100; ++i) {
@@ -326,7 +332,7 @@ TEST(Facets, OfASphereAreNoHigherThanWide) {
     finish(scene);
     Facets facets;
     make_facets(scene, scene.objects[0], make_params(400, 300, 1), Fineness::silhouette, facets);
-    // each facet at the pole begins with the pole
+    // each facet at a pole begins with the pole's corner
     const auto around = std::ranges::count(facets.indices, 0u);
     ASSERT_GE(around, 4);
     ASSERT_EQ(std::ssize(facets.ends) % around, 0);

@@ -1,4 +1,4 @@
-// Cells of progressive rendering: contrast, division, the pyramid test, interpolation.
+// Tests the cells of progressive rendering: contrast, division, the pyramid test and interpolation.
 
 #include "renderer/progressive/progressive.hpp"
 
@@ -27,7 +27,7 @@ TEST(Cells, ContrastEq47) {
   EXPECT_EQ(eval_contrast(0, 0.1), 1);
   EXPECT_EQ(eval_contrast(0.3, 0.3), 0);
   EXPECT_EQ(eval_contrast(0, 0), 0);
-  // green has the largest contrast
+  // green has the largest contrast of the three components
   EXPECT_EQ(eval_contrast({{0.5, 0.25, 0.1}, {0.5, 0.75, 0.2}}), 0.5);
 }
 
@@ -57,7 +57,8 @@ TEST(Cells, CoverAnyImageOnceDownToPixels) {
     }
 }
 
-// A cell of 8 steps with known corners. Tests may add a sample in the middle of its upper side.
+// One cell of 8 x 8 steps with known colours at its corners. Tests may add a sample in the middle
+// of the upper side.
 struct OneCell {
   Sampled sampled{9, 9};
   Cell cell{0, 0, 8, 8};
@@ -95,9 +96,9 @@ TEST(Cells, InterpolationPassesThroughEverySampleOnTheBorder) {
   OneCell one;
   one.set(4, 0, 0.8);
   EXPECT_NEAR(one.show(4, 0), 0.8, 1e-9);
-  EXPECT_NEAR(one.show(2, 0), 0.45, 1e-9);  // the middle between the values 0.1 and 0.8
-  EXPECT_NEAR(one.show(4, 8), 0.7, 1e-9);   // the opposite side is unchanged
-  // bilinear, plus half of the upper side's surplus
+  EXPECT_NEAR(one.show(2, 0), 0.45, 1e-9);  // halfway between the values 0.1 and 0.8
+  EXPECT_NEAR(one.show(4, 8), 0.7, 1e-9);   // the opposite side does not change
+  // bilinear interpolation, plus half of the difference that the sample makes on the upper side
   EXPECT_NEAR(one.show(4, 4), 0.45 + 0.6 / 2, 1e-9);
   const Range range = find_range(one.cell, one.sampled);
   EXPECT_NEAR(range.least.r, 0.1, 1e-9);
@@ -105,8 +106,8 @@ TEST(Cells, InterpolationPassesThroughEverySampleOnTheBorder) {
 }
 
 TEST(Cells, NeighboursOfAnySizeAgreeOnTheirBorder) {
-  // One cell of side 8 beside four of side 4. The right side of the large cell has a sample in the
-  // middle.
+  // One cell of side 8 beside four cells of side 4. The right side of the large cell therefore has
+  // a sample in the middle.
   Sampled sampled(13, 9);
   Random random{5};
   for (const auto& [x, y] :
@@ -228,7 +229,7 @@ TEST(Progressive, OnlyTheAreaOfInterestIsMadeBetter) {
   EXPECT_LT(counts.samples + counts.deepened, 2u * 10 * 12);
 }
 
-// Makes small spheres and polygons, which tests of contrast alone do not find.
+// Makes small spheres and polygons that tests of contrast alone do not find.
 Scene make_small_objects(std::uint64_t seed, int objects) {
   Random random{seed};
   Scene scene;
@@ -248,7 +249,7 @@ Scene make_small_objects(std::uint64_t seed, int objects) {
   return scene;
 }
 
-// The objects visible at pixels of the full image.
+// The objects that are visible at pixels of the complete image.
 std::set<std::uint32_t> find_owners(const Scene& scene, const Params& params) {
   std::set<std::uint32_t> owners;
   Work work;
@@ -292,7 +293,7 @@ TEST(Pyramid, SavesSamplesWhereNothingHides) {
   EXPECT_LT(image.advance({.contrast = 1, .depth = 1, .area = {}}).samples, 128u * 128 / 20);
 }
 
-// For any ray between the four corners, the pyramid meets a small box around any point of the ray.
+// The pyramid must meet a small box around any point of any ray between its four corners.
 TEST(Pyramid, MeetsWhatARayWithinMeets) {
   Random random{9};
   for (int i = 0; i < 2000; ++i) {

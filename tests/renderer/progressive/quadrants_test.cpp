@@ -1,4 +1,5 @@
-// The queue of quadrants: order, coverage and length.
+// Tests the queue of quadrants: the order of pixels, coverage of the picture, and the queue's
+// length.
 #include "renderer/progressive/quadrants.hpp"
 
 #include <gtest/gtest.h>
@@ -41,10 +42,10 @@ std::size_t find_peak(int width, int height) {
   return queue.peak();
 }
 
-// A picture in which each block is drawn in its turn.
+// A picture into which the quadrants are drawn in the order of the queue.
 struct Drawn {
   Area area;
-  std::vector<Pixel> shown;  // for each pixel: the pixel whose colour it shows
+  std::vector<Pixel> shown;  // by pixel: the pixel whose colour it shows
   std::vector<int> computed;
 
   explicit Drawn(const Area& a)
@@ -69,8 +70,9 @@ bool lies_within(const Area& inner, const Area& outer) {
          inner.y + inner.height <= outer.y + outer.height;
 }
 
-// Draws the whole area. Every pixel must be computed once, and no computed pixel may be drawn over.
-// After the first block, every pixel must show a computed one.
+// Draws the whole area. Every pixel must be computed exactly once, and no pixel may be drawn over
+// after it has been computed. After the first quadrant, every pixel must show the colour of a
+// computed pixel.
 void expect_whole(const Area& area) {
   SCOPED_TRACE(testing::Message() << testing::PrintToString(area));
   QuadrantQueue queue(area);
@@ -115,7 +117,8 @@ TEST(Quadrants, EveryPixelOfLargerAreasIsComputedOnce) {
   ASSERT_NO_FATAL_FAILURE(expect_whole({0, 0, 1, 65536}));
 }
 
-// The order in figure 6 of the paper: 1 upper left, 2 lower right, 3 upper right, 4 lower left.
+// The order in figure 6 of the paper: 1 is the upper left quadrant, 2 lower right, 3 upper right, 4
+// lower left.
 TEST(Quadrants, TheFirstBlocksAreInThePapersOrder) {
   const std::vector<Area> expected = {
       {0, 0, 8, 8},                              // the whole picture
@@ -124,7 +127,7 @@ TEST(Quadrants, TheFirstBlocksAreInThePapersOrder) {
       {4, 4, 2, 2}, {6, 6, 2, 2}, {6, 4, 2, 2},  // quadrants of the lower right quadrant
       {4, 0, 2, 2}, {6, 2, 2, 2}, {6, 0, 2, 2},  // quadrants of the upper right quadrant
       {0, 4, 2, 2}, {2, 6, 2, 2}, {2, 4, 2, 2},  // quadrants of the lower left quadrant
-      {0, 0, 1, 1}, {1, 1, 1, 1}, {1, 0, 1, 1}, {2, 2, 1, 1}  // the next blocks are pixels
+      {0, 0, 1, 1}, {1, 1, 1, 1}, {1, 0, 1, 1}, {2, 2, 1, 1}  // then single pixels
   };
   EXPECT_EQ(first_of({0, 0, 8, 8}, expected.size()), expected);
   EXPECT_EQ(own_pixel(expected[0]), (Pixel{0, 7}));
@@ -132,13 +135,14 @@ TEST(Quadrants, TheFirstBlocksAreInThePapersOrder) {
   EXPECT_EQ(own_pixel(expected[2]), (Pixel{4, 7}));
 }
 
-// For odd sides, the right and upper parts are the larger ones. The area is 5 x 3 at (10, 20).
+// If a side has an odd length, the right and upper parts are larger. The area has 5 x 3 pixels from
+// (10, 20).
 TEST(Quadrants, OddSidesAreDividedAsInTheListing) {
   const std::vector<Area> expected = {
       {10, 20, 5, 3},                                  //
       {10, 20, 2, 2}, {12, 22, 3, 1}, {12, 20, 3, 2},  // parts of 2 + 3 columns and 2 + 1 rows
       {10, 20, 1, 1}, {11, 21, 1, 1}, {11, 20, 1, 1},  // parts of the 2 x 2 quadrant
-      {13, 22, 2, 1},  // part of the 3 x 1 quadrant: one row has only right parts
+      {13, 22, 2, 1},  // part of the 3 x 1 quadrant; with only one row, it has only right parts
       {12, 20, 1, 1}, {13, 21, 2, 1}, {13, 20, 2, 1},  // parts of the 3 x 2 quadrant
       {11, 22, 1, 1},                                  // part of the lower left quadrant, 2 x 1
       {14, 22, 1, 1}, {14, 21, 1, 1}, {14, 20, 1, 1}};
@@ -162,7 +166,7 @@ TEST(Quadrants, TheQueueIsNoLongerThanItsBound) {
   }
 }
 
-// The paper's bound N / 3 holds for squares, but not for all sizes.
+// The paper's bound on the length of the queue, N / 3, is true for squares, but not for all sizes.
 TEST(Quadrants, APictureOf1920x1080NeedsMoreThanAThird) {
   const double pixels = 1920.0 * 1080;
   EXPECT_NEAR(pixels / static_cast<double>(find_peak(1920, 1080)), 2.24, 0.005);

@@ -1,4 +1,4 @@
-// Two passes in an order of pixels, and interruptions between them.
+// Tests progressive refinement: two passes over the pixels, and interruptions between steps.
 #include "renderer/progressive/refinement.hpp"
 
 #include <gtest/gtest.h>
@@ -51,8 +51,8 @@ TEST(Refinement, EndsWithThePictureAndTheCountsOfRender) {
   }
 }
 
-// A rendering advances in steps of any size, and stops somewhere. A second rendering resumes from
-// its state, and ends with the picture of render().
+// A rendering advances in steps of any size and stops somewhere. A second rendering continues from
+// its state, and must end with the picture of render().
 TEST(Refinement, StoppedAnywhereItGoesOnToTheSamePicture) {
   const Scene scene = test::make_random_scene(7, 10);
   for (const auto& [samples, adaptive] : {std::pair{6, 0.0}, {20, 0.05}}) {
@@ -88,7 +88,7 @@ TEST(Refinement, ItStopsAtTheFirstPixelThatReachesTheNumber) {
   }
 }
 
-// No sample is taken twice.
+// Every sample must be taken only once.
 TEST(Refinement, EverySampleThatIsDoneWasOnePrimaryRay) {
   const Scene scene = test::make_random_scene(5, 8);
   Refinement image(scene, make_sampled(13, 7, 4), Order::quadrants);
@@ -117,7 +117,7 @@ TEST(Refinement, InTheFirstPassBlocksHaveTheColourOfTheirPixel) {
   EXPECT_TRUE(image.is_finished());
 }
 
-// In the second pass, a pixel keeps the colour of its first sample until it has all samples.
+// In the second pass, a pixel keeps the colour of its first sample until all its samples are taken.
 TEST(Refinement, InTheSecondPassPixelsChangeOneByOne) {
   const Scene scene = test::make_random_scene(6, 8);
   const int samples = 4;
@@ -162,7 +162,7 @@ TEST(Refinement, AStateOfAnotherSizeIsRefused) {
     Refinement resumed(scene, params, Order::scan, 1, state);
   };
   EXPECT_THROW(resume(make_sampled(8, 9, 2), small.state()), base::BadInput);
-  // A fixed number of samples, equal to the maximum of the adaptive rendering.
+  // A rendering with a fixed number of samples, which is the maximum of the adaptive rendering.
   Refinement fixed(scene, make_sampled(8, 8, 20), Order::scan);
   EXPECT_THROW(resume(make_sampled(8, 8, 20, 0.1), fixed.state()), base::BadInput);
   auto state = small.state();

@@ -1,4 +1,4 @@
-// Cells with up to 13 samples: their points, triangles, division and pictures.
+// Tests cells with up to 13 samples: their sample points, triangles, division and pictures.
 #include "renderer/progressive/sampled_cell.hpp"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@ using Place = std::pair<int, int>;
 
 constexpr int SIDES[] = {2, 4, 8, 16, 64};
 
-// Calls `act` for cells of several sides, at each level that has samples. The cells are not at the
-// origin.
+// Calls `act` for cells with several sides, at each level of sampling from 1 on. The cells are not
+// at the origin.
 template <class Act>
 void for_cells(Act act) {
   for (const int side : SIDES)
@@ -67,8 +67,8 @@ TEST(SampledCell, LevelsAddFiveFourAndFourSamples) {
   EXPECT_EQ(places(points_of_level(least, 2)), (std::set<Place>{{4, 5}, {3, 6}}));
 }
 
-// Samples are at multiples of a quarter: corners and middle, middles of sides, middles of
-// quadrants.
+// Samples are at multiples of a quarter of the side: at the corners and the middle, then the
+// middles of the sides, then the middles of the quadrants.
 TEST(SampledCell, SamplesAreOnTheLattice) {
   const SampledCell cell{40, 20, 8, 0};
   EXPECT_EQ(places(points_of_level(cell, 1)),
@@ -123,7 +123,8 @@ TEST(SampledCell, TrianglesOfALevelAreEqual) {
   });
 }
 
-// Tests points on a lattice 21 times as fine; none lies on an edge.
+// Tests the points of a lattice that is 21 times finer than that of the samples. None of them lies
+// on an edge of a triangle.
 TEST(SampledCell, TrianglesTileTheCell) {
   for_cells([](const SampledCell& cell) {
     const auto triangles = triangles_of(cell);
@@ -146,7 +147,7 @@ TEST(SampledCell, TrianglesTileTheCell) {
 }
 
 // A cell of side 2 is an exception at level 2: two corners of its triangles are samples of
-// neighbours, which none of its own pixels needs.
+// neighbouring cells. None of its own pixels needs them.
 TEST(SampledCell, TrianglesHaveSamplesAtTheirCorners) {
   for_cells([](const SampledCell& cell) {
     if (cell.side == 2 && cell.level == 2) return;
@@ -242,8 +243,8 @@ TEST(SampledCell, PaintsSamplesAsTheyAre) {
   });
 }
 
-// Interpolates in every triangle around a pixel. For a pixel on an edge there are two or more
-// triangles. They must agree with the picture, and thus with each other.
+// Interpolates in every triangle that contains a pixel. A pixel on an edge is in two or more
+// triangles. All results must equal the picture.
 TEST(SampledCell, PaintsWhatItsTrianglesSay) {
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -275,7 +276,7 @@ TEST(SampledCell, PaintsWhatItsTrianglesSay) {
   }
 }
 
-// Parts beyond the image are left out, and nothing else changes.
+// Parts beyond the border of the image are omitted, without any effect on the other pixels.
 TEST(SampledCell, PaintsWithinTheImageAlone) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

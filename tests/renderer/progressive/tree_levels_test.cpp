@@ -1,4 +1,5 @@
-// Shading trees that are deepened in steps, compared with Eq 4.1, 4.3, 4.4 and 4.6 of the thesis.
+// Tests shading trees that are deepened in steps: numbers of rays are compared with thesis Eq 4.1,
+// 4.3, 4.4 and 4.6.
 
 #include "renderer/progressive/tree_levels.hpp"
 
@@ -16,12 +17,12 @@ using renderer::test::make_random_scene;
 
 constexpr int LEVELS = 8;
 
-// A scene for a single ray. Its planes are perpendicular to z, and extend from -9 to 9 along y.
+// A scene for a single ray. Its planes are perpendicular to z and extend from -9 to 9 along y.
 struct Planes {
   Scene scene;
 
   explicit Planes(int lights) {
-    // The image's upper left pixel looks along `ahead`, since the angle of the image is tiny.
+    // The upper left pixel looks along `ahead`, because the view angle is tiny.
     scene.view.up = {1, 0, 0};
     scene.view.angle = 1e-6;
     for (int i = 0; i < lights; ++i) scene.lights.push_back({{0, 0, 0.1 * i}, {1, 1, 1}});
@@ -42,7 +43,7 @@ struct Planes {
 const Surface MIRROR{.colour = {1, 1, 1}, .kd = 0, .ks = 1, .shine = 1, .t = 0, .ior = 1};
 const Surface SHEET{.colour = {1, 1, 1}, .kd = 0, .ks = 0.5, .shine = 1, .t = 0.5, .ior = 1};
 
-// Between two mirrors, every ray has one child.
+// Two facing mirrors, between which every ray has one child.
 Scene make_list(int lights) {
   Planes planes(lights);
   planes.add(0, -1, 100, MIRROR);
@@ -50,16 +51,16 @@ Scene make_list(int lights) {
   return planes.finished({0, 0, 0.5}, {0, 1, 1});
 }
 
-// There are more half-mirror, half-glass sheets than levels of a tree, so every ray has two
-// children.
+// Sheets that reflect half of the light and transmit half. There are more sheets than levels of a
+// tree, so that every ray has two children.
 Scene make_complete(int lights) {
   Planes planes(lights);
   for (int z = -LEVELS; z <= LEVELS; ++z) planes.add(z, -100, 100, SHEET);
   return planes.finished({0, 0, 0.5}, {0, 1, 1});
 }
 
-// A short pane between two mirrors (figure 4.3). A ray inside the pane has two children: one stays
-// inside, the other goes to and fro between the mirrors beyond the pane.
+// A short pane of glass between two mirrors (figure 4.3). A ray inside the pane has two children:
+// one stays inside, the other goes to and fro between the two mirrors, beyond the end of the pane.
 Scene make_semi_complete(int lights) {
   Planes planes(lights);
   planes.add(0, -1, 200, MIRROR);
@@ -103,7 +104,7 @@ TEST(TreeLevels, CompleteTree) {
 TEST(TreeLevels, CompleteTreeHasTheRatioOfEq41) {
   constexpr int LIGHTS = 3;
   const auto steps = count_steps(make_complete(LIGHTS));
-  EXPECT_EQ(steps[3].repeated, 3u);  // value of figure 4.2
+  EXPECT_EQ(steps[3].repeated, 3u);  // as in figure 4.2
   EXPECT_EQ(steps[3].fresh.total(), 16u);
   for (int n = 1; n <= LEVELS; ++n)
     EXPECT_EQ(get_repeated_percent(steps[static_cast<std::size_t>(n)]),
@@ -171,8 +172,8 @@ TEST(TreeLevels, RepeatedRaysAreThoseOfTheLevelsBeforeWithoutFeelers) {
   EXPECT_EQ(sum, render(scene, params).rays);
 }
 
-// The room of table 4.1. The limit on influence is one step of an 8-bit image, since the thesis
-// states none.
+// The room of table 4.1. The limit on the influence factor is one step of an 8-bit image, because
+// the thesis does not state its limit.
 TEST(TreeLevels, TheRoomLiesAboveEq46AndNearTheThesisPractice) {
   const Scene scene = make_room(27);
   Params params = make_params(128, 128, 1);

@@ -1,4 +1,4 @@
-// Curves of quality, compared with values calculated by hand.
+// Tests curves of picture quality by comparison with values calculated by hand.
 #include "renderer/quality/quality_curve.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Quality measures of pictures: cases calculated by hand, and properties on random pictures.
+// Tests quality measures of pictures: cases calculated by hand, and properties of random pictures.
 #include "renderer/quality/quality.hpp"
 
 #include <gtest/gtest.h>
@@ -9,14 +9,14 @@
 namespace renderer::test {
 namespace {
 
-// A grey picture of the given levels.
+// A grey picture with the given levels, row by row.
 Bitmap make_grey(int width, int height, const std::vector<int>& levels) {
   Bitmap picture{width, height, {}};
   for (const int level : levels) picture.rgb8.insert(picture.rgb8.end(), 3, std::uint8_t(level));
   return picture;
 }
 
-// Levels from 60 to 195, in waves with a little noise.
+// A grey picture with waves of levels from 60 to 195 and a little noise.
 Bitmap make_random_picture(Random& random) {
   const int width = 1 + random.below(40), height = 1 + random.below(40);
   const double fast = random.range(0.1, 1), slow = random.range(0.02, 0.1);
@@ -38,7 +38,7 @@ Bitmap add_noise(const Bitmap& picture, double most, std::uint64_t seed) {
   return noisy;
 }
 
-// Evaluates the definition of SSIM window by window.
+// Evaluates the definition of SSIM window by window, without sliding sums.
 double eval_plain_ssim(const Bitmap& a, const Bitmap& b) {
   const int columns = std::min(8, a.width), rows = std::min(8, a.height);
   const auto luminance = [](const Bitmap& p, int x, int y) {
@@ -70,15 +70,15 @@ double eval_plain_ssim(const Bitmap& a, const Bitmap& b) {
 TEST(Rmse, ByHand) {
   EXPECT_EQ(rmse({1, 1, {10, 20, 30}}, {1, 1, {10, 20, 30}}), 0);
   EXPECT_EQ(rmse(make_grey(2, 1, {0, 0}), make_grey(2, 1, {255, 255})), 255);
-  EXPECT_EQ(rmse({1, 1, {0, 0, 0}}, {1, 1, {1, 5, 1}}), 3);  // rmse = sqrt((1 + 25 + 1) / 3)
+  EXPECT_EQ(rmse({1, 1, {0, 0, 0}}, {1, 1, {1, 5, 1}}), 3);  // sqrt((1 + 25 + 1) / 3)
 }
 
 TEST(Ssim, ByHand) {
   EXPECT_DOUBLE_EQ(ssim(make_grey(1, 1, {0}), make_grey(1, 1, {255})), 6.5025 / (65025 + 6.5025));
-  // Both pictures have mean 127.5 and variance 16256.25; their covariance is -16256.25.
+  // Both pictures have the mean 127.5 and the variance 16256.25. Their covariance is -16256.25.
   EXPECT_DOUBLE_EQ(ssim(make_grey(2, 1, {0, 255}), make_grey(2, 1, {255, 0})),
                    (-32512.5 + 58.5225) / (32512.5 + 58.5225));
-  // The luminance of red, green and blue.
+  // In pictures of one pixel, only the luminance of red, green and blue matters.
   const auto mean_only = [](double p, double q) {
     return (2 * p * q + 6.5025) / (p * p + q * q + 6.5025);
   };
@@ -87,8 +87,8 @@ TEST(Ssim, ByHand) {
 }
 
 TEST(Ssim, MeansOverAllWindows) {
-  // In 9 x 1 pixels, windows of 8 x 1 begin at the first and the second pixel. Only the second
-  // window differs.
+  // In pictures of 9 x 1 pixels, windows of 8 x 1 begin at the first and the second pixel. Only the
+  // second window differs.
   const auto a = make_grey(9, 1, {0, 0, 0, 0, 0, 0, 0, 0, 0}),
              b = make_grey(9, 1, {0, 0, 0, 0, 0, 0, 0, 0, 80});
   const double mean = 10, variance = 80.0 * 80 / 8 - 100;
@@ -117,7 +117,7 @@ TEST(Ssim, PropertiesOnRandomPictures) {
       last_ssim = found;
       last_rmse = error;
     }
-    // Uniform noise of 50 has a standard deviation of 50 / sqrt(3), 28.9.
+    // Noise that is uniform from -50 to 50 has a standard deviation of 50 / sqrt(3) = 28.9.
     if (a.rgb8.size() > 1000) {
       EXPECT_NEAR(last_rmse, 28.9, 2.5);
     }
@@ -125,14 +125,14 @@ TEST(Ssim, PropertiesOnRandomPictures) {
 }
 
 TEST(BorderEnergy, ByHand) {
-  // Second differences around the pixels 1 to 4 are 0, 10, -10, 0. The first and the last lie
-  // inside a cell.
+  // The second differences at pixels 1 to 4 are 0, 10, -10, 0. The first and the last one lie
+  // inside a cell; the others cross the border.
   EXPECT_DOUBLE_EQ(border_energy(make_grey(6, 1, {0, 0, 0, 10, 10, 10}), 3), 100.5 / 0.5);
   EXPECT_DOUBLE_EQ(border_energy(make_grey(1, 6, {0, 0, 0, 10, 10, 10}), 3), 100.5 / 0.5);
-  // A bend at the border between cells: the second differences are 0, 0, 4, 0.
+  // The picture has a bend at the border between cells: the second differences are 0, 0, 4, 0.
   EXPECT_DOUBLE_EQ(border_energy(make_grey(6, 1, {0, 0, 0, 0, 4, 8}), 3), 8.5 / 0.5);
-  // A step inside a cell: second differences of -7 and 7 around pixels 4 and 5 of 9. Three second
-  // differences lie inside cells.
+  // The picture has a step inside a cell: the second differences at pixels 4 and 5 are -7 and 7.
+  // Three second differences lie inside cells.
   EXPECT_DOUBLE_EQ(border_energy(make_grey(9, 1, {9, 9, 9, 9, 2, 2, 2, 2, 2}), 3),
                    (49 / 4.0 + 0.5) / (49 / 3.0 + 0.5));
 }

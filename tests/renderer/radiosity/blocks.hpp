@@ -1,6 +1,7 @@
 #pragma once
-// Random rooms with blocks: a closed box with lamps under its ceiling. Blocks are turned; they
-// stand, hang in the air, lean on a wall, or stand on each other.
+// Random rooms with blocks for tests. A room is a closed box with lamps under its ceiling. Blocks
+// are rotated about z. They stand on the floor or on other blocks, hang in the air, or lean on a
+// wall.
 
 #include "tests/renderer/radiosity/support.hpp"
 
@@ -8,7 +9,7 @@ namespace radiosity::test {
 
 struct Block {
   double x = 0, y = 0, low = 0, high = 1;     // centre, bottom and top of the block
-  double wide = 0.5, deep = 0.5, turned = 0;  // half sides; angle about z in radians
+  double wide = 0.5, deep = 0.5, turned = 0;  // half sides; rotation about z in radians
 
   std::array<Vec, 4> ring(double z) const {
     const double c = std::cos(turned), s = std::sin(turned);
@@ -19,16 +20,16 @@ struct Block {
   }
 };
 
-/// True if a point is above the block and more than `margin` inside its sides.
+/// True if a point, at any height, is horizontally more than `margin` inside the block's sides.
 inline bool is_within(const Block& block, const Vec& p, double margin) {
   const auto ring = block.ring(p.z);
-  // the ring of corners is at the point's height
+  // the ring of corners is at the height of the point
   return clip(ring, make_plane({0, 0, 1}, p), 0).empty() &&
          std::ranges::all_of(make_edge_planes(ring, {0, 0, 1}),
                              [&](const Plane& edge) { return eval_height(edge, p) > margin; });
 }
 
-/// Adds the sides and the top, and on request the bottom.
+/// Adds the sides and the top of a block, and its bottom if `bottom`.
 inline void add_block(Room& room, const Block& block, bool bottom, int n, int high) {
   const auto low = block.ring(block.low), top = block.ring(block.high);
   for (std::size_t i = 0; i < 4; ++i)
@@ -47,11 +48,11 @@ inline Block make_block(Random& random, const Vec& size, std::span<const Block> 
   const int angle = random.below(6);
   block.turned = angle == 0 ? 0 : angle == 1 ? 1e-9 : random.range(-3, 3);
   switch (random.below(5)) {
-    case 0:  // a block in the air
+    case 0:  // hanging in the air
       block.low = random.range(0.05, 0.3) * size.z;
       block.high += block.low;
       break;
-    case 1:  // a block on another one
+    case 1:  // standing on another block
       if (others.empty()) break;
       block.x = others.back().x;
       block.y = others.back().y;
@@ -60,11 +61,11 @@ inline Block make_block(Random& random, const Vec& size, std::span<const Block> 
       block.low = others.back().high;
       block.high = std::min(block.low + block.high, 0.9 * size.z);
       break;
-    case 2:  // a block with an edge or a side at the wall x = 0
+    case 2:  // with an edge or a side at the wall x = 0
       block.x = block.wide * std::abs(std::cos(block.turned)) +
                 block.deep * std::abs(std::sin(block.turned));
       break;
-    case 3:  // a block in a corner
+    case 3:  // in a corner of the room
       block.turned = 0;
       block.x = block.wide;
       block.y = block.deep;
@@ -75,8 +76,8 @@ inline Block make_block(Random& random, const Vec& size, std::span<const Block> 
   return block;
 }
 
-/// A room with blocks. Material 0 is grey, material 1 that of lamps. The first faces are the six of
-/// the box, floor first, then the lamps.
+/// A room with blocks. Material 0 is grey, material 1 is that of lamps. The first six faces are
+/// those of the room, the floor first; then come the lamps.
 struct BlocksRoom {
   Room room;
   Vec size;

@@ -1,5 +1,5 @@
 #pragma once
-// Rooms for the tests of creases.
+// Rooms for the tests of creases (lines at which the illumination or its derivatives jump).
 
 #include "renderer/radiosity/creases/creases.hpp"
 #include "tests/renderer/support.hpp"
@@ -30,7 +30,7 @@ inline void add_face(Room& room, const Polygon& corners, std::uint32_t material,
   room.faces.push_back(face);
 }
 
-/// A rectangle at a height, counter-clockwise from above.
+/// A horizontal rectangle at height z, counter-clockwise as seen from above.
 inline Polygon make_rectangle(double x0, double y0, double x1, double y1, double z) {
   return {{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}};
 }
@@ -40,7 +40,7 @@ inline Polygon turn(Polygon polygon) {
   return polygon;
 }
 
-/// Adds six faces that look inwards or outwards.
+/// Adds the six faces of a box with their fronts outside if `outwards`, otherwise inside.
 inline void add_box(Room& room, const Vec& lo, const Vec& hi, bool outwards) {
   const auto add = [&](const Vec& a, const Vec& b, const Vec& c, const Vec& d) {
     const Polygon inwards{a, b, c, d};

@@ -1,4 +1,4 @@
-// Creases lie where the form of a light's visible part changes, and nowhere else.
+// Tests in random cases that creases lie exactly where the form of a light's visible part changes.
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace radiosity::test::shadows {
 namespace {
 
-// The part of a polygon on the left of a line.
+// The part of a polygon on the left of the line from a to b.
 Polygon clip(const Polygon& polygon, const Vec& a, const Vec& b) {
   Polygon part;
   const auto side = [&](const Vec& p) {
@@ -28,9 +28,9 @@ double eval_area(const Polygon& polygon) {
   return polygon.size() < 3 ? 0 : length(eval_area_normal(polygon)) / 2;
 }
 
-// A light and an occluder above a floor, both convex and slightly tilted.
+// A light and an occluder above a floor. Both are convex and slightly tilted.
 struct Case {
-  Polygon light, blocker;  // polygons, counter-clockwise as seen from above
+  Polygon light, blocker;  // counter-clockwise as seen from above
   Room room = make_room();
 };
 
@@ -59,7 +59,7 @@ Case make_case(std::uint64_t seed) {
   return c;
 }
 
-// A polygon as seen from a point of the floor, projected onto a plane at unit height.
+// Projects a polygon, as seen from a point of the floor, onto a plane at unit height.
 Polygon project(const Polygon& polygon, const Vec& from) {
   Polygon image;
   for (const Vec& p : polygon) {
@@ -105,8 +105,9 @@ TEST(Discontinuities, LightChangesOnlyAtCreases) {
   EXPECT_GT(changes, 300);
 }
 
-// One bit for each corner of either polygon: whether it lies inside the other polygon. The bits
-// change exactly where the visible part of the light changes its form.
+// One bit for each corner of the light and the occluder: whether it lies inside the other polygon,
+// as seen from a point. The bits change exactly where the visible part of the light changes its
+// form.
 std::uint64_t eval_form(const Case& c, const Vec& from) {
   const Polygon light = project(c.light, from), blocker = project(c.blocker, from);
   std::uint64_t form = 0;
@@ -174,11 +175,11 @@ TEST(Discontinuities, HalvesMakeTheCreasesOfTheWhole) {
           if (distance_to(crease.a + i / 20.0 * (crease.b - crease.a), on_floor(others)) > 1e-2)
             ++missing;
   }
-  // The ends of creases may be cut off, so a few points may be missing.
+  // The ends of creases may be missing, so a few points need not be covered.
   EXPECT_LT(missing, points / 500) << "of " << points;
 }
 
-// True if a face is between two points.
+// True if the face blocks the line between two points.
 bool blocks(const Face& face, const Vec& from, const Vec& to) {
   const Vec normal = eval_area_normal(face.corners);
   const double here = dot(normal, from - face.corners[0]),
@@ -192,7 +193,8 @@ bool blocks(const Face& face, const Vec& from, const Vec& to) {
   return true;
 }
 
-// There are boxes on a floor and one in the air. Full light and full shadow end at creases.
+// Boxes stand on a floor, and one hangs in the air. Regions of full light and of full shadow must
+// end at creases.
 TEST(Discontinuities, BoxesShadowsEndAtCreases) {
   int changes = 0;
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
@@ -210,7 +212,7 @@ TEST(Discontinuities, BoxesShadowsEndAtCreases) {
     add_face(room, turn(light), LIGHT);
     const auto creases = find_creases(room);
     ASSERT_LT(creases.size(), 300u);
-    // Points on the light's border, denser at its corners.
+    // Points on the border of the light, denser near its corners.
     std::vector<Vec> border;
     for (std::size_t i = 0; i < light.size(); ++i)
       for (int k = 0; k < 24; ++k)
@@ -231,7 +233,7 @@ TEST(Discontinuities, BoxesShadowsEndAtCreases) {
         if (lit == is_lit(q)) continue;
         for (int k = 0; k < 20; ++k) (is_lit(0.5 * (p + q)) == lit ? p : q) = 0.5 * (p + q);
         ++changes;
-        // Samples of the light's border are 0.05 apart.
+        // The points on the light's border are 0.05 apart.
         ASSERT_LE(distance_to(p, creases), 0.05) << "at " << p.x << ' ' << p.y;
       }
     }
@@ -239,7 +241,7 @@ TEST(Discontinuities, BoxesShadowsEndAtCreases) {
   EXPECT_GT(changes, 60);
 }
 
-// Faces touch and cross in every way: rectangles on a coarse grid, and triangles.
+// Rectangles on a coarse grid, and triangles, that touch and cross in every way.
 TEST(Discontinuities, AnyFacesCanBeMeshed) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

@@ -1,4 +1,4 @@
-// Creases of rooms, compared with their known positions.
+// Tests the creases of rooms by comparison with their known positions.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace radiosity::test::shadows {
 namespace {
 
-// Expects all creases to be covered by those in `by`.
+// Expects that the creases in `by` cover all of `creases`.
 void expect_covered(std::span<const Crease> creases, std::span<const Crease> by, double tolerance) {
   for (const Crease& crease : creases)
     for (int i = 0; i <= 20; ++i) {
@@ -18,7 +18,8 @@ void expect_covered(std::span<const Crease> creases, std::span<const Crease> by,
     }
 }
 
-// A square light of side 2 a at height h, an occluder of side 2 b at height g < h, both centred.
+// A square light of side 2 a at height h, and a square occluder of side 2 b at height g < h. Both
+// have their centres above the origin.
 TEST(Discontinuities, ParallelSquares) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -29,8 +30,8 @@ TEST(Discontinuities, ParallelSquares) {
     add_face(room, turn(make_rectangle(-a, -a, a, a, h)), LIGHT);
     add_face(room, make_rectangle(-b, -b, b, b, g), seed % 2 == 0 ? GREY : MIRROR);
     add_face(room, make_rectangle(-9, -9, 9, 9, 0), GREY);
-    // Similar triangles: a line from the light's edge at x past the occluder's edge at y to the
-    // floor.
+    // By similar triangles: where a line from the light's edge at x past the occluder's edge at y
+    // meets the floor.
     const auto floor = [&](double x, double y) { return x + (y - x) * h / (h - g); };
     const double outer = floor(-a, b), inner = std::abs(floor(a, b));
     std::vector<Crease> expected;
@@ -41,7 +42,8 @@ TEST(Discontinuities, ParallelSquares) {
     const std::vector<Crease> found = find_creases(room);
     ASSERT_EQ(found.size(), 8u);
     expect_covered(found, expected, 1e-9);
-    // The complete border of the penumbra, and the sides of the square of largest occlusion.
+    // The complete border of the penumbra, and the sides of the square in which occlusion is
+    // greatest.
     expected.resize(0);
     for (const double at : {-outer, outer}) {
       expected.push_back({{at, -outer, 0}, {at, outer, 0}});
@@ -55,7 +57,8 @@ TEST(Discontinuities, ParallelSquares) {
   }
 }
 
-// Two occluders each hide a light from a floor. The creases of the stronger light come first.
+// Two occluders hide one light each from a floor. The creases of the stronger light must come
+// first.
 TEST(Discontinuities, OfTheStrongestLightComeFirst) {
   for (const bool first_is_strong : {true, false}) {
     Room room = make_room();
@@ -81,8 +84,7 @@ TEST(Discontinuities, OfTheStrongestLightComeFirst) {
   }
 }
 
-// The room of figure 3.8, with a window in the left wall. Its walls cause no creases, a hanging
-// square does.
+// The room of figure 3.8, with a window in the left wall. Its walls cause no creases, but a hanging
 TEST(Discontinuities, WallsOfARoomMakeNone) {
   Room room = make_room();
   add_box(room, {0, 0, 0}, {4, 3, 3}, false);
@@ -94,7 +96,7 @@ TEST(Discontinuities, WallsOfARoomMakeNone) {
   for (const Crease& crease : creases) EXPECT_EQ(std::min(crease.a.x, crease.b.x), 4);
 }
 
-// A floor and a light far above it.
+// A floor, and a light high above it.
 Room make_floor() {
   Room room = make_room();
   add_face(room, make_rectangle(-5, -5, 5, 5, 0), GREY);
@@ -102,7 +104,7 @@ Room make_floor() {
   return room;
 }
 
-// True if a whole segment is a crease.
+// True if creases cover the whole segment from a to b.
 bool is_crease(const Vec& a, const Vec& b, std::span<const Crease> creases) {
   for (int i = 0; i <= 20; ++i)
     if (distance_to(a + i / 20.0 * (b - a), creases) > 1e-3) return false;
@@ -113,13 +115,13 @@ TEST(Discontinuities, WhereAScreenStandsOnTheFloor) {
   Room room = make_floor();
   add_face(room, {{-1, 0, 0}, {1, 0, 0}, {1, 0, 1}, {-1, 0, 1}}, GREY);
   EXPECT_TRUE(is_crease({-1, 0, 0}, {1, 0, 0}, find_creases(room)));
-  // An occluder that extends below the floor causes the same creases.
+  // An occluder that extends below the floor causes the same creases as one that ends at the floor.
   room.faces.back().corners = {{-1, 0, -1}, {1, 0, -1}, {1, 0, 1}, {-1, 0, 1}};
   EXPECT_TRUE(is_crease({-1, 0, 0}, {1, 0, 0}, find_creases(room)));
 }
 
-// The penumbra of an upright edge is a fan from its foot. Lines inside the fan mark where further
-// corners of the lamp become visible. These lines come after all borders.
+// The penumbra of an upright edge is a fan from the foot of the edge. Inside the fan, lines mark
+// where further corners of the lamp become visible. These lines must come after all borders.
 TEST(Discontinuities, FromAFootOneGoesOutForEveryCornerOfTheLight) {
   Room room = make_room();
   add_face(room, make_rectangle(-5, -5, 5, 5, 0), GREY);
@@ -128,7 +130,7 @@ TEST(Discontinuities, FromAFootOneGoesOutForEveryCornerOfTheLight) {
   const auto creases = find_creases(room);
   for (const double foot : {-1.0, 1.0})
     for (const Vec& corner : room.faces[1].corners) {
-      // Lines are as long as the shadow of the edge, which is a quarter as high as the lamp.
+      // The lines are as long as the shadow of the edge, whose height is a quarter of the lamp's.
       const Vec end{foot + (foot - corner.x) / 3, -corner.y / 3, 0};
       EXPECT_TRUE(is_crease({foot, 0, 0}, end, creases)) << foot << ' ' << corner.x << corner.y;
     }
@@ -138,7 +140,7 @@ TEST(Discontinuities, FromAFootOneGoesOutForEveryCornerOfTheLight) {
       return crease.a.z == 0 && crease.b.z == 0 && is_crease({1, 0, 0}, end, std::array{crease});
     });
   };
-  // Lines of the lamp's outermost corners, as seen from the foot, come first.
+  // The lines of those corners of the lamp that are outermost as seen from the foot come first.
   EXPECT_LT(find(-0.3, 1), find(-0.3, 2));
   EXPECT_LT(find(-0.3, 1), find(0.7, 1));
   EXPECT_LT(find(0.7, 2), find(-0.3, 2));
@@ -158,8 +160,8 @@ TEST(Discontinuities, WhereAShelfIsSeenFromItsEdge) {
   add_face(room, {{0, -1, 1}, {0, 1, 1}, {0, 1, 2}, {0, -1, 2}}, LIGHT);
   add_face(room, {{6, -9, -9}, {6, -9, 9}, {6, 9, 9}, {6, 9, -9}}, GREY);
   add_face(room, make_rectangle(2, -1, 3, 1, 1.5), GREY);
-  // At z = 1.5 the wall sees the shelf edge-on. Above and below, the shelf hides a part of the
-  // light.
+  // At z = 1.5, the wall sees the shelf edge-on. Above and below that, the shelf hides a part of
+  // the light.
   EXPECT_TRUE(is_crease({6, -5, 1.5}, {6, 5, 1.5}, find_creases(room)));
   EXPECT_FALSE(is_crease({6, -5.1, 1.5}, {6, 5.1, 1.5}, find_creases(room)));
 }
@@ -168,7 +170,7 @@ TEST(Discontinuities, WhatIsHiddenOrTakesNoLightHasNone) {
   Room room = make_floor();
   add_face(room, make_rectangle(-2, 0, 2, 3, 3.5), GREY);
   const auto screen = find_creases(room);
-  EXPECT_EQ(screen.size(), 0u);  // no crease reaches the border of the floor
+  EXPECT_EQ(screen.size(), 0u);  // no crease touches the floor
   add_face(room, make_rectangle(-0.5, 1, 0.5, 2, 1), GREY);
   EXPECT_EQ(find_creases(room).size(), 0u);
   room.faces.erase(room.faces.begin() + 2);
@@ -179,7 +181,7 @@ TEST(Discontinuities, WhatIsHiddenOrTakesNoLightHasNone) {
   }
 }
 
-// The room files list their creases, calculated by hand from formulas given there.
+// The files of these rooms list their creases, calculated by hand from formulas in the files.
 TEST(Discontinuities, OfTheThesisFigures) {
   for (const char* name : {"window", "spot-diffuse", "spot-mirror"}) {
     SCOPED_TRACE(name);

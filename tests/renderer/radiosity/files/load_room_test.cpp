@@ -1,4 +1,4 @@
-// Rooms from text: their content, and error messages.
+// Tests the reader of .room files: the content of rooms, and error messages.
 
 #include <gtest/gtest.h>
 
@@ -71,8 +71,8 @@ TEST(RoomFile, BoxesAreClosedAndFaceTheirSide) {
 }
 
 struct WrongText {
-  const char* text;   // text of the file from line 4 on
-  const char* error;  // beginning of the message, after "test.room:"
+  const char* text;   // content of the file from line 4 on
+  const char* error;  // start of the message, after "test.room:"
 };
 void PrintTo(const WrongText& wrong, std::ostream* out) { *out << wrong.text; }
 

@@ -1,4 +1,4 @@
-// Rooms from NFF and OBJ: emission, mirrors, normals, and errors.
+// Tests rooms from NFF and OBJ files: emission, mirrors, normals, and errors.
 
 #include <gtest/gtest.h>
 
@@ -42,7 +42,7 @@ TEST(NffRoom, EmissionLastsUntilTheNextSurface) {
 }
 
 TEST(NffRoom, WhatIsWrongIsRejectedWithItsLine) {
-  const std::string head = CAMERA + "f 1 0.5 0.25 0.6 0.3 20 0 0\n";  // the text has 6 lines
+  const std::string head = CAMERA + "f 1 0.5 0.25 0.6 0.3 20 0 0\n";  // the text has 6 lines so far
   const std::pair<std::string, std::string> wrong[] = {
       {head + "s 0 0 0 1", "test.nff:7: found a sphere ('s'), expected flat faces: p or pp"},
       {head + "c 0 0 0 1 0 0 1 0", "test.nff:7: found a cone ('c'), expected flat faces: p or pp"},
@@ -70,7 +70,7 @@ TEST(NffRoom, WhatIsWrongIsRejectedWithItsLine) {
   }
 }
 
-// A temporary folder for files.
+// Provides a temporary folder for files.
 class ObjRoom : public testing::Test {
  protected:
   void SetUp() override {
@@ -95,7 +95,7 @@ const std::string MTL =
     "newmtl mirror\nKd 0.1 0.1 0.1\nKs 0.9 0.8 0.7\nillum 3\n";
 const std::string POINTS =
     "mtllib m.mtl\nv 0 0 0\nv 1 0 0 1.0\nv 1 1 0 0.5 0.5 0.5\nv 0 1 0\n"
-    "vt 0 0\nvn 0 0 1\nvn 0.1 0 1\ng one two\ns off\n";  // the text has 10 lines here
+    "vt 0 0\nvn 0 0 1\nvn 0.1 0 1\ng one two\ns off\n";  // the text has 10 lines so far
 
 TEST_F(ObjRoom, EmissionMirrorsAndNormals) {
   save("m.mtl", MTL);
@@ -129,7 +129,7 @@ TEST_F(ObjRoom, WhatIsWrongIsRejectedWithItsLine) {
   save("bright.mtl", "newmtl a\nKd 0 0 0\n\nnewmtl b\nKd 1 1 1\n");
   save("glow.mtl", "newmtl a\nillum 3\nKe 1 1 1\nKs 1 1 1\n");
   const std::string in = folder_.string() + "/", at = in + "a.obj:";
-  const std::string use = POINTS + "usemtl wall\n";  // the text has 11 lines
+  const std::string use = POINTS + "usemtl wall\n";  // the text has 11 lines so far
   const std::pair<std::string, std::string> wrong[] = {
       {use + "f 1 2 5", at + "12: found '5', expected the number of a readable vertex (v): 1 to 4"},
       {use + "f 1 2 0", at + "12: found '0', expected the number of a readable vertex"},
@@ -150,7 +150,7 @@ TEST_F(ObjRoom, WhatIsWrongIsRejectedWithItsLine) {
   }
 }
 
-// The area of the room's faces, and how many have normals.
+// The total area of a room's faces, and the number of faces with normals.
 std::pair<double, std::size_t> measure(const Room& room) {
   double area = 0;
   std::size_t normals = 0;
@@ -178,7 +178,7 @@ TEST_F(ObjRoom, FacesThatRoomsDoNotHaveBecomeTriangles) {
       {"f 1 6 2 4 5", 3, 4, 0},                          // a corner in the middle of an edge
       {"f 1 2 7 5", 2, std::sqrt(5) + std::sqrt(5), 0},  // bent
       {"f 1//1 2//1 4//1 5//1", 1, 4, 1},
-      {"f 1//2 2//2 4//2 5//2", 1, 4, 0},  // normals of the back
+      {"f 1//2 2//2 4//2 5//2", 1, 4, 0},  // normals that point to the back are ignored
       {"f 1//1 2//1 3//1 4//1 5//1", 3, 3, 3},
   };
   for (const auto& [face, faces, area, normals] : cases) {

@@ -1,4 +1,4 @@
-// Rooms written in other formats, and read back.
+// Tests rooms that are written in other formats and read back.
 #include "renderer/radiosity/files/write_room.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ namespace {
 
 using renderer::LeftOut;
 
-// A lamp over boxes with random sides, a perfect mirror, and a two-sided screen.
+// A lamp above boxes with random sides, a perfect mirror, and a two-sided screen.
 std::string make_room_text(std::uint64_t seed) {
   renderer::test::Random random{seed};
   std::string text =
@@ -34,7 +34,7 @@ std::string make_room_text(std::uint64_t seed) {
                             a.y, a.z, a.x + 1, a.y + 1);
 }
 
-// The properties of a room that all formats keep.
+// Describes the properties of a room that all formats preserve.
 std::string describe(const Room& room) {
   std::string text;
   for (const Face& face : room.faces) {

@@ -1,4 +1,4 @@
-// The energy balance of a room, and rooms that lose no light.
+// Tests the energy balance of rooms, and that closed rooms lose no light.
 
 #include "renderer/radiosity/light/balance.hpp"
 
@@ -9,7 +9,7 @@
 namespace radiosity::test {
 namespace {
 
-// A grey box in which one patch, flush with the ceiling, emits.
+// A grey box in which one patch, in the plane of the ceiling, emits light.
 Room make_closed() {
   Room room;
   room.materials = {{"grey", grey(0.5), {}}, {"lamp", {}, grey(10)}, {"glass", grey(0.9), {}}};
@@ -57,7 +57,8 @@ TEST(Balance, AHoleAMirrorAndABackOpenARoom) {
   EXPECT_FALSE(is_closed(make_mesh(mirror, {})));
 }
 
-// A wall inside a room does not open it. Light on its back is reported separately from lost light.
+// A room with a wall inside is still closed. Light on the wall's back is reported separately from
+// lost light.
 TEST(Balance, AWallInsideDoesNotOpenARoom) {
   Room room = make_closed();
   add_quad(room, 0, {1, 0, 0}, {0, 2, 0}, {0, 0, 2}, 2, 2);
@@ -70,7 +71,8 @@ TEST(Balance, AWallInsideDoesNotOpenARoom) {
   EXPECT_EQ(light(room).backs, 0);
 }
 
-// Rooms have hanging lamps and standing blocks. Only a hole in the shell opens a room.
+// Rooms with hanging lamps and standing blocks are closed. Only a hole in the outer walls opens a
+// room.
 TEST(Balance, FreeStandingFacesDoNotOpenARoom) {
   for (const double below : {0.05, 0.3, 1.0}) {
     SCOPED_TRACE(testing::Message() << "lamp " << below << " m below the ceiling");
@@ -87,7 +89,7 @@ TEST(Balance, FreeStandingFacesDoNotOpenARoom) {
   }
 }
 
-// A lamp of 1.2 x 0.9 in the ceiling, or below it; turned and moved as a whole.
+// A room with a lamp of 1.2 x 0.9 in the ceiling, or below it. The whole room is rotated and moved.
 Room make_lamp_room(std::uint64_t seed, double below, int patches) {
   renderer::test::Random random{seed};
   Room room;
@@ -103,7 +105,7 @@ Room make_lamp_room(std::uint64_t seed, double below, int patches) {
   return room;
 }
 
-// Casts rays from inside to corners and edges of the first six faces.
+// Casts rays from inside the room to corners and edges of its first six faces.
 void expect_closed(const Room& room, const renderer::Scene& blockers,
                    renderer::test::Random& random) {
   Vec middle;
@@ -130,7 +132,7 @@ TEST(Balance, NoRayLeavesAClosedRoomBetweenItsFaces) {
   }
 }
 
-// The largest distance of corners from the plane of their face, relative to the face's size.
+// The largest distance of a corner from the plane of its face, relative to the face's size.
 double find_bend(const Room& room) {
   double bend = 0;
   for (const Face& face : room.faces) {
@@ -143,7 +145,7 @@ double find_bend(const Room& room) {
   return bend;
 }
 
-// A box with corners that are moved at random, so that its faces are bent by 1e-6 of their size.
+// A box whose corners are moved at random, so that its faces are bent by 1e-6 of their size.
 Room make_bent_room(std::uint64_t seed) {
   const auto make = [&](double by) {
     Room room = make_lamp_room(seed, 0.1, 3);
@@ -171,7 +173,7 @@ TEST(Balance, NoRayLeavesARoomOfBentFaces) {
   EXPECT_GT(bent, 10);
 }
 
-// The ceiling behind the lamp neither receives light nor sends any.
+// The part of the ceiling behind the lamp must neither receive nor send light.
 TEST(Balance, ALampInThePlaneOfTheCeilingCoversIt) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -183,8 +185,8 @@ TEST(Balance, ALampInThePlaneOfTheCeilingCoversIt) {
   }
 }
 
-// Through a gap of 1 cm, nearly no light reaches the lamp's back. For this, large patches of the
-// ceiling must end at the lamp's shadow.
+// Through a gap of 1 cm, almost no light reaches the lamp's back. The large patches of the ceiling
+// must therefore end at the lamp's shadow.
 TEST(Balance, ALampCloseToACoarseCeilingShadesIt) {
   for (std::uint64_t seed = 1; seed <= 8; ++seed)
     for (const int patches : {2, 4}) {

@@ -1,6 +1,5 @@
-// Form factors, compared with closed forms. Sizes and distances are in units of the first side.
-// Each test prints seven errors: with 1, 4, 16, 64, 256 and 1024 samples, and with default
-// parameters.
+// Compares form factors with closed forms. Sizes and distances are in units of the first side. Each
+// test prints seven errors: with 1, 4, 16, 64, 256 and 1024 samples, and with default parameters.
 
 #include "tests/renderer/radiosity/light/closed_forms.hpp"
 
@@ -24,7 +23,7 @@ Face make_quad(const Vec& p, const Vec& a, const Vec& b) {
   Room room;
   return add_quad(room, 0, p, a, b);
 }
-// A polygon with the area of the disc.
+// A regular polygon with the area of a disc of the given radius.
 Face make_disc(double z, const Vec& axis, double radius, int corners) {
   const double share = corners / (2 * closed::PI) * std::sin(2 * closed::PI / corners);
   Face face;
@@ -32,7 +31,7 @@ Face make_disc(double z, const Vec& axis, double radius, int corners) {
   return face;
 }
 
-// Relative errors of one form factor. `eval` sums it over the patches of a mesh.
+// Relative errors of one form factor. `eval` computes it as a sum over the patches of a mesh.
 struct Errors {
   Errors(const Mesh& lamp, double exact, const std::function<double(const Eye&)>& eval) {
     for (const int samples : {1, 2, 4, 8, 16, 32})
@@ -44,7 +43,7 @@ struct Errors {
     fmt::print("{:.6f}:{} {:+.5f}\n", exact, line, adaptive);
   }
   // Limits the errors with 64 samples and with default parameters. With twice as many samples along
-  // a side, the error must fall to a tenth.
+  // a side, the error must be at most a tenth.
   void expect_small_and_converging() const {
     EXPECT_LT(std::abs(fixed[3]), 0.02);
     EXPECT_LT(std::abs(adaptive), 0.01);
@@ -52,7 +51,7 @@ struct Errors {
       EXPECT_LT(std::abs(fixed[k + 1]), std::max(std::abs(fixed[k]) / 10, 1e-5));
   }
   std::vector<double> fixed;
-  double adaptive = 0, both = 0;  // with default parameters; with 64 samples, halved if wide
+  double adaptive = 0, both = 0;  // with default parameters; with 64 samples, halved where wide
 };
 
 Errors find_errors(const Face& face, double exact) {
@@ -72,8 +71,8 @@ TEST(ClosedForms, OfAPointAndAnUprightRectangle) {
         .expect_small_and_converging();
 }
 
-// Delta areas have any shape, and are seen from anywhere. Halving their sides reduces the error to
-// 1/16.
+// Delta areas may have any shape, and may be seen from anywhere. Halving their sides must reduce
+// the error to about 1/16.
 TEST(ClosedForms, DeltaAreasAreExactToTheSecondOrder) {
   double coarse = 0, fine = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -98,15 +97,15 @@ TEST(ClosedForms, DeltaAreasAreExactToTheSecondOrder) {
   EXPECT_LT(fine, coarse / 10);
 }
 
-// A disc of 64 corners has 64 thin patches.
+// A disc with 64 corners has 64 thin patches.
 TEST(ClosedForms, OfAPointAndADisc) {
   for (const double c : DISTANCES)
     find_errors(make_disc(c, -UP, 1, 64), closed::parallel_disc(1, c))
         .expect_small_and_converging();
 }
 
-// Errors of factors from patch to patch. The mean over 16 x 16 points represents the patch within
-// 0.3 %.
+// Errors of form factors between two patches. The mean over 16 x 16 points represents the receiving
+// patch within 0.3 %.
 Errors find_errors(const Face& from, const Face& to, double exact) {
   const Mesh receiver = make_lamp(from), lamp = make_lamp(to);
   return {lamp, exact, [&](const Eye& eye) {
@@ -134,7 +133,7 @@ TEST(ClosedForms, OfParallelRectangles) {
 }
 
 // Near the common edge, a 64th of a patch is wider than its distance from the lit point. With equal
-// delta areas, the error is up to 9 %; with halved ones, 0.5 %.
+// delta areas, the error is up to 9 %; if wide ones are halved, it is 0.5 %.
 TEST(ClosedForms, OfUprightRectanglesWithAnEdgeInCommon) {
   for (const double height : DISTANCES) {
     const auto errors = find_errors(make_quad(ORIGIN, {1, 0, 0}, {0, 1, 0}),

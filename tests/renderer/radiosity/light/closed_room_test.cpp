@@ -1,5 +1,6 @@
-// In a closed room a vertex sees only patches, so its factors sum to 1. Form factors are
-// reciprocal: those between two patches are in the ratio of their areas.
+// Tests form factors in closed rooms. A vertex sees only patches, so that its form factors sum to
+// 1. Form factors are reciprocal: the two factors between a pair of patches are in the ratio of the
+// patches' areas.
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ struct Range {
   }
 };
 
-// The range of the factor sums of all vertices, or of every step-th.
+// The range of the sums of form factors, over every vertex or only every `step`-th one.
 Range sum_all(const Mesh& mesh, const FactorParams& params, std::size_t step = 1) {
   Range sums;
   for (std::size_t v = 0; v < mesh.vertices.size(); v += step)
@@ -41,7 +42,7 @@ TEST(ClosedRoom, FactorsOfAVertexSumToOne) {
   }
 }
 
-// A delta area counts as visible or hidden as a whole. So one that an obstacle partly hides counts
+// A delta area counts as visible or hidden as a whole. One that is partly hidden therefore counts
 // too much or too little.
 TEST(ClosedRoom, FactorsSumToOneWithThingsInside) {
   Range all, all_fine;
@@ -68,8 +69,8 @@ TEST(ClosedRoom, FactorsSumToOneWithThingsInside) {
              all_fine.lo, all_fine.hi);
 }
 
-// The mean is over 6 x 6 points of the receiver. The mean of the four vertices is accurate only for
-// patches that are small compared with their distance.
+// Takes the mean over 6 x 6 points of the receiving patch. The mean of its four vertices would be
+// accurate only for patches that are small compared with their distance.
 TEST(ClosedRoom, FactorsAreReciprocal) {
   double worst = 0, worst_corners = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {

@@ -1,5 +1,6 @@
-// The energy of a shot. A few points represent a patch, so the balance holds up to an error.
-// Simpson's rule is more accurate than the mean of the corners, and both improve with refinement.
+// Tests the energy balance of a shot, in which one patch sends its light. A few points represent
+// each receiving patch, so that there is an error. Simpson's rule is more accurate than the mean of
+// the corners. Refinement improves both.
 
 #include <gtest/gtest.h>
 
@@ -8,7 +9,7 @@
 namespace radiosity::test {
 namespace {
 
-// Performs one shot. Returns the power that it makes patches reflect.
+// Performs one shot. Returns the power that patches reflect as a result.
 Rgb shoot(const Mesh& mesh, const Shot& shot, Mean mean, State& state, Work& work) {
   const FactorParams factor;
   const Eye eye{mesh, factor};
@@ -24,7 +25,7 @@ Rgb shoot(const Mesh& mesh, const Shot& shot, Mean mean, State& state, Work& wor
   return after + -1.0 * before;
 }
 
-// The shares of a shot's power that receivers reflect and absorb.
+// The fraction of a shot's power that the receiving patches reflect and absorb.
 struct Balance {
   double least = 1e9, most = 0, mean = 0;
 };
@@ -53,8 +54,8 @@ Room make_bare_room() {
   return room;
 }
 
-// With the mean of the corners, a single shot near an edge of the room does not balance at any
-// refinement. Patches across the edge are as near to it as they are wide.
+// With the mean of the corners, a single shot near an edge of the room does not balance, however
+// fine the mesh is. Beyond the edge, the distance of patches is always about their width.
 TEST(Energy, OfAShotIsReflectedOrAbsorbed) {
   for (const auto mean : {Mean::corners, Mean::simpson}) {
     std::vector<double> errors;
@@ -73,13 +74,14 @@ TEST(Energy, OfAShotIsReflectedOrAbsorbed) {
   }
 }
 
-// Vertices lit exactly in the edges of the room see nothing of the wall that they touch.
+// With inset 0, vertices are lit exactly in the edges of the room, where they see nothing of the
+// wall that they touch.
 TEST(Energy, IsLostIfVerticesAreLitInTheEdges) {
   const Mesh mesh = make_mesh(make_bare_room(), {.refine = 4, .inset = 0});
   EXPECT_LT(shoot_each(mesh, 1, Mean::corners).mean, 0.8);
 }
 
-// All emitted light is finally absorbed, or still unsent.
+// In the end, all emitted light is either absorbed or still unsent.
 TEST(Energy, EmittedIsAbsorbed) {
   for (const int n : {1, 2, 4}) {
     Random random{7};

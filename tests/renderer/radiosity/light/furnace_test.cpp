@@ -1,4 +1,5 @@
-// The furnace test: if every face emits E and reflects rho, B = E / (1 - rho) everywhere.
+// The furnace test: if every face emits E and reflects rho, the radiosity B is E / (1 - rho)
+// everywhere.
 
 #include <gtest/gtest.h>
 
@@ -29,9 +30,9 @@ void expect_furnace(Room room, double reflectance, const SolveParams& params, do
              lost);
 }
 
-// Uses default parameters, with the estimate of the unsent light. A relative error of the factor
-// sum becomes rho / (1 - rho) times as large in B. So at rho = 0.9, B within 0.5 % requires the sum
-// within 0.06 %.
+// Uses default parameters, and adds the estimate of the unsent light. A relative error of the sum
+// of form factors makes B wrong by rho / (1 - rho) times that error. At rho = 0.9, an accuracy of
+// 0.5 % in B requires 0.06 % in the sum.
 TEST(Furnace, IsAsBrightAsTheFormulaSays) {
   const auto make = [](int n) {
     Room room;

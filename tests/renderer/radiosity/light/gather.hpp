@@ -1,13 +1,14 @@
 #pragma once
-// Oracle for progressive radiosity: the same equations solved by gathering.
+// A reference for progressive radiosity: solves the same equations by gathering light at each
+// vertex.
 
 #include "renderer/radiosity/mesh/mesh.hpp"
 #include "tests/renderer/radiosity/support.hpp"
 
 namespace radiosity::test {
 
-// The radiosity of a vertex lit by all patches (Eq 1.8). In `patches`, the light of every patch
-// counts as unsent.
+// The radiosity of a vertex lit by all patches (thesis Eq 1.8). In `patches`, the light of every
+// patch is stored as unsent light.
 inline Rgb collect(const Eye& eye, const Vertex& vertex, const State& patches, Work& work) {
   const Mesh& mesh = eye.mesh;
   const Material& material = mesh.materials[vertex.material];
@@ -18,7 +19,7 @@ inline Rgb collect(const Eye& eye, const Vertex& vertex, const State& patches, W
   return material.emission + material.reflectance * incident;
 }
 
-// The radiosity of every patch, kept up to date as its corners and its centre change.
+// The radiosity of every patch, updated whenever its corners or its centre change.
 class PatchLight {
  public:
   PatchLight(const Mesh& mesh, const SolveParams& params)
@@ -47,11 +48,11 @@ class PatchLight {
   double of_corner_;
 };
 
-// The largest change in a sweep, and the largest radiosity.
+// The largest change in a sweep over all vertices, and the largest radiosity.
 struct Sweep {
   double change = 0, brightest = 0;
 
-  // Sets `value`, and returns the change.
+  // Changes `value` to `now`, and returns the difference.
   Rgb set(Rgb& value, const Rgb& now) {
     const Rgb more{now.r - value.r, now.g - value.g, now.b - value.b};
     value = now;
@@ -61,9 +62,10 @@ struct Sweep {
   }
 };
 
-/// Solves the equations of solve() by gathering (Eq 1.8 with Eq 3.9): sweep after sweep in the
-/// order of vertices, until no change exceeds `tolerance` of the brightest. Returns the number of
-/// sweeps in `shots`. Every sweep computes every factor anew, so this is only for small rooms.
+/// Solves the equations of solve() by gathering (thesis Eq 1.8 with Eq 3.9). Sweeps over the
+/// vertices, in order, until no change exceeds the fraction `tolerance` of the brightest radiosity.
+/// Returns the number of sweeps in `shots`. Every sweep computes every form factor again, so that
+/// only small rooms are practical.
 inline Solution gather(const Mesh& mesh, const SolveParams& params, double tolerance = 1e-6) {
   check(params.factor);
   const Eye eye{mesh, params.factor};

@@ -1,4 +1,4 @@
-// Patches whose radiosity varies over their area.
+// Tests patches whose radiosity varies over their area.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 namespace radiosity::test {
 namespace {
 
-// A planar quad without a right angle, looking down.
+// A flat quad without right angles that faces down.
 Face make_random_face(Random& random) {
   const auto shake = [&](double x, double y) {
     return Vec{x + random.range(-0.4, 0.4), y + random.range(-0.4, 0.4), 2};
@@ -20,7 +20,7 @@ Face make_random_face(Random& random) {
   return face;
 }
 
-// A quad without a right angle over a floor, and on request a mirror beside them.
+// A quad without right angles above a floor. With `mirror`, there is a mirror beside them.
 Mesh make_lamp_and_floor(Random& random, bool mirror) {
   Room room;
   room.materials = {{"lamp", grey(0.5), grey(1)}, {"mirror", {0.9, 0.8, 0.7}, {}, true}};
@@ -34,7 +34,7 @@ std::array<Rgb, 4> make_colours(Random& random) {
   return {random.colour(), random.colour(), random.colour(), random.colour()};
 }
 
-// The light of a patch cut into n x n pieces, each with a constant radiosity.
+// The light of a patch that is divided into n x n pieces, each with a constant radiosity.
 Rgb add_pieces(const Eye& eye, const Vertex& vertex, const Patch& patch, const Glow& glow, int n) {
   const Quad quad(patch);
   Work work;
@@ -66,8 +66,8 @@ TEST(Glow, OfCornersIsTheirsThere) {
   }
 }
 
-// The lit point is near the patch or far from it, and sees it over mirrors too. If the radiosity is
-// constant, the light is the form factor times this value.
+// The lit point may be near the patch or far from it, and may also see it over mirrors. If the
+// radiosity is constant, the light is the form factor multiplied by the radiosity.
 TEST(Glow, IsWhatManyEvenPiecesGive) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -92,7 +92,7 @@ TEST(Glow, IsWhatManyEvenPiecesGive) {
   }
 }
 
-// Whatever the light at its corners and its centre, a patch sends its own power, and no negative
+// For any light at its corners and its centre, a patch sends exactly its power and no negative
 // light.
 TEST(Glow, OfAShotHasThePatchsPower) {
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -121,8 +121,8 @@ TEST(Glow, OfAShotHasThePatchsPower) {
   }
 }
 
-// At the edge between wall and ceiling, each receives the light that the other sends right there,
-// not the mean of the other's patches.
+// At the edge between wall and ceiling, each of them must receive the light that the other sends
+// right at the edge, not the mean light of the other's patches.
 TEST(Glow, OfCornersIsRightInTheRoomsEdges) {
   Room room;
   room.materials = {{"wall", grey(0.7), {}}, {"lamp", grey(0), grey(1)}};

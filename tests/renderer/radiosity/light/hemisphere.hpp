@@ -1,6 +1,7 @@
 #pragma once
-// Independent calculation of form factors, to check eval_factor(). Both share only the intersection
-// of rays. This one counts hits of cosine-distributed rays from a vertex (N. Malley).
+// An independent calculation of form factors, to check eval_factor(). It counts hits of
+// cosine-distributed rays from a vertex (N. Malley). Only the intersection of rays is common to
+// both.
 
 #include <map>
 
@@ -9,11 +10,12 @@
 
 namespace radiosity::test {
 
-/// A side of a face: the number of the face, and true for its front.
+/// A side of a face: the number of the face, and true for the front.
 using Side = std::pair<std::uint32_t, bool>;
 
-/// The share of n x n directions that first hit each side of a face. There is one random direction
-/// in each stratum. The mesh's blockers must be numbered like the faces.
+/// The fraction of n x n directions in which each side of a face is hit first. The directions are
+/// stratified: one random direction in each stratum. The objects in Mesh::blockers must be numbered
+/// like the faces.
 inline std::map<Side, double> eval_hemisphere(const Mesh& mesh, const Vertex& vertex, int n,
                                               Random& random) {
   const auto [u, v] = renderer::test::make_plane(vertex.normal);
@@ -35,7 +37,7 @@ inline std::map<Side, double> eval_hemisphere(const Mesh& mesh, const Vertex& ve
   return shares;
 }
 
-/// The shares of the sides of faces, by eval_factor.
+/// The form factors of the sides of all faces, computed by eval_factor().
 inline std::map<Side, double> eval_sides(const Eye& eye, const Vertex& vertex, const Room& room) {
   std::map<Side, double> shares;
   Work work;

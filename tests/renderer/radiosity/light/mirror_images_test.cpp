@@ -1,7 +1,8 @@
-// A mirror shows the same as a window into the unfolded room. With adaptive pieces
-// (FactorParams::mirror_pieces = 0), light over mirrors equals that of the unfolded room to a
-// millionth at any patch size, if delta areas are cut as in direct view (mirror_share without
-// effect). Exceptions are delta areas whose centre lies on the edge of a mirror or an object.
+// Tests that a mirror shows what a window into the unfolded room would show. With
+// FactorParams::mirror_pieces = 0, the light over mirrors must equal that of the unfolded room to a
+// millionth for any patch size, if mirror_share has no effect and delta areas are therefore halved
+// as in direct view. The only exceptions are delta areas whose centre lies on the edge of a mirror
+// or an object.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +15,7 @@ using Chains = std::vector<std::vector<MirrorPlane>>;
 
 void expect_images(const Room& room, const Chains& chains, FactorParams params,
                    double most = 0.02) {
-  params.mirror_share = 1e9;  // delta areas are cut no finer than in direct view
+  params.mirror_share = 1e9;  // has no effect: delta areas are halved as in direct view
   const Room unfolded = unfold(room, chains);
   const std::size_t faces = unfolded.faces.size() / (chains.size() + 1);
   const Mesh mesh = make_mesh(room, {}), images = make_mesh(unfolded, {});
@@ -24,7 +25,7 @@ void expect_images(const Room& room, const Chains& chains, FactorParams params,
     const auto found = eval_by_mirrors({mesh, params}, vertex, faces);
     const auto expected = eval_by_images({images, params}, vertex, faces);
     for (std::size_t f = 0; f < faces; ++f, ++compared) {
-      // visibility is tested slightly off the centres
+      // the rays for visibility aim slightly beside the centres
       differ += std::abs(found[f] - expected[f]) > 1e-6;
       EXPECT_NEAR(found[f], expected[f], most) << "face " << f;
       error += std::abs(found[f] - expected[f]);
@@ -44,7 +45,8 @@ TEST(MirrorImages, OfAWholeWall) {
   }
 }
 
-// A part of the wall is a mirror. In the unfolded room, the rest remains as an obstacle.
+// A part of the wall is a mirror. In the unfolded room, the rest of the wall remains as an
+// obstacle.
 TEST(MirrorImages, OfAPartOfAWall) {
   Room room = make_cube("xyYzZ", true, 2);
   const Vec at{2, 0, 0}, y{0, 1, 0}, z{0, 0, 1};
@@ -56,9 +58,9 @@ TEST(MirrorImages, OfAPartOfAWall) {
   expect_images(room, {{HIGH_X}}, {.reflections = 1});
 }
 
-// There are three images. The image in both mirrors is behind their common edge. Each half of it is
-// seen over a different mirror first. (Light exactly behind that edge is lost, since its path meets
-// no mirror there. Points on the diagonal of this room do see such delta areas.)
+// Two mirrors give three images. The image in both mirrors is behind their common edge, and each
+// half of it is seen over a different mirror first. (Light exactly behind the edge is lost, because
+// its path meets no mirror there. Points on the diagonal of this room do see such delta areas.)
 TEST(MirrorImages, OfTwoAtRightAngles) {
   Room room = make_cube("xyzZ", true, 2);
   add_walls(room, "XY", 1, 2);
@@ -83,8 +85,8 @@ TEST(MirrorImages, OfTwoFaceToFace) {
   }
 }
 
-// Solves the room with a mirror, and the unfolded room without. With smaller delta areas, the two
-// solutions converge at every vertex.
+// Solves the room with a mirror, and the unfolded room without mirrors. With smaller delta areas,
+// the two solutions must converge at every vertex.
 TEST(MirrorImages, HaveTheRoomsRadiosity) {
   Room room = make_cube("xyYzZ", true, 2);
   add_walls(room, "X", 1, 2);

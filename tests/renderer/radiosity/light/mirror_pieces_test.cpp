@@ -1,4 +1,5 @@
-// Mirrors cut into equal pieces (Eq 3.17 and 3.18), compared with the view in the mirror.
+// Tests mirrors that are divided into equal pieces (thesis Eq 3.17 and 3.18), by comparison with
+// the exact view in the mirror.
 
 #include <gtest/gtest.h>
 
@@ -9,8 +10,8 @@
 namespace radiosity::test {
 namespace {
 
-// Points in the middle of the cube with random normals, which see its patches over the mirror at
-// high x.
+// Provides points in the middle of a cube with random normals. They see the cube's patches over the
+// mirror at high x.
 class Pieces : public testing::Test {
  protected:
   static Mesh make(int n) {
@@ -34,8 +35,8 @@ class Pieces : public testing::Test {
   }
 };
 
-// A receiver sees a delta area over a mirror of varying size. Until the mirror shows all of it, Eq
-// 3.16 holds with h = omega_S / omega; from then on Eq 3.12.
+// A receiver sees a delta area over a mirror of varying size. While the mirror shows only a part of
+// it, thesis Eq 3.16 must be satisfied with h = omega_S / omega, afterwards Eq 3.12.
 TEST_F(Pieces, OneAloneFollowsEquations312And316) {
   constexpr double SIDE = 0.2, AREA = SIDE * SIDE;
   const Vec emitter{0.5, 1, 0}, image{3.5, 1, 0};
@@ -61,8 +62,8 @@ TEST_F(Pieces, OneAloneFollowsEquations312And316) {
   }
 }
 
-// Whatever the shape of the mirror and the place of the delta area in it, h is at most 1. The light
-// is at most that of Eq 3.12.
+// For any shape of the mirror and any position of the delta area in it, h is at most 1. The light
+// is then at most that of thesis Eq 3.12.
 TEST_F(Pieces, NeverShowMoreThanThereIs) {
   Random random{3};
   int lit = 0;
@@ -87,8 +88,8 @@ TEST_F(Pieces, NeverShowMoreThanThereIs) {
   EXPECT_GT(lit, 100);
 }
 
-// One piece shows more than every delta area. The result is that of Eq 3.12 from the image, apart
-// from the difference between Eq 3.8's disc and the delta area.
+// One piece shows more than every delta area. The result must be that of thesis Eq 3.12 for the
+// mirror image, except for the difference between the disc of Eq 3.8 and the delta area.
 TEST_F(Pieces, OneLargeOneIsTheImage) {
   const Mesh mesh = make(2);
   int lit = 0;
@@ -104,7 +105,7 @@ TEST_F(Pieces, OneLargeOneIsTheImage) {
   EXPECT_GT(lit, 100);
 }
 
-// If a mirror piece shows more than every delta area, one piece and four pieces give equal results.
+// If a piece shows more than every delta area, one piece and four pieces must give equal results.
 TEST_F(Pieces, LargerThanDeltaAreasDoNotMatter) {
   const Mesh mesh = make(2);
   for (const Vertex& point : make_points(4))
@@ -113,8 +114,8 @@ TEST_F(Pieces, LargerThanDeltaAreasDoNotMatter) {
                 eval(mesh, point, patch, {.samples = 8, .reflections = 1, .mirror_pieces = 1}));
 }
 
-// Smaller pieces, each with its share h, converge to the view in the mirror: for every patch, and
-// in total.
+// With smaller pieces, each with its fraction h, the result must converge to the exact view in the
+// mirror: for every patch, and in total.
 TEST_F(Pieces, SmallOnesConverge) {
   const Mesh mesh = make(1);
   const auto points = make_points(10);
@@ -141,8 +142,8 @@ TEST_F(Pieces, SmallOnesConverge) {
   EXPECT_LT(last, 0.03);
 }
 
-// Over two mirrors, the smaller of their angles counts. Each angle is seen from the vertex along
-// the whole path.
+// Over two mirrors, the piece with the smaller solid angle counts. Each solid angle is as seen from
+// the vertex, along the whole path.
 TEST_F(Pieces, OfTwoMirrorsConverge) {
   Room room = make_cube("xyzZ", false, 1);
   add_walls(room, "XY", 1, 2);
@@ -172,7 +173,7 @@ TEST_F(Pieces, OfTwoMirrorsConverge) {
   }
 }
 
-// Many patches light a vertex of a solution, and their errors cancel.
+// In a solution, many patches light a vertex, so that their errors cancel.
 TEST_F(Pieces, LightARoom) {
   const Mesh mesh = make(3);
   const Solution exact = solve(mesh, make_params(0.01));

@@ -1,4 +1,5 @@
-// Properties of all mirrors: sides, colours, and no loss of light.
+// Tests properties of mirrors with any parameters: their sides, their colours, and that they lose
+// no light.
 
 #include <gtest/gtest.h>
 
@@ -7,7 +8,7 @@
 namespace radiosity::test {
 namespace {
 
-// The sum of the factors of all patches, for one colour.
+// The sum of the form factors of all patches, including paths over mirrors, for one colour.
 double sum_by_mirrors(const Mesh& mesh, const Vertex& vertex, const FactorParams& params) {
   double total = 0;
   Work work;
@@ -18,7 +19,7 @@ double sum_by_mirrors(const Mesh& mesh, const Vertex& vertex, const FactorParams
 
 TEST(Mirrors, ReflectAtTheirFrontOnly) {
   Room room = make_cube("xXyYzZ", true, 2);
-  // the front of the mirror faces low x
+  // the front of the mirror faces towards low x
   add_quad(room, 2, {0.3, 0.2, 0.1}, {0, 0, 1.5}, {0, 1.6, 0});
   const Mesh mesh = make_mesh(room, {});
   const Vec normal = mesh.mirrors.at(0).normal;
@@ -41,7 +42,7 @@ TEST(Mirrors, ReflectAtTheirFrontOnly) {
   EXPECT_LT(normal.x, 0);
 }
 
-// Light has the mirror's colour once after one mirror, twice after two.
+// One mirror multiplies light by its colour once, two mirrors do so twice.
 TEST(Mirrors, ColourWhatTheyReflect) {
   Room room = make_cube("xyzZ", true, 1);
   add_walls(room, "XY", 1, 2);
@@ -83,7 +84,7 @@ TEST(Mirrors, LoseNoLight) {
   }
 }
 
-// Walls of a furnace may be mirrors: they are as bright as their images.
+// If walls of a furnace are mirrors, their images are as bright as the walls were.
 TEST(Mirrors, DoNotChangeAFurnace) {
   Room room = make_cube("xyYzZ", false, 2);
   add_walls(room, "X", 1, 2);
@@ -92,9 +93,9 @@ TEST(Mirrors, DoNotChangeAFurnace) {
   for (const Rgb& b : solve(mesh, make_params(1e-4)).vertices) EXPECT_NEAR(b.r, 2, 0.02);
 }
 
-// A parabolic trough of flat mirrors. At its focal line, z = 1, a point looking down sees far more
-// of a distant lamp than over a flat mirror, but not more light in total. Without mirror_share,
-// delta areas wider than the view of a facet would count completely or not at all.
+// A parabolic trough of flat mirrors. At its focal line, z = 1, a point that looks down sees far
+// more of a distant lamp than over one flat mirror, but its total light is not greater. Without
+// mirror_share, a delta area wider than the view of a facet would count completely or not at all.
 TEST(Mirrors, BentOnesFocusLight) {
   constexpr int FACETS = 16;
   Room room;
@@ -115,7 +116,7 @@ TEST(Mirrors, BentOnesFocusLight) {
   add_gutter(room, 1);
   add_gutter(flat, 1e6);
   const Mesh bent = make_mesh(room, {}), plane = make_mesh(flat, {});
-  // a point that looks down into the mirrors
+  // a point on the focal line that looks down into the mirrors
   const Vertex focus = make_point({0.02, 0.01, 1}, {0, 0, -1});
   const auto of_lamp = [&](const Mesh& mesh) {
     double total = 0;

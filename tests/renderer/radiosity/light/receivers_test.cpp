@@ -1,4 +1,4 @@
-// Rays and vertices that are processed together in lanes.
+// Tests rays and vertices that are processed together in SIMD lanes.
 
 #include "renderer/radiosity/light/receivers.hpp"
 
@@ -81,7 +81,7 @@ TEST(ShadowRays, AreBlockedAsEachIsAlone) {
   EXPECT_GT(free, 5000u);
 }
 
-// Patches are near and far, and also seen over mirrors, for any method of making delta areas.
+// Patches are near and far, and are also seen over mirrors. All ways to divide patches are tested.
 TEST(Receivers, GetWhatEachGetsAlone) {
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

@@ -1,4 +1,4 @@
-// Relighting: patches of one mesh send light, vertices of a finer mesh receive it.
+// Tests the light from the patches of one mesh at the vertices of a finer mesh.
 #include "renderer/radiosity/light/solve.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ TEST(Relight, OfTheSameMeshIsSolve) {
   EXPECT_EQ(again.shots, solved.shots);
 }
 
-// A vertex in both meshes, lit at the same place, receives the same light.
+// A vertex that both meshes have, lit at the same position, must receive the same light.
 TEST(Relight, VerticesOfBothMeshesAgree) {
   MeshParams fine;
   fine.refine = 3;
@@ -41,7 +41,7 @@ TEST(Relight, VerticesOfBothMeshesAgree) {
     const auto solved = solve(one, params), lit = solve(one, params, {}, &three);
     std::size_t missing = 0;
     for (std::size_t i = 0; i < one.vertices.size(); ++i) {
-      // Strips beside objects that hang over a face depend on the width of patches.
+      // Strips beside objects that hang over a face depend on the width of the face's patches.
       bool found = std::ranges::any_of(contacts, [&](const std::vector<Contacts>& some) {
         return !some[one.vertices[i].object].folds.empty();
       });

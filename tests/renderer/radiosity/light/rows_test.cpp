@@ -1,4 +1,4 @@
-// Form factors that are kept from one shot of a patch to the next.
+// Tests form factors that are cached from one shot of a patch to the next.
 
 #include "renderer/radiosity/light/rows.hpp"
 
@@ -10,7 +10,7 @@
 namespace radiosity::test {
 namespace {
 
-// A room in which light meets up to three mirrors on its path.
+// A room in which a path of light can meet up to three mirrors.
 Mesh make_mirrored(Random& random, std::uint64_t seed) {
   Room room = make_furnished(random, 2, 1 + static_cast<int>(seed % 3));
   if (seed % 4) {
@@ -23,8 +23,8 @@ Mesh make_mirrored(Random& random, std::uint64_t seed) {
   return make_mesh(room, {});
 }
 
-// Later shots of a patch, with another radiosity, equal those without kept factors bit for bit.
-// This holds as well if memory suffices for some patches only.
+// Later shots of a patch, with another radiosity, must equal those without the cache bit for bit.
+// This must also be true if there is memory for some patches only.
 TEST(Rows, GiveWhatRaysGive) {
   std::size_t over_mirrors = 0;
   for (std::uint64_t seed = 1; seed <= 16; ++seed) {

@@ -1,4 +1,5 @@
-// Shooting compared with gathering; the ambient term; the parts of solve() separately.
+// Compares shooting with gathering. Also tests the ambient term, and the parts of solve()
+// separately.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +10,8 @@
 namespace radiosity::test {
 namespace {
 
-// A furnished room in colours, with a lamp in the ceiling and, on request, a hanging mirror.
+// A furnished room with several colours and a lamp in the ceiling. With `mirror`, it has a hanging
+// mirror.
 Room make_room(std::uint64_t seed, bool mirror, int n) {
   Random random{seed};
   Room room = make_furnished(random, 2, n);
@@ -51,7 +53,7 @@ TEST(Shooting, AgreesWithGathering) {
   }
 }
 
-// The mean radiosity of all patches, weighted by area.
+// The mean radiosity of all patches, weighted by area and averaged over the colours.
 double eval_mean_radiosity(const Mesh& mesh, const std::vector<Rgb>& vertices) {
   double total = 0;
   for (const Patch& patch : mesh.patches)
@@ -59,8 +61,8 @@ double eval_mean_radiosity(const Mesh& mesh, const std::vector<Rgb>& vertices) {
   return total / mesh.area;
 }
 
-// Without the ambient term, the unsent light is missing. With it, the mean is nearer to the final
-// one after any number of shots, and right within 5 %.
+// Without the ambient term, the unsent light is missing. With it, the mean radiosity must be nearer
+// to its final value after any number of shots, and within 5 % of it.
 TEST(Shooting, AmbientLightStandsForWhatIsUnsent) {
   const Mesh mesh = make_mesh(make_room(5, false, 2), {});
   const auto mean_after = [&](int shots, bool ambient) {
@@ -136,8 +138,8 @@ TEST(Shooting, GoesOnAsIfItHadNotBeenLeft) {
   EXPECT_EQ(halves.work, whole.work);
 }
 
-// The brightest patch shoots first, and among equals the first one. Afterwards it has no unsent
-// light (except what mirrors return).
+// The brightest patch sends its light first; of several equal patches, the first one. Afterwards it
+// has no unsent light, except light that mirrors return.
 TEST(Shooting, TheBrightestShoots) {
   const Mesh mesh = make_mesh(make_room(8, false, 2), {});
   State state = make_state(mesh, Sends::mean);
@@ -157,7 +159,7 @@ TEST(Shooting, TheBrightestShoots) {
 }
 
 // The mean is over all colours, with patches weighted by area. Materials that only one of the
-// meshes has are left out.
+// meshes has are omitted.
 TEST(MeanRadiosity, IsOfAllColoursByArea) {
   LitRoom lit{make_mesh(make_room(3, false, 2), {}), {}};
   const auto is_wall = [&](const Patch& patch) {

@@ -1,4 +1,4 @@
-// Form factors by eval_factor and by two independent calculators.
+// Compares the form factors of eval_factor() with those of two independent calculations.
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 namespace radiosity::test {
 namespace {
 
-// Polygons lie anywhere, partly below the horizon. Nothing occludes them.
+// Polygons are anywhere, even partly below the horizon. There are no obstacles.
 TEST(TwoCalculators, AgreeWithLambertOnPolygons) {
   double worst = 0, worst_fine = 0;
   for (std::uint64_t seed = 1; seed <= 300; ++seed) {
@@ -35,7 +35,7 @@ TEST(TwoCalculators, AgreeWithLambertOnPolygons) {
   fmt::print("largest error {:.5f}, with delta areas of 0.05 {:.5f}\n", worst, worst_fine);
 }
 
-// Compares factors of both sides of every face, for all vertices, in rooms with occluders.
+// Compares the factors of both sides of every face, for all vertices, in rooms with obstacles.
 TEST(TwoCalculators, AgreeWithHemispheresInFurnishedRooms) {
   double worst = 0, worst_fine = 0, sum = 0, sum_fine = 0;
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {

@@ -1,19 +1,19 @@
 #pragma once
-// Rooms with mirrors, and unfolded rooms without: these have images of all faces where the mirrors
-// show them.
+// Rooms with mirrors, and unfolded rooms without mirrors. An unfolded room has mirror images of all
+// faces, at the places where the mirrors show them.
 
 #include "tests/renderer/radiosity/support.hpp"
 
 namespace radiosity::test {
 
-/// A plane through a point. Objects in front of it have images behind it.
+/// The plane of a mirror, through the point `at`. Objects in front of it have images behind it.
 struct MirrorPlane {
   Vec at, normal;
   Vec reflect(const Vec& p) const { return p - 2 * dot(normal, p - at) * normal; }
 };
 
-/// The mirror image of a face. Its corners are reversed, since a mirror reverses the direction of
-/// rotation.
+/// The mirror image of a face. Its corners are in reverse order, because a mirror reverses the
+/// sense of rotation.
 inline Face reflect(Face face, const MirrorPlane& plane) {
   for (Vec& corner : face.corners) corner = plane.reflect(corner);
   std::reverse(face.corners.begin() + 1, face.corners.end());
@@ -21,9 +21,9 @@ inline Face reflect(Face face, const MirrorPlane& plane) {
   return face;
 }
 
-/// Makes the unfolded room: the faces of the room, followed by their images for each chain of
-/// planes, reflected by the last plane first. The mirrors must be the last faces of the room, and
-/// are left out. Face f has its images at f + k * (number of faces without mirrors).
+/// Makes the unfolded room: the faces of the room, then their images for each chain of planes. The
+/// last plane of a chain reflects first. The mirrors must be the last faces of the room, and are
+/// omitted. The k-th image of face f is at f + k * (number of faces without mirrors).
 inline Room unfold(const Room& room, const std::vector<std::vector<MirrorPlane>>& chains) {
   Room unfolded = room;
   std::erase_if(unfolded.faces, [&](const Face& f) { return room.materials[f.material].mirror; });
@@ -37,7 +37,7 @@ inline Room unfold(const Room& room, const std::vector<std::vector<MirrorPlane>>
   return unfolded;
 }
 
-/// The light of each face of the room at a vertex, directly and over mirrors.
+/// The form factor of each face of the room at a vertex, directly and over mirrors.
 inline std::vector<double> eval_by_mirrors(const Eye& eye, const Vertex& vertex,
                                            std::size_t faces) {
   std::vector<double> shares(faces);
@@ -46,7 +46,7 @@ inline std::vector<double> eval_by_mirrors(const Eye& eye, const Vertex& vertex,
     shares[patch.face] += eval_factors(eye, vertex, patch, work).r;
   return shares;
 }
-/// The light of each face and its images in the unfolded room.
+/// The form factor of each face together with its images in the unfolded room.
 inline std::vector<double> eval_by_images(const Eye& eye, const Vertex& vertex, std::size_t faces) {
   std::vector<double> shares(faces);
   Work work;
@@ -55,8 +55,8 @@ inline std::vector<double> eval_by_images(const Eye& eye, const Vertex& vertex, 
   return shares;
 }
 
-/// Adds the walls of [0, 2] x [0, 2] x [0, 2] named in `walls` ("xXyYzZ": low x, high x, ...), with
-/// n x n patches each.
+/// Adds walls of the cube from 0 to 2, with n x n patches each. `walls` names them by letters of
+/// "xXyYzZ": low x, high x, low y and so on.
 inline void add_walls(Room& room, const std::string& walls, int n, std::uint32_t material = 0) {
   constexpr Vec O{0, 0, 0}, X{2, 0, 0}, Y{0, 2, 0}, Z{0, 0, 2};
   constexpr struct {
@@ -69,8 +69,8 @@ inline void add_walls(Room& room, const std::string& walls, int n, std::uint32_t
       if (wall.name == name) add_quad(room, material, wall.corner, wall.along, wall.across, n, n);
 }
 
-/// White walls, a lamp and a perfect mirror; with `things`, also a table and a screen that cast
-/// shadows.
+/// A cube of white walls with a lamp and a perfect mirror. With `things`, also a table and a screen
+/// that cast shadows.
 inline Room make_cube(const std::string& walls, bool things, int n) {
   Room room;
   room.materials = {
