@@ -1,5 +1,5 @@
 #pragma once
-// Seeded random input for the renderer's tests.
+// Random input for the renderer's tests, determined by a seed.
 
 #include <array>
 #include <numbers>
@@ -12,7 +12,7 @@
 
 namespace renderer::test {
 
-/// A counter-based generator: the n-th number depends only on the seed and on n (splitmix64).
+/// A counter-based generator: number n depends only on the seed and on n (SplitMix64).
 struct Random {
   std::uint64_t seed = 0, n = 0;
 
@@ -49,7 +49,7 @@ inline std::array<Vec, 2> make_plane(const Vec& n) {
   return {u, cross(n, u)};
 }
 
-/// A star-shaped polygon around `centre` in a random plane, mostly concave.
+/// A star-shaped polygon around `centre` in a random plane. It is mostly concave.
 inline std::vector<Vec> make_star(Random& random, const Vec& centre, double size) {
   const auto [u, v] = make_plane(random.direction());
   const int corners = 3 + random.below(6);
@@ -61,8 +61,8 @@ inline std::vector<Vec> make_star(Random& random, const Vec& centre, double size
   return star;
 }
 
-/// A scene with `objects` objects of all four kinds, some of them mirrors or glass, and `lights`
-/// lights.
+/// A scene with `objects` objects of all four kinds, some of them mirrors or glass, and with
+/// `lights` lights.
 inline Scene make_random_scene(std::uint64_t seed, int objects, int lights = 2) {
   Random random{seed};
   Scene scene;

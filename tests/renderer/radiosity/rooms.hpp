@@ -1,5 +1,5 @@
 #pragma once
-// Rooms for tests: small ones, random ones, and rooms as text.
+// Rooms for tests: small ones, random ones, and rooms written as text.
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@ namespace radiosity::test {
 
 using renderer::test::Random;
 
-/// A lit square and a wall that enclose nothing: the smallest room that passes check().
+/// A square lamp and a wall that enclose nothing: the smallest room that passes check().
 inline Room make_small_room() {
   Room room;
   room.materials = {{"wall", {0.5, 0.5, 0.5}, {}, false}, {"lamp", {0, 0, 0}, {1, 1, 1}, false}};
@@ -24,7 +24,7 @@ inline Room make_small_room() {
   return room;
 }
 
-/// A convex polygon with its corners on an ellipse in a random plane.
+/// A convex polygon whose corners lie on an ellipse in a random plane.
 inline std::vector<Vec> make_convex(Random& random, int corners) {
   const Vec centre = random.point(5);
   const auto [u, v] = renderer::test::make_plane(random.direction());
@@ -60,7 +60,7 @@ inline Room make_random_room(std::uint64_t seed) {
     room.faces.push_back(face);
   }
   for (int i = random.below(4); i > 0; --i) {
-    // The crease leads from a corner to a side.
+    // The crease leads from a corner of the face to one of its sides.
     const auto& on = room.faces[static_cast<std::size_t>(random.below(faces))].corners;
     room.creases.push_back({on[0], on[1] + random.range(0.1, 0.9) * (on[2] - on[1])});
   }
@@ -76,7 +76,7 @@ inline Room make_random_room(std::uint64_t seed) {
 inline std::string write(const Vec& v) { return fmt::format(" {} {} {}", v.x, v.y, v.z); }
 inline std::string write(const Rgb& c) { return fmt::format(" {} {} {}", c.r, c.g, c.b); }
 
-/// The room as text for read_room, with all statements that a face may have.
+/// Writes the room as text for read_room(), with every statement that a face needs.
 inline std::string write(const Room& room) {
   std::string text = "# a room\n";
   for (const Material& m : room.materials) {

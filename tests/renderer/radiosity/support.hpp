@@ -1,5 +1,5 @@
 #pragma once
-// Rooms for the tests of radiosity, and points that see their patches.
+// Rooms for the tests of radiosity, and points from which their patches are visible.
 
 #include <fmt/format.h>
 
@@ -18,7 +18,7 @@ using renderer::test::Random;
 
 inline Rgb grey(double value) { return {value, value, value}; }
 
-/// Adds the quad p, p + a, p + a + b, p + b. Seen from its front, b is to the left of a.
+/// Adds the quad p, p + a, p + a + b, p + b. Seen from its front, b points to the left of a.
 inline Face& add_quad(Room& room, std::uint32_t material, const Vec& p, const Vec& a, const Vec& b,
                       int along = 1, int across = 1) {
   Face face;
@@ -30,15 +30,15 @@ inline Face& add_quad(Room& room, std::uint32_t material, const Vec& p, const Ve
   return room.faces.back();
 }
 
-/// The face as seen from its other side.
+/// The face with its front and back exchanged.
 inline Face turn(Face face) {
   std::swap(face.corners[1], face.corners[3]);
   std::swap(face.along, face.across);
   return face;
 }
 
-/// Adds the six sides of a box with n x n patches each: floor, ceiling, and the walls at low x,
-/// high x, low y and high y. They face inwards, or outwards for a block.
+/// Adds the six sides of a box, with n x n patches each: floor, ceiling, and the walls at low x,
+/// high x, low y and high y. They face inwards; those of add_block() face outwards.
 inline void add_box(Room& room, std::uint32_t material, const Vec& lo, const Vec& hi, int n = 1) {
   const Vec x{hi.x - lo.x, 0, 0}, y{0, hi.y - lo.y, 0}, z{0, 0, hi.z - lo.z};
   add_quad(room, material, lo, x, y, n, n);
@@ -55,7 +55,7 @@ inline void add_block(Room& room, std::uint32_t material, const Vec& lo, const V
     *face = turn(*face);
 }
 
-/// A regular polygon around an axis, with its front in the direction of the axis.
+/// A regular polygon around an axis. Its front faces in the direction of the axis.
 inline std::vector<Vec> make_ring(const Vec& centre, const Vec& axis, double radius, int corners) {
   const auto [u, v] = renderer::test::make_plane(axis);
   std::vector<Vec> ring;
@@ -66,8 +66,8 @@ inline std::vector<Vec> make_ring(const Vec& centre, const Vec& axis, double rad
   return ring;
 }
 
-/// A box of random shape with a block standing in it and, above the block, free two-sided polygons.
-/// Everything has material 0. The walls and blocks have n x n patches.
+/// A box of random shape in which a block stands. Above the block, there are two-sided polygons in
+/// the air. Everything has material 0. Walls and blocks have n x n patches per side.
 inline Room make_furnished(Random& random, int polygons, int n) {
   Room room;
   room.materials = {{"wall", grey(0.5), grey(1)}};
@@ -94,7 +94,7 @@ inline SolveParams make_params(double tolerance, const FactorParams& factor = {}
   return params;
 }
 
-/// A point that lies on no object.
+/// A vertex that lies on no object.
 inline Vertex make_point(const Vec& at, const Vec& normal) {
   return {at, at, normal, 0, NO_OBJECT};
 }
@@ -113,7 +113,8 @@ double eval_mean(const Mesh&, const Patch& patch, int n, const auto& f) {
   return total / area;
 }
 
-/// eval_factor() plus the light over mirrors, each colour scaled by the mirrors' reflectances.
+/// The form factor of eval_factor(), plus that over mirrors. Each colour is multiplied by the
+/// reflectance of the mirrors.
 inline Rgb eval_factors(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work) {
   return eval_light(eye, vertex, {patch, Glow(grey(1))}, work);
 }

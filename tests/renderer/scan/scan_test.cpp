@@ -1,4 +1,4 @@
-// Scan conversion of polygons, compared with rays through the same samples.
+// Tests the scan conversion of polygons by comparison with rays through the same samples.
 #include "renderer/scan/scan.hpp"
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@ namespace {
 constexpr int SCREEN_SIDE = 24;
 constexpr Area ALL{0, 0, SCREEN_SIDE, SCREEN_SIDE};
 
-// A view from the origin, on the lattice of SCREEN_SIDE x SCREEN_SIDE samples.
+// A view from the origin, whose samples are the lattice of SCREEN_SIDE x SCREEN_SIDE points.
 struct Eye {
   View view;
   Params params = make_params(SCREEN_SIDE, SCREEN_SIDE, 1);
@@ -28,7 +28,7 @@ struct Eye {
 
 using Corners = std::vector<Scanner<1>::Corner>;
 
-// The corners of a polygon, each with what `value` returns for it.
+// The corners of a polygon. `value` returns the value at a corner.
 template <class Value>
 Corners make_corners(const View& view, const std::vector<Vec>& points, const Value& value) {
   Corners corners;
@@ -51,7 +51,7 @@ TEST(Scan, CoversWhatRaysMeet) {
     add_polygon(scene, star);
     finish(scene);
     behind += std::ranges::any_of(star, [](const Vec& p) { return p.z > 0; });
-    // Interpolates the plane's distance along the axis, which is linear in space too.
+    // Interpolates the distance of the plane along the axis, which is also linear in space.
     std::vector<double> found(SCREEN_SIDE * SCREEN_SIDE), nearness(SCREEN_SIDE * SCREEN_SIDE);
     Scanner<1> scanner(eye.raster, ALL);
     std::vector<Vec> flat;
@@ -84,8 +84,8 @@ TEST(Scan, NeighboursShareNoSampleAndLeaveNoneOut) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random{seed};
     const Eye eye(SamplePosition::corner);
-    // A fan of triangles around a point covers everything. The point is often on the ray of a
-    // sample.
+    // A fan of triangles around a point must cover every sample exactly once. The point is often
+    // exactly on the ray of a sample.
     const Vec middle = seed % 2 ? Vec{0, 0, -1} : Vec{random.range(-1, 1), random.range(-1, 1), -1};
     std::vector<Vec> ring;
     const double start = random.unit();
@@ -104,7 +104,8 @@ TEST(Scan, NeighboursShareNoSampleAndLeaveNoneOut) {
 }
 
 TEST(Scan, ValuesAreLinearInSpace) {
-  // The value grows from 0 to 1 along a floor that recedes from the eye, one unit below it.
+  // The value grows linearly from 0 to 1 along a floor that is one unit below the eye and recedes
+  // from it.
   const Eye eye;
   Scanner<1> scanner(eye.raster, ALL);
   int count = 0;
@@ -132,7 +133,7 @@ TEST(Scan, StaysInItsArea) {
   EXPECT_EQ(count, 28);
   count = 0;
   scanner.draw_line(wall[0], wall[2], put);
-  EXPECT_EQ(count, 0);  // the diagonal from bottom to top passes (x, 23 - x)
+  EXPECT_EQ(count, 0);  // the diagonal from bottom to top passes through the samples (x, 23 - x)
   scanner.draw_line(wall[1], wall[3], put);
   EXPECT_EQ(count, 4);  // the samples from (5, 5) to (8, 8)
 }
@@ -147,7 +148,7 @@ TEST(Scan, LinesBehindTheEyeAreCutOff) {
   };
   scanner.draw_line({{0, 0, -1}, {}}, {{1, 0, -1}, {}}, put);
   EXPECT_TRUE(found.empty());
-  // The line leads from straight ahead to behind the right shoulder.
+  // The line leads from a point straight ahead to a point behind the eye, on the right.
   scanner.draw_line({{0.001, 0.01, 1}, {}}, {{1, 0.01, -1}, {}}, put);
   ASSERT_EQ(found.size(), 12u);
   EXPECT_EQ(found.front().first, 12);

@@ -1,4 +1,4 @@
-// The sphereflake, and scenes by name.
+// Tests the sphereflake, and scenes that are made by name.
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ TEST(Sphereflake, Definition) {
   const Sphere& root = get_sphere(scene, 0);
   EXPECT_EQ(root.centre, (Vec{0, 0, 0}));
   EXPECT_EQ(root.radius, 0.5);
-  const Sphere& grandchild = get_sphere(scene, 10);  // the first child of the first child
+  const Sphere& grandchild = get_sphere(scene, 10);  // first child of the first child
   EXPECT_EQ(grandchild.centre, (Vec{0.420314, 0.420314, 0.618405}));
   EXPECT_EQ(grandchild.radius, 0.0555556);
   EXPECT_EQ(scene.surfaces[root.tag.surface].ks, 0.5);

@@ -1,4 +1,4 @@
-// Invariants of a bounding-volume hierarchy, for any objects.
+// Tests that a bounding-volume hierarchy is valid for any objects.
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,8 @@
 namespace renderer::test {
 namespace {
 
-// Checks the box at `at` and those below it. Returns the index after them.
+// Checks the box with the index `at` and all boxes inside it. Returns the index after the last of
+// them.
 std::uint32_t check_subtree(const std::vector<Box>& boxes, std::uint32_t at,
                             const std::vector<Bounds>& objects, std::vector<std::uint32_t>& met) {
   const Box& box = boxes[at];

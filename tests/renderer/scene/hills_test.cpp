@@ -1,4 +1,4 @@
-// The landscape: its triangles, their mesh, and its view.
+// Tests the landscape of triangles: the triangles, their mesh, and the view.
 
 #include "renderer/scene/hills.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 using TriangleCorners = std::array<Vec, 3>;
 
-// The triangles in file order.
+// The triangles in the order of the scene.
 std::vector<TriangleCorners> get_triangles(const Scene& scene) {
   std::vector<TriangleCorners> triangles;
   for (const Place place : scene.objects) {
@@ -29,7 +29,7 @@ std::vector<TriangleCorners> get_triangles(const Scene& scene) {
   return triangles;
 }
 
-// Rounds a point, since neighbours store corners that are equal only up to rounding.
+// Rounds a point, because the corners that neighbours share are equal only up to rounding.
 std::array<std::int64_t, 3> round_point(const Vec& p) {
   return {std::llround(p.x * 1e8), std::llround(p.y * 1e8), std::llround(p.z * 1e8)};
 }
@@ -48,7 +48,7 @@ TEST(Hills, AreOneNetWithoutCracks) {
     ASSERT_EQ(triangles.size(), static_cast<std::size_t>(n));
     using Point = std::array<std::int64_t, 3>;
     std::set<Point> points;
-    // the two ends of each edge, for each triangle that has it
+    // for each edge: its two ends, once for every triangle that has the edge
     std::map<std::pair<Point, Point>, std::vector<Vec>> sides;
     double area = 0, back = 0;
     for (const TriangleCorners& t : triangles) {
@@ -65,7 +65,7 @@ TEST(Hills, AreOneNetWithoutCracks) {
     }
     for (const auto& [edge, ends] : sides) {
       if (ends.size() == 4) {
-        // the second triangle traverses it in the opposite direction
+        // the second triangle traverses the edge in the opposite direction
         EXPECT_EQ(round_point(ends[0]), round_point(ends[3]));
       } else {
         ASSERT_EQ(ends.size(), 2u);
@@ -74,7 +74,7 @@ TEST(Hills, AreOneNetWithoutCracks) {
     }
     EXPECT_EQ(points.size() + triangles.size(), sides.size() + 1);  // Euler's formula for a disc
     const double depth = back - FRONT;
-    // triangles do not overlap
+    // if triangles do not overlap, their areas add up to that of the outline
     EXPECT_NEAR(area, depth * SLOPE * (2 * (FRONT + 1.4) + depth), 1e-6);
   }
 }
@@ -113,7 +113,7 @@ TEST(Hills, TheViewIsAboveTheGround) {
   }
 }
 
-// The numbers are equal on every host and with every compiler.
+// The numbers must be equal on every host and with every compiler.
 TEST(Hills, ThePicture) {
   Params params;
   params.width = params.height = 64;

@@ -1,4 +1,4 @@
-// Intersection with each primitive, compared with an independent method.
+// Tests the intersection of rays with each primitive by comparison with an independent method.
 
 #include <gtest/gtest.h>
 
@@ -24,13 +24,13 @@ std::optional<Hit> meet(const Scene& scene, const Vec& origin, const Vec& direct
                    Traversal::nearest, work);
 }
 
-// A surface: the zeros of `value` where `exists` holds.
+// A surface: the points where `value` is zero and `exists` is true.
 struct Implicit {
   std::function<double(const Vec&)> value;
   std::function<bool(const Vec&)> exists = [](const Vec&) { return true; };
 };
 
-// The first sign change along the ray, found by small steps and bisection.
+// The first change of sign along the ray, found by small steps and bisection.
 std::optional<double> march(const Implicit& f, const Vec& origin, const Vec& direction) {
   constexpr double STEP = 0.004, END = 12;
   for (double t = 0; t < END; t += STEP) {
@@ -53,7 +53,8 @@ void expect_as_implicit(const Scene& scene, const Implicit& f, Random& random) {
     const Vec direction = normalize(random.point(0.8) - origin);
     const std::optional<double> expected = march(f, origin, direction);
     const std::optional<Hit> hit = meet(scene, origin, direction);
-    // Steps miss a grazing pair of roots.
+    // The steps can miss two intersections that are close to each other, where the ray grazes the
+    // surface.
     if (expected.has_value() != hit.has_value() ||
         (hit && std::abs(hit->distance - *expected) > 1e-6)) {
       ++disagreements;
@@ -108,7 +109,7 @@ TEST(Primitives, ConeAndCylinder) {
   }
 }
 
-// The angle of the corners around `p`: 2 pi inside, 0 outside.
+// The angle that the polygon's corners describe around `p`: 2 pi inside, 0 outside.
 double eval_winding(const std::vector<Vec>& corners, const Vec& p, const Vec& n) {
   double sum = 0;
   for (std::size_t i = 0, j = corners.size() - 1; i < corners.size(); j = i++) {
@@ -144,7 +145,7 @@ TEST(Primitives, PolygonsConvexAndConcave) {
 }
 
 TEST(Primitives, NeighbouringPolygonsLeaveNoGap) {
-  // A fan of triangles around a shared corner covers their union.
+  // Triangles in a fan around a shared corner must cover their union.
   Random random{5};
   const Scene scene = make_scene_of([&](Scene& s) {
     for (int i = 0; i < 7; ++i) {
@@ -155,7 +156,7 @@ TEST(Primitives, NeighbouringPolygonsLeaveNoGap) {
     }
   });
   for (int i = 0; i < 2000; ++i) {
-    // Aims at the shared edges.
+    // Aims at the edges that triangles share.
     const double a = 2 * std::numbers::pi * random.below(7) / 7, along = random.range(0, 0.9);
     const Vec corner{std::cos(a), std::sin(a), 0}, shared{0.1, 0.2, 0};
     const Vec target = shared + along * (corner - shared), origin = random.point(1) + Vec{0, 0, 3};
@@ -163,7 +164,7 @@ TEST(Primitives, NeighbouringPolygonsLeaveNoGap) {
   }
 }
 
-// The rounding of a polygon's test grows with its coordinates.
+// The rounding errors of the test grow with the coordinates of the polygon.
 TEST(Primitives, MovedPolygonsAreAsThoseMadeThere) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -180,7 +181,8 @@ TEST(Primitives, MovedPolygonsAreAsThoseMadeThere) {
     const double rounding = 1e-13 * (1 + max_abs(by));
     for (std::size_t i = 0; i < 3; ++i) {
       const Line &edge = pool[i].edge, &same = pool[there.first + i].edge;
-      if (moved.w != there.w) continue;  // two axes project the triangle alike
+      // The triangle's projections along two axes are equally good.
+      if (moved.w != there.w) continue;
       EXPECT_NEAR(edge.normal_u, same.normal_u, 1e3 * rounding);
       EXPECT_NEAR(edge.normal_v, same.normal_v, 1e3 * rounding);
     }
@@ -192,7 +194,7 @@ TEST(Primitives, PatchNormalsAreInterpolated) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random{seed};
     const std::vector<Vec> star = make_star(random, {0, 0, 0}, 1.5);
-    // a triangle, whose interpolation is barycentric
+    // interpolation in a triangle is barycentric
     const std::vector<Vec> corners(star.begin(), star.begin() + 3);
     const Vec n = normalize(cross(corners[1] - corners[0], corners[2] - corners[0]));
     std::vector<Vec> normals;
@@ -217,7 +219,8 @@ TEST(Primitives, PatchNormalsAreInterpolated) {
 
 TEST(Primitives, PatchNormalsAtEdgesAndCorners) {
   const std::vector<Vec> corners = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
-  // The normals have z < 0, so the front is the side of low z, whatever the order of the corners.
+  // The normals have z < 0, so that the front is on the side of low z, for any order of the
+  // corners.
   const std::vector<Vec> normals = {{0, 0, -2}, normalize({1, 0, -1}), normalize({0, 1, -1})};
   const Scene scene = make_scene_of([&](Scene& s) { add_patch(s, corners, normals); });
   const auto at = [&](double x, double y) { return meet(scene, {x, y, -1}, {0, 0, 1}); };
@@ -249,7 +252,8 @@ TEST(Primitives, ARayDoesNotMeetWhereItStarts) {
   }
 }
 
-// Rounding grows with the largest coordinate, so the farthest position of the eye counts.
+// Rounding errors grow with the largest coordinate, so that the farthest position of the eye
+// counts.
 TEST(Scene, ToleranceFollowsTheFarthestPlaceOfTheEye) {
   const auto epsilon = [](const Vec& from, const Vec& move) {
     Scene scene;

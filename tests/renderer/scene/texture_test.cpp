@@ -1,4 +1,4 @@
-// Mipmaps, and the texture point for a point of the scene.
+// Tests mipmaps, and the texture point at a point of the scene.
 #include "renderer/scene/texture.hpp"
 
 #include <gtest/gtest.h>
@@ -16,7 +16,7 @@ std::vector<std::uint8_t> make_grey(std::initializer_list<int> values) {
   return bytes;
 }
 
-// 2 x 2 pixels: 0 and 255 above 51 and 102.
+// A picture of 2 x 2 pixels: 0 and 255 in the upper row, 51 and 102 in the lower row.
 Pyramid make_four() { return make_pyramid(2, 2, make_grey({0, 255, 51, 102})); }
 
 double at(const Pyramid& pyramid, double u, double v) {
@@ -30,23 +30,23 @@ TEST(Texture, ABytesFullIsOne) {
 
 TEST(Texture, BilinearBetweenTheMiddlesOfTexels) {
   const Pyramid four = make_four();
-  // At texel centres; (0, 0) is at the lower left.
+  // At the centres of texels. (0, 0) is the lower left corner.
   EXPECT_EQ(at(four, 0.25, 0.75), 0);
   EXPECT_EQ(at(four, 0.75, 0.75), 1);
   EXPECT_EQ(at(four, 0.25, 0.25), 0.2);
   EXPECT_EQ(at(four, 0.75, 0.25), 0.4);
-  // Halfway between two texels, and between four.
+  // Halfway between two texels, and between four texels.
   EXPECT_DOUBLE_EQ(at(four, 0.5, 0.75), 0.5);
   EXPECT_DOUBLE_EQ(at(four, 0.25, 0.5), 0.1);
   EXPECT_DOUBLE_EQ(at(four, 0.5, 0.5), 0.4);
-  // A quarter of the way to the right, three quarters up: 0.25 (0.75 * 0.2 + 0.25 * 0.4) + 0.75
-  // (0.75 * 0 + 0.25 * 1).
+  // A quarter of the way from left to right texels, and three quarters from lower to upper texels:
+  // 0.25 (0.75 * 0.2 + 0.25 * 0.4) + 0.75 (0.75 * 0 + 0.25 * 1).
   EXPECT_DOUBLE_EQ(at(four, 0.375, 0.625), 0.25 * 0.25 + 0.75 * 0.25);
 }
 
 TEST(Texture, RepeatsOnAllSides) {
   const Pyramid four = make_four();
-  // On the left edge: half of its texel, and half of the texel at the right edge.
+  // On the left edge: half of the texel there, and half of the texel at the right edge.
   EXPECT_DOUBLE_EQ(at(four, 0, 0.75), 0.5);
   EXPECT_DOUBLE_EQ(at(four, 0, 0), 0.4);
   Random random{3};
@@ -96,7 +96,7 @@ TEST(Texture, LevelsHalveAndKeepTheMean) {
       EXPECT_EQ(level.width, w);
       EXPECT_EQ(level.height, h);
       EXPECT_EQ(level.texels.size(), static_cast<std::size_t>(w * h));
-      // Each level rounds its texels.
+      // Rounding of the texels of each level changes the mean slightly.
       EXPECT_NEAR(eval_mean(level), eval_mean(pyramid.levels[0]), 0.5 * 7);
       w = std::max(1, w / 2);
       h = std::max(1, h / 2);
@@ -110,8 +110,8 @@ TEST(Texture, ATexelIsTheMeanOfWhatItCovers) {
   ASSERT_EQ(three.levels.size(), 2u);
   EXPECT_EQ(three.levels[1].texels[0].r, 95 * 257);
   const Pyramid five = make_pyramid(5, 1, make_grey({0, 50, 100, 150, 200}));
-  EXPECT_EQ(five.levels[1].texels[0].r, 40 * 257);   // the mean (0 + 50 + 100 / 2) / 2.5
-  EXPECT_EQ(five.levels[1].texels[1].r, 160 * 257);  // the mean (100 / 2 + 150 + 200) / 2.5
+  EXPECT_EQ(five.levels[1].texels[0].r, 40 * 257);   // (0 + 50 + 100 / 2) / 2.5
+  EXPECT_EQ(five.levels[1].texels[1].r, 160 * 257);  // (100 / 2 + 150 + 200) / 2.5
   const Pyramid four = make_pyramid(2, 2, make_grey({10, 20, 30, 40}));
   EXPECT_EQ(four.levels[1].texels[0].r, 25 * 257);
 }
@@ -157,7 +157,7 @@ TEST(Texture, ATurnIsTheLibrarysAngle) {
   EXPECT_LT(eval_turn(-1e-300, 1), 1);
 }
 
-// Expects the stated gradients of a mapping to equal the differences of its coordinates at
+// Expects that the gradients of a mapping equal the differences of its coordinates between
 // neighbouring points.
 void check_gradients(const Mapping& mapping, const Vec& point) {
   constexpr double STEP = 1e-6;
@@ -171,7 +171,7 @@ void check_gradients(const Mapping& mapping, const Vec& point) {
 }
 
 TEST(Texture, PlanarGoesAlongItsEdges) {
-  const Vec origin{1, 2, 3}, u{2, 0, 0}, v{1, 4, 0};  // u and v are not at right angles
+  const Vec origin{1, 2, 3}, u{2, 0, 0}, v{1, 4, 0};  // not at right angles
   const Mapping mapping = make_planar(origin, u, v);
   Random random{8};
   for (int i = 0; i < 100; ++i) {
@@ -196,7 +196,7 @@ TEST(Texture, SphericalIsLongitudeAndLatitude) {
   const double r = 5;
   EXPECT_EQ(find({r, 0, 0}).u, 0);
   EXPECT_EQ(find({r, 0, 0}).v, 0.5);
-  EXPECT_EQ(find({0, r, 0}).u, 0.25);  // to the right of x, seen from outside with z up
+  EXPECT_EQ(find({0, r, 0}).u, 0.25);  // seen from outside with z up, to the right of x
   EXPECT_EQ(find({-r, 0, 0}).u, 0.5);
   EXPECT_EQ(find({0, -r, 0}).u, 0.75);
   EXPECT_EQ(find({0, 0, r}).v, 1);
@@ -204,10 +204,10 @@ TEST(Texture, SphericalIsLongitudeAndLatitude) {
   EXPECT_NEAR(find({r, 0, r}).v, 0.75, 1e-15);
   EXPECT_NEAR(find({r, r, -r * std::sqrt(2)}).v, 0.25, 1e-15);
   EXPECT_NEAR(find({r, r, 0}).u, 0.125, 1e-15);
-  // The seam is at longitude 0, and coordinates never pass it.
+  // The seam of the picture is at longitude 0; coordinates never go beyond it.
   EXPECT_GT(find({r, -1e-9, 0}).u, 0.99999);
   EXPECT_LT(find({r, -1e-9, 0}).u, 1);
-  EXPECT_EQ(find({}).v, 0.5);  // the point is the middle of the sphere
+  EXPECT_EQ(find({}).v, 0.5);  // at the middle of the sphere
   EXPECT_THROW(make_spherical(middle, {}), base::BadInput);
   Random random{9};
   for (int i = 0; i < 50; ++i) {
@@ -224,7 +224,7 @@ TEST(Texture, SphericalIsLongitudeAndLatitude) {
   }
 }
 
-// A scene with one surface, whose texture has the pixels `rgb8` and coordinates at corners.
+// A scene with one surface. Its texture has the pixels `rgb8`, and uses coordinates at corners.
 Scene make_scene(int width, int height, const std::vector<std::uint8_t>& rgb8) {
   Scene scene;
   scene.pyramids.push_back(make_pyramid(width, height, rgb8));
@@ -282,7 +282,7 @@ TEST(Texture, AMeshOnAQuadrangleMeetsCornersAndEdges) {
   EXPECT_DOUBLE_EQ(find(1, 0).u, 0.25);
   EXPECT_DOUBLE_EQ(find(4, 1.5).v, 0.75);
   EXPECT_DOUBLE_EQ(find(2, 1).u, 0.5);
-  // Affine coordinates are preserved inside any polygon.
+  // Coordinates that are affine functions of the position must be exact inside any polygon.
   EXPECT_NEAR(find(3, 0.5).u, 0.75, 1e-14);
   EXPECT_NEAR(find(3, 0.5).v, 0.25, 1e-14);
   EXPECT_NEAR(find(3, 0.5).grow_u.x, 0.25, 1e-14);

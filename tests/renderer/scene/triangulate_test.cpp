@@ -1,4 +1,5 @@
-// Triangles of polygons: they have its corners, its winding and its area, and do not overlap.
+// Tests triangulations: the triangles must have the corners, the orientation and the area of the
+// polygon, and must not overlap.
 #include "renderer/scene/triangulate.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,8 @@ double area_of(const std::vector<Vec>& corners, const Triangle& t) {
   return dot(eval_area_normal(part), normalize(eval_area_normal(corners))) / 2;
 }
 
-// If all triangles have the polygon's winding and their areas add up to its area, none overlap.
+// If all triangles have the polygon's orientation and their areas add up to its area, none of them
+// overlap.
 void expect_parts(const std::vector<Vec>& corners) {
   const auto triangles = triangulate(corners);
   EXPECT_EQ(triangles.size(), corners.size() - 2);

@@ -1,4 +1,5 @@
-// An Access object receives every read of the scene, and nothing else. Hits are unchanged.
+// Tests that an Access object is called for every read of the scene, and for nothing else. The hits
+// must not change.
 
 #include <gtest/gtest.h>
 

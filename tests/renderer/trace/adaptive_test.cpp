@@ -1,4 +1,4 @@
-// Adaptive sampling: more samples in pixels that need them.
+// Tests adaptive sampling: pixels that need more samples get them.
 #include "renderer/trace/adaptive.hpp"
 
 #include <gtest/gtest.h>
@@ -24,7 +24,8 @@ SquarePoint sample(const Params& params, int pass, Dimension dimension, std::uin
   return sample_square(params.sampling, {pixel, pass}, dimension);
 }
 
-// The rectangle that contains a point, for a division into columns x rows.
+// The index of the rectangle that contains a point, if the unit square is divided into columns x
+// rows.
 int find_part(const SquarePoint& at, int columns, int rows) {
   return static_cast<int>(at.v * rows) * columns + static_cast<int>(at.u * columns);
 }
@@ -40,7 +41,7 @@ TEST(Adaptive, RoundsDoubleTheSamples) {
   EXPECT_EQ(ends, (std::vector<int>{16, 32, 64, 100}));
 }
 
-// The sample's point in the unit square of its group. In the dimension `pixel`, the square of each
+// The sample's point in the unit square of its group. For Dimension::pixel, the square of each
 // group is a quarter of the pixel.
 SquarePoint sample_in_group(const Params& params, int group, int place, Dimension dimension,
                             std::uint32_t pixel) {
@@ -49,15 +50,16 @@ SquarePoint sample_in_group(const Params& params, int group, int place, Dimensio
   return {2 * at.u - std::floor(2 * at.u), 2 * at.v - std::floor(2 * at.v)};
 }
 
-// If the square is divided into as many equal rectangles as a group has samples, each contains one
-// sample. In the dimension `pixel` this holds for any power of two, in others after whole rounds.
+// If the square is divided into as many equal rectangles as a group has samples, each rectangle
+// must contain one sample. For Dimension::pixel, this is true for any power of two; for other
+// dimensions, after whole rounds.
 TEST(Adaptive, RectanglesOfAllShapesHaveASampleEach) {
   const Params params = make_adaptive(1, 0.1, 1000);
   for (const auto dimension : {Dimension::pixel, Dimension::lens, Dimension::gloss})
     for (std::uint32_t pixel = 0; pixel < 30; ++pixel)
       for (int group = 0; group < GROUPS; ++group)
         for (const int count : {2, 4, 8, 16, 32, 64, 128}) {
-          if (dimension != Dimension::pixel && count == 2) continue;  // skips half rounds
+          if (dimension != Dimension::pixel && count == 2) continue;  // not a whole round
           for (int columns = 1; columns <= count; columns *= 2) {
             std::set<int> parts;
             for (int place = 0; place < count; ++place)
@@ -119,8 +121,8 @@ TEST(Adaptive, TimesAreSpreadEvenlyToo) {
 }
 
 TEST(Adaptive, EachSampleIsAnywhereInItsSquare) {
-  // Over many pixels, every sample is uniform in its pixel. So the mean of samples is unbiased, for
-  // any number of them.
+  // Over many pixels, every sample must be uniformly distributed in its pixel. The mean of any
+  // number of samples is then unbiased.
   const Params params = make_adaptive(1, 0.1, 64);
   for (const int pass : {0, 1, 7, 40}) {
     double u = 0, v = 0, uv = 0;
@@ -161,20 +163,21 @@ TEST(Adaptive, ABorderHasASecondRound) {
 }
 
 TEST(Adaptive, TheErrorIsWhatSquaresDoNotExplain) {
-  // Half of the quarters are white, half black, none mixed. The estimated error is 0.
+  // Half of the quarters are white and half are black; none is mixed. The estimated error is
+  // therefore 0.
   std::vector<TracedSample> samples;
   for (int i = 0; i < 16; ++i) samples.push_back(make_sample(group_of(i) % 2));
   EXPECT_EQ(find_wanted(1e-6, samples, 7), 16);
-  // Each quarter has one white and three black samples, and hence a variance of 1 / 4. The variance
-  // of the mean is 1/16 of that, 0.125 squared.
+  // Each quarter has one white and three black samples, and hence the variance 1/4. The variance of
+  // the mean is 1/16 of that, which is 0.125 squared.
   samples.clear();
   std::set<int> seen;
   for (int i = 0; i < 16; ++i)
     samples.push_back(make_sample(seen.insert(group_of(i)).second ? 1 : 0));
-  // With 16 samples, the allowed error is half of that with 64.
+  // The error allowed after 16 samples is half of that allowed after 64.
   EXPECT_EQ(find_wanted(0.252, samples, 7), 16);
   EXPECT_EQ(find_wanted(0.248, samples, 7), 32);
-  // Values brighter than white count as white.
+  // Colours brighter than white count as white.
   for (TracedSample& s : samples) s = make_sample(s.sums.r > 0 ? 50 : 1);
   EXPECT_EQ(find_wanted(1e-6, samples, 7), 16);
 }
@@ -191,7 +194,7 @@ TEST(Adaptive, AGroupIsFinishedByTheOthers) {
   samples.resize(64, make_sample(0, NO_OBJECT));
   EXPECT_EQ(find_kept(sampling, samples, nothing), (Kept{64, 16, 64, 64}));
   EXPECT_EQ(find_wanted(sampling, samples, nothing), 64);
-  // One of the four samples kept by the group is a hit.
+  // Group 1 keeps four samples, one of which is a hit.
   EXPECT_EQ(to_rgb(eval_estimate(sampling, samples, nothing)).r, 1.0 / 16);
 }
 
@@ -210,7 +213,7 @@ double eval_rmse(const Samples& a, const Samples& b, const Area& area) {
 }
 
 TEST(Adaptive, SavesRaysAtTheSameError) {
-  // A part of a larger image that is full of borders. (docs/manual covers whole images.)
+  // A part of a larger image that has many borders of objects. (docs/manual compares whole images.)
   const Scene scene = make_spheres(200);
   Params params = make_adaptive(512, 0);
   params.area = {200, 210, 32, 32};
@@ -224,7 +227,7 @@ TEST(Adaptive, SavesRaysAtTheSameError) {
   EXPECT_LT(found.rays.total(), 0.7 * uniform.rays.total());
 }
 
-// Pixels in which a grid of rays meets several objects, or an object and the background.
+// By pixel: true if a grid of rays in it meets several objects, or an object and the background.
 std::vector<bool> find_borders(const Scene& scene, const Params& params, int grid) {
   Params fine = params;
   fine.sampling = {};
@@ -246,7 +249,7 @@ std::vector<bool> find_borders(const Scene& scene, const Params& params, int gri
   return borders;
 }
 
-// Number of border pixels, and of those with at most `most` samples.
+// The number of pixels at borders of objects, and of those among them with at most `most` samples.
 std::pair<int, int> count_borders(const Scene& scene, const Params& params, int most) {
   const auto borders = find_borders(scene, params, 10);
   const Rendering found = render(scene, params);
@@ -262,7 +265,7 @@ TEST(Adaptive, NoStraightBorderIsWithoutExtraSamples) {
   Random random{12};
   int borders = 0;
   for (int round = 0; round < 20; ++round) {
-    // A black half plane on black, where only its border requires more samples.
+    // A black half plane before a black background. Only its border requires more samples.
     Scene scene;
     scene.view.from = {0, 0, 8};
     scene.surfaces.push_back({.colour = {}, .kd = 0});
@@ -281,8 +284,8 @@ TEST(Adaptive, NoStraightBorderIsWithoutExtraSamples) {
   EXPECT_GT(borders, 500);
 }
 
-// Adaptive sampling may miss balls smaller than a pixel, and balls that touch a pixel between its
-// corners and samples.
+// Adaptive sampling may miss balls that are smaller than a pixel, and balls that reach into a pixel
+// only between its corners and samples.
 TEST(Adaptive, HardlyABallsBorderIsWithoutExtraSamples) {
   for (const int spheres : {200, 3200}) {
     const Params params = make_adaptive(32, 0.01);

@@ -1,5 +1,5 @@
 #pragma once
-// Random closed meshes for tests.
+// Random closed surfaces of polygons, for tests.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 namespace renderer::test {
 
-// A closed surface; all of it is visible from near its middle.
+// A closed surface. All of it is visible from points near its middle.
 struct Closed {
   std::vector<Vec> points;
   std::vector<std::vector<std::uint32_t>> faces;
@@ -24,7 +24,7 @@ inline std::uint32_t add_point(Closed& mesh, const Vec& point) {
   return static_cast<std::uint32_t>(index);
 }
 
-// A cube from -1 to 1, each side cut into side x side squares.
+// A cube from -1 to 1. Each side is divided into side x side squares.
 inline Closed make_cube(int side) {
   Closed mesh;
   for (int axis = 0; axis < 3; ++axis)
@@ -42,7 +42,8 @@ inline Closed make_cube(int side) {
   return mesh;
 }
 
-// Rings of quads and two triangle fans. The radii vary by `vary`, so that quads are bent.
+// A ball of rings of quads and two triangle fans. Its radius varies randomly by the fraction
+// `vary`, so that the quads are bent.
 inline Closed make_ball(Random& random, int rings, int sectors, double vary = 0.1) {
   Closed mesh;
   const auto place = [&](double polar, double around) {
@@ -70,7 +71,7 @@ inline Closed make_ball(Random& random, int rings, int sectors, double vary = 0.
   return mesh;
 }
 
-// A prism over a star, mostly concave.
+// A prism over a star. It is mostly concave.
 inline Closed make_prism(Random& random) {
   Closed mesh;
   const int corners = 3 + random.below(9);
@@ -102,7 +103,7 @@ inline bool is_valid(const std::vector<Vec>& corners) {
   }
 }
 
-// Splits some quads, and all that are too bent; turns some faces around.
+// Splits some quads, and all quads that are bent too much. Reverses some faces.
 inline void vary_faces(Random& random, Closed& mesh) {
   std::vector<std::vector<std::uint32_t>> faces;
   const bool splits = random.below(2) == 0;
@@ -119,7 +120,8 @@ inline void vary_faces(Random& random, Closed& mesh) {
   mesh.faces = faces;
 }
 
-// Turns, scales and moves the mesh, unless it stays on the axes with round coordinates.
+// Rotates, scales and moves the mesh. Some meshes stay parallel to the axes, with round
+// coordinates.
 inline void place(Random& random, Closed& mesh) {
   if (random.below(4) == 0) return;
   const Vec n = random.direction();
@@ -141,7 +143,8 @@ inline Closed make_closed(std::uint64_t seed) {
   return mesh;
 }
 
-// `patches`: with normals.
+// Makes a scene from the mesh. With `patches`, faces have interpolated normals; with `moves`, the
+// mesh moves.
 inline Scene make_scene(const Closed& mesh, bool patches, bool moves) {
   Scene scene;
   scene.surfaces.emplace_back();
@@ -158,10 +161,10 @@ inline Scene make_scene(const Closed& mesh, bool patches, bool moves) {
   return scene;
 }
 
-// A corner, or a point of an edge.
+// A corner of the mesh, or a point of an edge.
 struct Target {
   Vec at;
-  std::vector<std::uint32_t> corners;  // one or two
+  std::vector<std::uint32_t> corners;  // one corner, or the two ends of the edge
 };
 
 inline Target choose_target(Random& random, const Closed& mesh) {

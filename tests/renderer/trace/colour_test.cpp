@@ -1,4 +1,4 @@
-// Textures seen by rays.
+// Tests textures as seen by rays.
 #include <gtest/gtest.h>
 
 #include "tests/renderer/support.hpp"
@@ -6,7 +6,7 @@
 namespace renderer::test {
 namespace {
 
-// 8 x 8 squares, black and white, of 8 x 8 pixels each.
+// A checkerboard of 8 x 8 squares in black and white, of 8 x 8 pixels each.
 Pyramid make_checkerboard() {
   constexpr int SIDE = 64, SQUARE = 8;
   std::vector<std::uint8_t> bytes;
@@ -22,7 +22,8 @@ Surface make_textured(std::uint32_t texture) {
   return surface;
 }
 
-// A floor z = 0 to the horizon with a checkerboard of period 1, in ambient light only.
+// A floor at z = 0 that extends to the horizon. It has a checkerboard of period 1, and only ambient
+// light.
 Scene make_floor(const Vec& from, const Vec& at) {
   Scene scene;
   scene.view.from = from;
@@ -58,7 +59,7 @@ Moments find_spread(const std::vector<double>& values) {
 }
 
 TEST(Colour, ACheckerboardFarAwayIsGrey) {
-  // The floor is 40 to 100 periods away, so a pixel covers more than a period.
+  // The floor is 40 to 100 periods away, so that a pixel covers more than one period.
   const Scene scene = make_floor({0.3, 0.2, 2}, {60, 7, 0});
   Params params = make_ambient(80, 60);
   params.area = {0, 30, 80, 8};
@@ -76,11 +77,11 @@ TEST(Colour, ACheckerboardFarAwayIsGrey) {
     }
   EXPECT_NEAR(find_spread(filtered).mean, 0.5, 0.005);
   EXPECT_LT(find_spread(filtered).variance, 1e-4);
-  EXPECT_GT(find_spread(unfiltered).variance, 0.15);  // the variance of black and white is 0.25
+  EXPECT_GT(find_spread(unfiltered).variance, 0.15);  // black and white have the variance 0.25
 }
 
 TEST(Colour, ACheckerboardNearbyIsSharp) {
-  // A pixel is 1/100 of a period and a texel 1/64, so the texture is not filtered.
+  // A pixel is 1/100 of a period wide and a texel 1/64, so that the texture is not filtered.
   const Scene scene = make_floor({0.3, 0.2, 1}, {0.3, 0.21, 0});
   Params params = make_ambient(64, 64);
   params.height = params.width = 83;
@@ -130,12 +131,12 @@ TEST(Colour, TimesTheSurfacesInAmbientAndDiffuseLight) {
   Params params = make_ambient(1, 1);
   params.ambient = 0.1;
   const Rendering found = render(scene, params);
-  // Viewed and lit from directly above.
+  // Seen and lit from directly above.
   const Rgb colour = found.samples.get(0);
   EXPECT_NEAR(colour.r, 0.8 * 1.1 * 0.5, 1e-9);
   EXPECT_NEAR(colour.g, 0.8 * 1.1 * 0.5 * 0.2, 1e-9);
   EXPECT_EQ(colour.b, 0);
-  // The texture is mapped once for ambient light, and once for all feelers.
+  // The texture is evaluated once for ambient light, and once for all rays to lights.
   EXPECT_EQ(found.work[Op::texture_mapped], 2u);
   EXPECT_EQ(found.work[Op::texel_mixed], 8u);
 }

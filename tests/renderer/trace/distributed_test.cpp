@@ -1,5 +1,5 @@
-// Distributed rays, compared with optics and geometry: circle of confusion, penumbra, length of
-// motion blur, and an edge seen in a rough surface.
+// Tests distributed rays by comparison with optics and geometry: the circle of confusion,
+// penumbrae, the length of motion blur, and an edge seen in a rough surface.
 
 #include <gtest/gtest.h>
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int DISC_SIDE = 64;
 
-// Parameters that make objects glow by ambient light only, without lights.
+// Parameters for scenes without lights, in which objects have only their ambient light.
 Params make_glow(int samples) {
   Params params = make_params(DISC_SIDE, DISC_SIDE, 1);
   params.sample = SamplePosition::center;
@@ -21,7 +21,7 @@ Params make_glow(int samples) {
   return params;
 }
 
-// Horizontal and vertical variance of an image's brightness, on the image plane at distance 1.
+// The horizontal and vertical variance of an image's brightness, in the image plane at distance 1.
 struct Spread {
   double across = 0, up = 0;
 };
@@ -57,10 +57,12 @@ Scene make_glowing_sphere(double depth, double radius, double half_height) {
   return scene;
 }
 
-// By M. Potmesil and I. Chakravarty, a lens of focal length F focused on distance s has its film at
-// v = F s / (s - F). There, a point at distance d is a disc of diameter c = A |d - s| / d * v / s.
-// The image plane here is at distance 1 from the lens instead of v, so a size c on the film is c /
-// v on it.
+// A lens of focal length F that is focused on the distance s has its film at v = F s / (s - F) (M.
+// Potmesil and I. Chakravarty). A point at the distance d becomes a disc on the film, with the
+// diameter c = A
+// d - s
+// / d * v / s. The image plane here is at distance 1 from the lens instead of v, so that the size c
+// on the film is c / v in this plane.
 TEST(Distributed, CircleOfConfusion) {
   constexpr double A = 0.5, S = 5, F = 0.05, V = F * S / (S - F);
   for (const double d : {2.5, 3.5, 4.2, 7.0, 12.0, 40.0}) {
@@ -69,8 +71,8 @@ TEST(Distributed, CircleOfConfusion) {
     Scene scene = make_glowing_sphere(d, radius, 0.7 * on_plane);
     scene.view.lens = {A, S};
     finish(scene);
-    // A disc of diameter D has the variance D^2 / 16. The variance of the sphere's own image is
-    // added.
+    // A disc of the diameter D has the variance D^2 / 16. The variance of the sphere's sharp image
+    // is added to it.
     const Spread found = eval_spread(scene, make_glow(256));
     const double own = radius * radius / (d * d) / 4;
     EXPECT_NEAR(V * 4 * std::sqrt(found.across - own), c, 0.02 * c) << "distance " << d;
@@ -90,7 +92,8 @@ TEST(Distributed, WhatIsInFocusIsSharp) {
   EXPECT_NEAR(lens.up, pinhole.up, 0.02 * pinhole.up);
 }
 
-// Motion blur is as long as the movement while the shutter is open, as seen from its distance.
+// Motion blur must be as long as the movement while the shutter is open, as seen from the eye's
+// distance.
 TEST(Distributed, BlurIsSpeedTimesShutter) {
   constexpr double DEPTH = 10, RADIUS = 0.3, SPEED = 3;
   for (const bool is_camera : {false, true})
@@ -100,13 +103,13 @@ TEST(Distributed, BlurIsSpeedTimesShutter) {
         scene.view.from_move = scene.view.at_move = {SPEED, 0, 0};
       else
         scene.moves = {{SPEED, 0, 0}};
-      // Centres the movement in the picture.
+      // Puts the middle of the movement in the middle of the picture.
       scene.view.from.x = scene.view.at.x = (is_camera ? -0.5 : 0.5) * SPEED * shutter;
       finish(scene);
       Params params = make_glow(96);
       params.sampling.shutter = shutter;
       const Spread found = eval_spread(scene, params);
-      // A line of length l has the variance l^2 / 12.
+      // A line of the length l has the variance l^2 / 12.
       const double own = RADIUS * RADIUS / (DEPTH * DEPTH) / 4;
       const double expected = SPEED * shutter / DEPTH;
       EXPECT_NEAR(std::sqrt(12 * (found.across - own)), expected, 0.01 * expected)
@@ -115,7 +118,7 @@ TEST(Distributed, BlurIsSpeedTimesShutter) {
     }
 }
 
-// The width of the best fit of `shape`, which rises from 0 to 1 between -0.5 and 0.5.
+// The width for which `shape` fits best; `shape` rises from 0 to 1 between -0.5 and 0.5.
 double fit_width(const std::vector<double>& at, const std::vector<double>& found, double expected,
                  const std::function<double(double)>& shape) {
   double best = 0, least = 1e300;
@@ -133,14 +136,14 @@ double fit_width(const std::vector<double>& at, const std::vector<double>& found
   return best;
 }
 
-// The part of a disc of diameter 1 below a line at `x`, -0.5..0.5.
+// The fraction of a disc of diameter 1 that is below a line at `x`, -0.5..0.5.
 double eval_segment(double x) {
   const double q = std::clamp(2 * x, -1.0, 1.0);
   return 1 - (std::acos(q) - q * std::sqrt(1 - q * q)) / std::numbers::pi;
 }
 
-// The share of a light that a floor at z = 0 sees at `x`. An edge at z = `edge` hides everything to
-// the right of x = 0.
+// The fraction of a light that the point `x` of a floor at z = 0 sees. An edge at z = `edge` hides
+// everything to the right of x = 0.
 double eval_lit(const Scene& scene, double x, int samples) {
   Params params = make_params(1000, 1000, 1);
   params.sampling.pixel_samples = samples;
@@ -160,8 +163,8 @@ double eval_lit(const Scene& scene, double x, int samples) {
   return 1.0 * lit / samples;
 }
 
-// Measures the penumbra of a light of width L at distance d1 from an edge that is d2 above the
-// floor. Its width is w = L d2 / d1.
+// Measures the width of a penumbra. For a light of width L at the distance d1 from an edge that is
+// d2 above the floor, it must be w = L d2 / d1.
 double measure_penumbra(const std::string& light, double above, double edge, double expected,
                         const std::function<double(double)>& shape) {
   const Scene scene = parse(fmt::format(
@@ -185,7 +188,7 @@ TEST(Distributed, PenumbraOfARectangle) {
     const double expected = l * d2 / d1;
     const auto light = fmt::format("rect 0 0 {{}} {} 0 0 0 0.3 0", l / 2);
     EXPECT_NEAR(measure_penumbra(light, d1 + d2, d2, expected, ramp), expected, 0.02 * expected);
-    // The same light with its front and back exchanged.
+    // The same light, with its front and back exchanged.
     const auto turned = fmt::format("rect 0 0 {{}} 0 -0.3 0 {} 0 0", -l / 2);
     EXPECT_NEAR(measure_penumbra(turned, d1 + d2, d2, expected, ramp), expected, 0.02 * expected);
   }
@@ -200,10 +203,10 @@ TEST(Distributed, PenumbraOfASphere) {
   }
 }
 
-// The share of rays that a surface sends beyond an edge. Directions fill a disc of radius S at
-// distance 1, perpendicular to the axis. The edge lies in a plane parallel to the disc at distance
-// D, and passes the axis at distance e. It cuts off a segment of the disc at q = e / (D S) of its
-// radius.
+// The fraction of rays that a surface sends beyond an edge. The directions fill a disc of radius S
+// at distance 1, perpendicular to the axis. The edge lies in a plane parallel to the disc at
+// distance D, and passes the axis at distance e. It therefore cuts off a segment of the disc at q =
+// e / (D S) of the disc's radius.
 double eval_beyond(const std::string& surface, bool is_mirror, double angle, double edge,
                    double distance, int samples) {
   const Vec in{std::sin(angle), 0, -std::cos(angle)};
@@ -255,7 +258,7 @@ TEST(Distributed, AnEdgeBehindATranslucentPlate) {
     expect_segments(fmt::format("f 0 0 0 0 0 1 1 1\n# translucent {}\n", radius), false, radius);
 }
 
-// Rays that would pass through the surface are mirrored back.
+// Reflected rays that would go through the surface are mirrored to the right side.
 TEST(Distributed, GlossStaysOnItsSide) {
   const Scene scene = parse(
       "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nf 0 0 0 0 1 1 1 1.2\n# gloss 1\n# translucent 1\n"
@@ -277,7 +280,7 @@ TEST(Distributed, GlossStaysOnItsSide) {
   }
 }
 
-// A white furnace: everything that a ray can meet is white, and no surface absorbs light.
+// A white furnace: everything around a ray is white, and no surface absorbs light.
 Scene make_white_furnace(double ks, double ior, double roughness) {
   return parse(
       fmt::format("b 1 1 1\nv from 0 0 5 at 0 0 0 up 0 1 0 angle 24\n"
@@ -285,7 +288,7 @@ Scene make_white_furnace(double ks, double ior, double roughness) {
                   ks, 1 - ks, ior, roughness, roughness));
 }
 
-// The light returned by a ray, and the influence of rays cut off by the depth.
+// The light that a ray returns, and the influence of the rays that the limit on depth removes.
 struct Furnace {
   double light = 0, cut = 0;
 };
@@ -301,7 +304,8 @@ void follow(const Scene& scene, const Params& params, const Ray& ray, Furnace& f
   for (const Ray& child : rays) follow(scene, params, child, found);
 }
 
-// The mean of 100 samples at a position on the sphere's disc: 0 is its middle, 1 its rim.
+// The mean of 100 samples at a position on the visible disc of the sphere: 0 is its middle, 1 its
+// rim.
 Furnace look_at_disc(const Scene& scene, double place, int depth) {
   constexpr int SAMPLES = 100;
   Params params = make_params(10, 10, depth);
@@ -313,11 +317,11 @@ Furnace look_at_disc(const Scene& scene, double place, int depth) {
     ray.pass = static_cast<std::uint16_t>(pass);
     follow(scene, params, ray, sum);
   }
-  return {sum.light, sum.cut / SAMPLES};  // the light of each sample is already weighted
+  return {sum.light, sum.cut / SAMPLES};  // the light of each sample already has its weight
 }
 
-// Only the depth loses light. Rough glass reflects a ray that cannot leave, and at the rim this
-// happens many times to a few rays.
+// Light is lost only at the limit on depth. Rough glass reflects a ray that cannot leave; near the
+// rim, this happens many times to a few rays.
 TEST(Distributed, AWhiteFurnaceOfRoughGlassIsWhite) {
   for (const double roughness : {0.0, 0.1, 0.3, 1.0})
     for (const double place : {0.0, 0.5, 0.9, 0.98, 0.999}) {
@@ -333,7 +337,7 @@ TEST(Distributed, AWhiteFurnaceOfRoughGlassIsWhite) {
     }
 }
 
-// Only clear glass may lose totally reflected light, and only if asked to.
+// Only clear glass may lose totally reflected light, and only if the parameters say so.
 TEST(Distributed, TotalInternalReflectionMirrorsTheTransmittedRay) {
   for (const bool is_rough : {false, true})
     for (const auto rule : {TotalReflection::mirrored, TotalReflection::lost}) {
@@ -361,7 +365,7 @@ TEST(Distributed, TotalInternalReflectionMirrorsTheTransmittedRay) {
     }
 }
 
-// A rectangle emits uniformly over its area, a sphere over its visible disc.
+// A rectangle must emit uniformly over its area, a sphere over its visible disc.
 TEST(Distributed, LightsShineFromAllTheirPoints) {
   const Scene scene = parse(
       "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nf 1 1 1 1 0 0 0 0\n"
@@ -393,8 +397,8 @@ TEST(Distributed, LightsShineFromAllTheirPoints) {
     square += (1 - way.z) / 900;
   }
   EXPECT_LT(length(mean - Vec{1, 2, 3}), 0.005);
-  // Points are uniform in solid angle: 1 - cosine ranges from 0 to 1 - sqrt(15 / 16), with half of
-  // it as mean.
+  // Points are uniformly distributed in solid angle: 1 - cosine is between 0 and 1 - sqrt(15 / 16),
+  // and its mean is half of that maximum.
   EXPECT_NEAR(square, (1 - std::sqrt(15.0 / 16)) / 2, 1e-4);
 }
 

@@ -1,5 +1,5 @@
-// The incremental sum of influenced contributions (thesis, Eq 4.19) equals Whitted's recursion (Eq
-// 4.8), implemented here.
+// Tests that the incremental sum of contributions with influence factors (thesis, Eq 4.19) equals
+// Whitted's recursion (Eq 4.8), which is implemented here.
 
 #include <gtest/gtest.h>
 
@@ -58,7 +58,7 @@ TEST(Incremental, EqualsWhittedRecursion) {
         const Ray primary = make_primary(scene.view, params, x, y);
         const Rgb expected = whitted.shade(primary.origin, primary.direction, NO_OBJECT, 1);
         const Rgb found = rendering.samples.get(primary.sample);
-        // Highlights are rounded to 24 bits.
+        // Highlights are rounded to 24 bits (float).
         ASSERT_NEAR(found.r, expected.r, 1e-6) << x << ", " << y;
         ASSERT_NEAR(found.g, expected.g, 1e-6) << x << ", " << y;
         ASSERT_NEAR(found.b, expected.b, 1e-6) << x << ", " << y;
@@ -68,6 +68,7 @@ TEST(Incremental, EqualsWhittedRecursion) {
 
 TEST(Incremental, OneSphereByHand) {
   // Seen and lit head on: ambient 0.1 * 0.5 * c, diffuse 0.5 * c, highlight 0.25, mirror 0.25 * b.
+  // (c is the surface's colour, b the background.)
   const Scene scene = parse(
       "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nb 0 0 0.5\nl 0 0 5 1 1 1\n"
       "f 0.5 1 0 0.5 0.25 8 0 0\ns 0 0 0 1\n");
@@ -79,7 +80,7 @@ TEST(Incremental, OneSphereByHand) {
   EXPECT_NEAR(found.b, 0.25 + 0.125, 1e-9);
 }
 
-// The direction to a light on the surface itself is the normal.
+// For a light on the surface itself, the direction to the light is the normal.
 TEST(Incremental, ALightOnTheSurfaceShinesFromAbove) {
   const Scene scene = parse(
       "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nl 0 0 0 1 1 1\nf 0.5 1 0 0.5 0 8 0 0\n"

@@ -1,4 +1,4 @@
-// Rays in closed rooms whose walls are mirrors.
+// Tests rays in closed rooms whose walls are mirrors.
 #include <gtest/gtest.h>
 
 #include "tests/renderer/support.hpp"
@@ -7,7 +7,7 @@
 namespace renderer::test {
 namespace {
 
-// The least angle that two faces enclose, radians.
+// The smallest angle between two faces, in radians.
 double find_sharpest(const Closed& mesh) {
   std::vector<Vec> inward;
   for (const auto& face : mesh.faces) {
@@ -30,7 +30,7 @@ void add_middle(Closed& mesh) {
   for (const Vec& p : mesh.points) mesh.middle += 1.0 / static_cast<double>(mesh.points.size()) * p;
 }
 
-// A prism over a triangle with an angle of 5 to 60 degrees.
+// A prism over a triangle. One angle of the triangle is 5 to 60 degrees.
 Closed make_wedge(Random& random) {
   Closed mesh;
   const double angle = std::numbers::pi / 180 * random.range(5, 60);
@@ -68,8 +68,8 @@ Closed make_convex(std::uint64_t seed) {
   return mesh;
 }
 
-// Mirrors all around: a ray that is reflected at an edge must meet the face beyond it. Returns the
-// number of reflections before a ray leaves, or `most`.
+// All walls are mirrors, so that a ray reflected at an edge must meet the face beyond the edge.
+// Returns the number of reflections before the ray leaves the room, or `most` if it does not leave.
 int count_bounces(const Scene& scene, Ray ray, int most) {
   for (int bounce = 0; bounce < most; ++bounce) {
     Work work;
@@ -125,8 +125,8 @@ TEST(Watertight, NoRayLeavesAMovingRoomOfMirrors) {
   }
 }
 
-// A corner reflector of two faces that moves far from the eye: rays near its edge are reflected
-// twice.
+// Two perpendicular mirrors, a corner reflector, move far away from the eye. Rays near their edge
+// must be reflected twice.
 TEST(Watertight, ARayIsReflectedTwiceAtAnEdgeThatMovedFar) {
   constexpr double FAR = 1e4;
   Scene scene;

@@ -1,5 +1,5 @@
-// Objects that move while the shutter is open: a ray's hit equals that in a scene at rest, at the
-// time of the ray.
+// Tests objects that move while the shutter is open. The hit of a ray must equal that in a scene at
+// rest, as it is at the time of the ray.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 constexpr Traversal TRACED_WAYS[] = {Traversal::linear, Traversal::exhaustive, Traversal::nearest};
 
-// Most objects of a random scene move, some of them far.
+// A random scene in which most objects move, some of them far.
 Scene make_moving_scene(std::uint64_t seed, int objects, double extent) {
   Scene scene = make_random_scene(seed, objects);
   Random random{seed + 1000};
@@ -20,7 +20,7 @@ Scene make_moving_scene(std::uint64_t seed, int objects, double extent) {
   return scene;
 }
 
-// The scene as it is at `time`, with all objects at rest.
+// The scene as it is at `time`, with all objects at rest there.
 Scene stop(Scene scene, float time) {
   for (std::uint32_t i = 0; i < object_count(scene); ++i)
     translate(scene, i, eval_shift(scene, i, time));
@@ -83,7 +83,7 @@ TEST(Motion, AllTraversalsFindTheSameImage) {
   }
 }
 
-// A ray from a closed object into itself starts on the object, wherever that has moved.
+// A ray from a closed object into the object starts on its surface, wherever the object has moved.
 TEST(Motion, ARayThatLeavesAMovingObjectDoesNotMeetItsOrigin) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -148,7 +148,7 @@ TEST(Motion, AnyNumberOfThreadsAndAnyOrderGiveTheSameBits) {
       EXPECT_EQ(many.rays, one.rays);
     }
     if (adaptive > 0) continue;
-    // Renders the samples in reverse order.
+    // Traces the samples in reverse order.
     Samples backwards(30, 21);
     SampleTracer tracer(scene, params);
     for (int i = 30 * 21 * 7 - 1; i >= 0; --i)
@@ -158,7 +158,7 @@ TEST(Motion, AnyNumberOfThreadsAndAnyOrderGiveTheSameBits) {
   }
 }
 
-// Records every box and object that is read.
+// Records every box and every object that is read.
 struct Reads : Access {
   std::vector<std::uint32_t> boxes, objects;
   void box(std::uint32_t index, const Work&) override { boxes.push_back(index); }

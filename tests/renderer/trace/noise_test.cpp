@@ -1,4 +1,5 @@
-// Noise decreases with the number of samples, whatever they are distributed over.
+// Tests that noise decreases with the number of samples, for all quantities over which rays are
+// distributed.
 
 #include <gtest/gtest.h>
 
@@ -27,7 +28,7 @@ Samples render_with(const Scene& scene, int samples, std::uint64_t seed) {
   return render(scene, params, 2).samples;
 }
 
-// The slope of log(error) over log(samples), by least squares.
+// The slope of log(error) as a function of log(samples), by least squares.
 double eval_slope(const std::vector<std::pair<int, double>>& errors) {
   double x = 0, y = 0, xx = 0, xy = 0;
   const auto n = static_cast<double>(errors.size());
@@ -43,7 +44,7 @@ double eval_slope(const std::vector<std::pair<int, double>>& errors) {
 
 struct Effect {
   const char* name;
-  const char* scene;  // text of the scene, after the view
+  const char* scene;  // NFF text of the scene, after the view
 };
 class Noise : public testing::TestWithParam<Effect> {};
 

@@ -1,4 +1,5 @@
-// Ray counts: those of the thesis's tables 4.2 and 4.7, and the published ones of the SPD.
+// Tests the numbers of rays: those of the thesis in tables 4.2 and 4.7, and those published for the
+// SPD.
 
 #include <gtest/gtest.h>
 
@@ -15,7 +16,7 @@ void expect_within(double share, std::uint64_t found, double expected) {
 struct Row {
   int spheres;
   std::uint64_t total;
-  // tests per ray, for the Goldsmith-Salmon tree of another program
+  // published tests per ray, for the Goldsmith-Salmon tree of another program
   double box_tests, sphere_tests;
 };
 
@@ -54,7 +55,7 @@ TEST(RayCounts, PublishedBalls) {
 }
 
 TEST(RayCounts, InfluenceEndsTreesAsDepthDoes) {
-  // All reflectances are 0.5, so level 10 has the influence 0.5^9.
+  // All reflectances are 0.5, so that rays on level 10 have the influence factor 0.5^9.
   Params params = make_params(40, 40, 10);
   const Scene scene = make_spheres(91);
   const RayCounts by_depth = render(scene, params).rays;

@@ -1,4 +1,4 @@
-// Transmission through transparent objects.
+// Tests the transmission of light through transparent objects.
 
 #include <gtest/gtest.h>
 
@@ -63,7 +63,8 @@ TEST(Refraction, ThroughABallARayEntersAndLeaves) {
     EXPECT_EQ(inner.level, 2);
     ASSERT_TRUE(step());
     ASSERT_EQ(rays.size(), 1u);
-    // The ray leaves at the angle to the centre line at which it entered.
+    // The angle between ray and radius must be equal where the ray enters the sphere and where it
+    // leaves.
     EXPECT_NEAR(length(cross(rays[0].direction, rays[0].origin)),
                 length(cross(ray.direction, inner.origin)), 1e-9);
     EXPECT_FALSE(step()) << "outside again";
@@ -101,7 +102,7 @@ TEST(Refraction, GlassOfIndexOneIsNotThere) {
 }
 
 TEST(Refraction, TotalReflectionMirrorsBothShares) {
-  // From inside glass, at 60 degrees to the normal of its face.
+  // The ray comes from inside glass, at 60 degrees to the normal of the glass's face.
   const Scene scene = parse(
       "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nf 1 1 1 0 0.5 0 0.5 1.5\n"
       "p 4 -9 -9 0  9 -9 0  9 9 0  -9 9 0\n");
@@ -127,8 +128,8 @@ TEST(Refraction, TotalReflectionMirrorsBothShares) {
   EXPECT_EQ(children[0].kind, RayKind::reflected);
 }
 
-// A 45 degree prism with index 1.5 turns the view from +x to -z: onto a red floor, not a green
-// wall. The light goes in and out at right angles, so that all of it arrives.
+// A 45 degree prism with the index of refraction 1.5 turns the view from +x to -z: to a red floor,
+// not a green wall. The ray enters and leaves at right angles, so that no light is lost.
 TEST(Refraction, APrismTurnsTheView) {
   const Scene scene = parse(
       "v from -3 0 0.4 at 0 0 0.4 up 0 1 0 angle 10\nb 0 0 1\n"
@@ -148,7 +149,8 @@ TEST(Refraction, APrismTurnsTheView) {
   for (const Samples::Sums& s : render(scene, params).samples.sums) EXPECT_EQ(s.r, 0);
 }
 
-// A white furnace of clear glass is white in every direction, up to what the depth cuts.
+// A white furnace that contains clear glass is white in every direction, except for the light that
+// the limit on depth removes.
 TEST(Refraction, ClosedGlassLosesNoLight) {
   const Scene scene = parse(
       "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nb 1 1 1\nf 1 1 1 0 0 0 1 1.5\n"

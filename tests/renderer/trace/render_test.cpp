@@ -1,4 +1,4 @@
-// The sequential renderer as a whole.
+// Tests the sequential renderer as a whole.
 
 #include <gtest/gtest.h>
 
@@ -63,7 +63,7 @@ TEST(Render, AreaOfInterestIsACutOut) {
 }
 
 TEST(Render, RaysInAnyOrderGiveTheSameBits) {
-  // The ray store returns the newest, the oldest or a random ray.
+  // The next ray to be traced is the newest, the oldest or a random one.
   const Scene scene = make_random_scene(23, 30);
   const Params params = make_params(12, 12, 5);
   const Samples expected = render(scene, params).samples;
@@ -95,7 +95,7 @@ TEST(Render, EmptySceneIsItsBackground) {
 TEST(Render, SamplePositions) {
   const Scene scene = parse("v from 0 0 1 at 0 0 0 up 0 1 0 angle 90\n");
   Params params = make_params(4, 4, 1);
-  // The point where the ray meets the image plane, which spans -1..1.
+  // The point where the ray meets the image plane, which extends from -1 to 1.
   const auto at = [&](SamplePosition position, int x, int y) {
     params.sample = position;
     const Vec d = make_primary(scene.view, params, x, y).direction;

@@ -1,4 +1,4 @@
-// Positions of samples: one in every region, for any number of samples.
+// Tests the positions of samples: one in every region, for any number of samples.
 
 #include "renderer/trace/sampling.hpp"
 
@@ -31,7 +31,7 @@ TEST(Sampling, PermuteIsAPermutation) {
     }
 }
 
-// Every element is equally frequent at every place, within 5 standard deviations.
+// Every element must be equally frequent at every place, within 5 standard deviations.
 TEST(Sampling, PermuteIsNotPartialToAnyPlace) {
   for (const int count : {2, 3, 5, 8, 13}) {
     constexpr int TIMES = 20000;
@@ -67,7 +67,8 @@ TEST(Sampling, RegionsAreEqualAndTileTheSquare) {
   }
 }
 
-// Expects that the samples of a pixel are one in each region of a square and of a line.
+// Expects that the samples of a pixel are distributed one per region, in the regions of a square
+// and of a line.
 void expect_one_in_each(const Sampling& sampling, SampleKey key, int count) {
   for (const Dimension dimension : DIMENSIONS) {
     std::vector<int> in_square(static_cast<std::size_t>(count)), in_line(in_square);
@@ -97,7 +98,7 @@ TEST(Sampling, EveryRegionHasOneSample) {
   }
 }
 
-// The regions of a sample in two dimensions, or in two pixels, are independent. All pairs of
+// The regions of a sample in two dimensions, or in two pixels, must be independent: all pairs of
 // regions are equally frequent, within 5 standard deviations.
 TEST(Sampling, RegionsArePairedAtRandom) {
   constexpr int COUNT = 5, PIXELS = 20000;

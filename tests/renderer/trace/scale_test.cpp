@@ -1,4 +1,4 @@
-// Tolerances follow the ray, not the largest object of the scene.
+// Tests that numerical tolerances depend on the ray, not on the largest object of the scene.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace renderer::test {
 namespace {
 
-// Axes of the scenes: the ground is the plane y = 0 of a frame.
+// The axes of a scene. The ground is its plane y = 0.
 struct Frame {
   Vec x{1, 0, 0}, y{0, 1, 0}, z{0, 0, 1}, origin;
 
@@ -25,7 +25,7 @@ Frame make_frame(std::uint64_t seed, double distance) {
   return {u, n, v, distance * random.direction()};
 }
 
-// Objects of some `size` on a ground, seen from above: a ball, a mirror box, glass.
+// Objects of a given `size` on a ground, seen from above: a ball, a box of mirrors, and glass.
 std::string describe_objects(double size, const Frame& frame = {}) {
   const auto at = [&](double x, double y, double z) { return frame(size * Vec{x, y, z}); };
   std::string text =
@@ -73,7 +73,7 @@ Samples render_with(const std::string& objects, const std::string& ground) {
   return render(parse(objects + ground), make_params(48, 48, 6)).samples;
 }
 
-// The share of the pixels that differ by more than 1 %.
+// The fraction of pixels that differ by more than 1 %.
 double compare(const Samples& a, const Samples& b) {
   int differ = 0;
   for (std::size_t i = 0; i < a.sums.size(); ++i)
@@ -88,7 +88,7 @@ TEST(Scale, AHugeGroundHidesNothing) {
     for (const auto describe : {&describe_square, &describe_triangles, &describe_ball}) {
       const Samples expected = render_with(objects, describe(1e5 * size, {}));
       for (const double extent : {1e7, 1e9, 1e10, 1e12}) {
-        // A ball's surface is rounded to 1e-16 of its radius. The plane y = 0 is exact.
+        // The surface of a huge ball is rounded to 1e-16 of its radius; the plane y = 0 is exact.
         if (describe == &describe_ball && extent > 1e10) continue;
         SCOPED_TRACE(fmt::format("size {}, ground {} times", size, extent));
         EXPECT_LT(compare(render_with(objects, describe(extent * size, {})), expected), 0.01);
@@ -97,8 +97,8 @@ TEST(Scale, AHugeGroundHidesNothing) {
   }
 }
 
-// Tilted grounds, also far from the origin. The corners are rounded to 1e-16 of their coordinates,
-// which moves the ground by that much.
+// Tilted grounds, some of them far from the origin. Their corners are rounded to 1e-16 of their
+// coordinates, which moves the ground by this amount.
 TEST(Scale, ATiltedHugeGroundHidesNothing) {
   for (std::uint64_t seed = 1; seed <= 6; ++seed)
     for (const double distance : {0.0, 1e3, 1e6}) {

@@ -1,4 +1,4 @@
-// The hit does not depend on the traversal.
+// Tests that the hit does not depend on the method of traversal.
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(Traversal, HitsAreEqualToTheLastBit) {
   int hits = 0;
   for (int i = 0; i < 5000; ++i) {
     SCOPED_TRACE(testing::Message() << "ray " << i);
-    // Some rays run along the axes and never leave a slab of a box.
+    // Some rays run parallel to the axes, and never leave the slab of a box.
     const Vec axes[] = {{1, 0, 0}, {0, -1, 0}, {0, 0, 1}};
     Ray ray{.origin = random.point(2), .direction = random.direction(), .influence = {}};
     if (i % 4 == 0) ray.direction = axes[i / 4 % 3];
@@ -51,8 +51,8 @@ TEST(Traversal, HitsAreEqualToTheLastBit) {
   EXPECT_GT(hits, 1000);
 }
 
-// Coplanar rectangles have sizes and positions that make the hierarchy's order differ from that of
-// the file. (Sides are powers of two, so that distances have no rounding.)
+// Rectangles lie in one plane. Their sizes and positions give the hierarchy an order other than
+// that of the file. (Sides are powers of two, so that distances have no rounding errors.)
 TEST(Traversal, OfCoincidentObjectsTheFirstIsHit) {
   Random random{11};
   struct Rectangle {

@@ -1,4 +1,5 @@
-// The mean of adaptive images over many seeds equals that of plain sampling.
+// Tests that the mean of adaptive images over many seeds equals that of images with a fixed number
+// of samples.
 #include <gtest/gtest.h>
 
 #include "tests/renderer/support.hpp"
@@ -6,9 +7,9 @@
 namespace renderer::test {
 namespace {
 
-constexpr int SIDE = 16;  // width and height of the image, pixels
+constexpr int SIDE = 16;  // width and height of the image in pixels
 
-// A view from the origin along y. A pixel has size 1 at distance 100.
+// A view from the origin along y. At the distance 100, a pixel has the size 1.
 Scene make_view() {
   Scene scene;
   scene.view.from = {0, 0, 0};
@@ -19,13 +20,13 @@ Scene make_view() {
   return scene;
 }
 
-// Adds the half plane beyond x, at distance 100.
+// Adds the half plane to the right of x, at the distance 100.
 void add_half_plane(Scene& scene, double x) {
   add_polygon(scene,
               std::vector<Vec>{{x, 100, -500}, {999, 100, -500}, {999, 100, 500}, {x, 100, 500}});
 }
 
-// A half plane behind the plane in focus, whose edge is blurred over 6.4 pixels.
+// A half plane behind the plane in focus. The lens blurs its edge over 6.4 pixels.
 Scene make_blurred_edge() {
   Scene scene = make_view();
   scene.view.lens = {.aperture = 6.4, .focus = 50};
@@ -33,7 +34,7 @@ Scene make_blurred_edge() {
   return scene;
 }
 
-// Each pixel has a sphere that covers 1/20 of it.
+// A sphere in each pixel, which covers 1/20 of it.
 Scene make_dots() {
   Scene scene = make_view();
   Random random{5};
@@ -44,7 +45,7 @@ Scene make_dots() {
   return scene;
 }
 
-// Each row of pixels has a slanted cylinder, 1/8 of a pixel wide.
+// A slanted cylinder in each row of pixels, 1/8 of a pixel wide.
 Scene make_hairs() {
   Scene scene = make_view();
   for (int i = 0; i < SIDE; ++i) {
@@ -54,7 +55,7 @@ Scene make_hairs() {
   return scene;
 }
 
-// White lines on black, 1/6 of a pixel wide, 5.3 pixels apart.
+// White lines on a black background, 1/6 of a pixel wide and 5.3 pixels apart.
 Scene make_lines() {
   Scene scene = make_view();
   std::vector<std::uint8_t> texels(3 * 32, 0);
@@ -66,7 +67,7 @@ Scene make_lines() {
   return scene;
 }
 
-// The shadow, on a wall, of a half plane out of view. The light is 4 pixels wide.
+// The shadow on a wall of a half plane that is not in the picture. The light is 4 pixels wide.
 Scene make_shadow_edge() {
   Scene scene = make_view();
   add_half_plane(scene, -500);
@@ -88,7 +89,7 @@ constexpr Case CASES[] = {{"blurred_edge", make_blurred_edge, 40},
                           {"lines", make_lines, 10},
                           {"shadow_edge", make_shadow_edge, 10}};
 
-// A mean over pixels and seeds, and its standard error.
+// A mean over pixels and seeds, with its standard error.
 struct Mean {
   double value = 0, error = 0;
 };

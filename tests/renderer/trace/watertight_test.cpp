@@ -1,6 +1,6 @@
-// No ray passes between faces that share an edge or a vertex.
+// Tests that no ray passes between faces that share an edge or a vertex.
 //
-// TLAB_AIMED_RAYS sets the number of rays, by default some 300,000.
+// The environment variable TLAB_AIMED_RAYS sets the number of rays, by default some 300,000.
 
 #include <gtest/gtest.h>
 
@@ -13,20 +13,20 @@
 namespace renderer::test {
 namespace {
 
-// A ray to a shared place of several faces.
+// A ray towards a point that several faces share.
 struct Aimed {
   Ray ray;
   double distance;
 };
 
-// True if all faces at the target are seen clearly from the same side as the target.
+// True if `origin` is clearly outside the planes of all faces at the target.
 bool is_in_front(const Closed& mesh, const Target& target, const Vec& origin) {
   for (const auto& face : mesh.faces) {
     const auto has = [&](std::uint32_t corner) {
       return std::ranges::find(face, corner) != face.end();
     };
     if (!std::ranges::all_of(target.corners, has)) continue;
-    // Each corner counts, since the normal of a bent quad differs from corner to corner.
+    // Tests every corner, because the normal of a bent quad differs from corner to corner.
     for (std::size_t i = 0; i < face.size(); ++i) {
       const Vec& p = mesh.points[face[i]];
       const Vec n = cross(mesh.points[face[(i + 1) % face.size()]] - p,
@@ -112,7 +112,8 @@ TEST(Watertight, NoRayPassesThroughASharedEdgeOrVertex) {
   }
 }
 
-// Bent faces too reach as far as their edges: a ray that just misses an edge hits near it.
+// Bent faces must reach as far as their edges, too: a ray that just misses an edge must hit near
+// it.
 TEST(Watertight, FacesMeetAtTheirEdges) {
   for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -132,8 +133,8 @@ TEST(Watertight, FacesMeetAtTheirEdges) {
   }
 }
 
-// Rays from outside run in the plane of a cube's side, some along its borders. Sides that a ray
-// meets edge-on must not hide the side behind them.
+// Rays from outside that run in the plane of a cube's side, some of them along its borders. A side
+// that a ray meets edge-on must not hide the side behind it.
 TEST(Watertight, RaysInThePlanesOfFaces) {
   const Scene scene = make_scene(make_cube(4), false, false);
   for (const double side : {-1.0, 1.0})
@@ -154,7 +155,7 @@ TEST(Watertight, RaysInThePlanesOfFaces) {
       }
 }
 
-// Pictures in which a cube's edge or a square's diagonal lies exactly on samples.
+// Pictures in which an edge of a cube or the diagonal of a square lies exactly on samples.
 TEST(Watertight, NoPixelShowsTheBackgroundThroughAnEdge) {
   const auto count_seen_through = [](const Scene& scene, int side, int left, int width, int top,
                                      int height) {

@@ -85,6 +85,7 @@ TEST(Discontinuities, OfTheStrongestLightComeFirst) {
 }
 
 // The room of figure 3.8, with a window in the left wall. Its walls cause no creases, but a hanging
+// square does.
 TEST(Discontinuities, WallsOfARoomMakeNone) {
   Room room = make_room();
   add_box(room, {0, 0, 0}, {4, 3, 3}, false);

@@ -1,5 +1,5 @@
-// Rooms with standing, hanging and leaning blocks. Faces can be cut along all creases and contacts,
-// and no light passes under blocks on a floor.
+// Tests rooms with standing, hanging and leaning blocks. Their faces can be divided along all
+// creases and contacts, and no light passes under blocks on a floor.
 
 #include <gtest/gtest.h>
 
@@ -20,7 +20,7 @@ double measure_patch_width(const Face& face, int refine) {
   return least;
 }
 
-// Expects that no quad contains a part of a crease more than the margin inside.
+// Expects that no crease runs through the inside of a quad, more than `margin` from its border.
 void check_not_crossed(const Face& face, const Division& division, std::span<const Crease> creases,
                        double margin) {
   const Vec normal = normalize(eval_area_normal(face.corners));
@@ -40,7 +40,7 @@ void check_not_crossed(const Face& face, const Division& division, std::span<con
   }
 }
 
-// Expects that two patches of a face with a common edge share its vertices, except at creases and
+// Expects that two patches of a face share the vertices of their common edge, except on creases and
 // contacts.
 void check_shared(const Mesh& mesh, std::span<const Crease> creases, double margin) {
   using Point = std::array<double, 3>;
@@ -117,7 +117,8 @@ TEST(Blocks, AnyRoomIsCutAlongItsCreases) {
   EXPECT_LT(count.left_out, count.creases / 100);
 }
 
-// If creases would make too many patches, some are left out, and the limit is nearly reached.
+// If the creases would make too many patches, some creases are omitted, but the limit on patches
+// must nearly be reached.
 TEST(Blocks, CreasesAreLeftOutBeyondABudget) {
   std::size_t limited = 0;
   double emptiest = 1;
@@ -144,7 +145,7 @@ TEST(Blocks, CreasesAreLeftOutBeyondABudget) {
         continue;
       }
       ++limited;
-      // Strips below floating objects are reduced first, after which all creases may fit.
+      // Strips below hanging objects are reduced first. Then all creases may fit.
       const double full = double(some.patches.size()) / double(allowed);
       EXPECT_GT(full, 0.5);
       if (some.left_out > all.left_out) emptiest = std::min(emptiest, full);
@@ -156,8 +157,8 @@ TEST(Blocks, CreasesAreLeftOutBeyondABudget) {
   EXPECT_GT(emptiest, 0.8);
 }
 
-// A vertex at the foot of a block belongs either to the outside or to the block's base. Vertices of
-// the base are dark.
+// A vertex at the foot of a block belongs either to the floor outside or to the floor under the
+// block. Vertices under the block must be dark.
 TEST(Blocks, NoLightPassesUnderThem) {
   std::size_t inside = 0, doubled = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {

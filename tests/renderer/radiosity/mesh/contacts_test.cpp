@@ -1,4 +1,4 @@
-// Objects that touch a face or hang just above it, and the light there.
+// Tests objects that touch a face or hang just above it, and the light on the face there.
 
 #include "renderer/radiosity/mesh/contacts.hpp"
 
@@ -18,14 +18,15 @@ TEST(Contacts, FeetLeaningAndStacked) {
   EXPECT_EQ(
       std::ranges::count_if(find_contacts(room, 1), [](const auto& c) { return !c.lines.empty(); }),
       0);
-  // The left side of the block is in the plane of the wall, its bottom in that of the floor.
+  // The left side of the block lies in the wall, and its bottom lies in the floor.
   add_block(room, 0, {0, 1, 0}, {1, 2, 1});
   auto contacts = find_contacts(room, 1);
-  EXPECT_EQ(contacts[0].lines.size(), 6u);  // feet of three sides, and edges of the bottom
+  EXPECT_EQ(contacts[0].lines.size(), 6u);  // feet of three sides, and three edges of the bottom
   EXPECT_EQ(contacts[1].lines.size(), 0u);
   EXPECT_EQ(contacts[2].lines.size(), 6u);
   for (std::size_t f = 6; f < room.faces.size(); ++f) EXPECT_TRUE(contacts[f].lines.empty()) << f;
-  // A block on another cuts the top of that block. A face through a wall cuts the wall.
+  // A block divides the top of the block on which it stands. A face through a wall divides the
+  // wall.
   room.faces.resize(6);
   add_block(room, 0, {1, 1, 0}, {2, 2, 1});
   add_block(room, 0, {1.25, 1.25, 1}, {1.75, 1.75, 2});
@@ -35,7 +36,7 @@ TEST(Contacts, FeetLeaningAndStacked) {
   EXPECT_EQ(find_contacts(room, 1)[2].lines.size(), 1u);
 }
 
-// A floor with patches one unit wide, for objects just above it.
+// A floor with patches one unit wide, for tests of objects just above it.
 Room make_floor() {
   Room room;
   room.materials = {{"wall", grey(0.5), grey(0)}, {"lamp", grey(0), grey(1)}};
@@ -55,7 +56,7 @@ TEST(Contacts, WhatHangsAboveMakesFoldsAndStrips) {
     }
     EXPECT_EQ(contacts.lines.size(), contacts.hanging.size());
     for (const Crease& fold : contacts.folds) EXPECT_NEAR(fold.a.z, 0, 1e-12);
-    // Beside each fold, strips end at 0.5, 1, 2, ... heights.
+    // Beside each fold, strips end at 0.5, 1, 2, ... times the edge's height.
     for (const Crease& strip : contacts.strips) {
       double nearest = 1e300;
       for (const Crease& fold : contacts.folds)
@@ -94,9 +95,9 @@ TEST(Contacts, WithoutStripsWhatHangsWithinHalfAPatchTouches) {
   }
 }
 
-// A low block on the floor touches it only by its feet. An object that hangs close above the floor
-// touches it by the outline of its underside, even if that has two parts. An object behind a face
-// touches it only if the face is two-sided.
+// A low block on the floor touches the floor only with the feet of its sides. An object close above
+// the floor touches it along the outline of its underside, even if the underside has two parts. An
+// object behind a face touches the face only if it is two-sided.
 TEST(Contacts, OnlyOpenEdgesOfWhatHangsCount) {
   Room low = make_floor();
   add_block(low, {4.2, 4.1, 0, 0.1, 1.5, 1.5, 0.3}, false, 1, 1);
@@ -111,7 +112,7 @@ TEST(Contacts, OnlyOpenEdgesOfWhatHangsCount) {
   two.faces[2].corners = {{4.9, 2, 0.1}, {4.9, 5, 0.1}, {5.1, 5, 0.1}, {5.1, 2, 0.1}};
   EXPECT_EQ(find_contacts(two, 1)[0].folds.size(), 3u) << "one is narrower than a patch";
 
-  Room sheet = make_floor();  // a sheet with a front and a back
+  Room sheet = make_floor();  // a sheet with a front and a back, close to the floor
   add_quad(sheet, 0, {2, 2, 0.1}, {0, 3, 0}, {3, 0, 0}, 1, 1);
   add_quad(sheet, 0, {2, 2, 0.1}, {3, 0, 0}, {0, 3, 0}, 1, 1);
   EXPECT_EQ(find_contacts(sheet, 1)[0].folds.size(), 8u);
@@ -120,7 +121,7 @@ TEST(Contacts, OnlyOpenEdgesOfWhatHangsCount) {
   add_block(plate, {4.2, 4.1, 0.01, 0.05, 1.5, 1.5, 0.3}, true, 1, 1);
   EXPECT_EQ(find_contacts(plate, 1)[0].folds.size(), 4u);
 
-  Room leg = make_floor();  // a prism of many sides, a fifth of a patch wide
+  Room leg = make_floor();  // a prism with many sides, a fifth of a patch wide
   Face bottom = leg.faces[0];
   bottom.corners.clear();
   for (int i = 0; i < 32; ++i) {
@@ -130,7 +131,7 @@ TEST(Contacts, OnlyOpenEdgesOfWhatHangsCount) {
   leg.faces.push_back(bottom);
   EXPECT_EQ(find_contacts(leg, 1)[0].lines.size(), 0u);
 
-  // Tests lids of 3 and of 32 corners.
+  // Tests lids (hanging polygons) with 3 and with 32 corners.
   for (const int corners : {3, 32}) {
     Room lid = make_floor();
     Face face = lid.faces[0];
@@ -152,7 +153,7 @@ TEST(Contacts, OnlyOpenEdgesOfWhatHangsCount) {
   EXPECT_EQ(find_contacts(behind, 1)[0].folds.size(), 4u);
 }
 
-// A cylinder of narrow facets on the floor touches it only at its contact line.
+// A cylinder of narrow facets that lies on the floor touches it only along one line.
 TEST(Contacts, FacetsAboveTheFloorHaveNone) {
   constexpr int FACETS = 32;
   constexpr double RADIUS = 0.5;
@@ -165,8 +166,8 @@ TEST(Contacts, FacetsAboveTheFloorHaveNone) {
   EXPECT_EQ(find_contacts(room, 1)[0].lines.size(), 2u);
 }
 
-// Neither darkness nor light leaks through the gap under a block that hangs above the floor. The
-// corners and the middle of a patch receive consistent light.
+// Neither too little nor too much light passes through the gap under a block that hangs above the
+// floor. The light at the corners of a patch must agree with the light in its middle.
 TEST(Contacts, LightUnderWhatHangsIsFollowed) {
   for (const double gap : {0.004, 0.02, 0.1, 0.3, 0.7, 0.95}) {
     Room room = make_floor();
@@ -195,7 +196,7 @@ TEST(Contacts, LightUnderWhatHangsIsFollowed) {
   }
 }
 
-// Around the foot of an edge, light is computed separately in each sector between creases.
+// Around the foot of an upright edge, each sector between two creases must have its own light.
 TEST(Contacts, AtTheFootOfAnEdgeLightDependsOnTheSide) {
   Room room = make_floor();
   const Block block{4.2, 4.1, 0, 1, 1.5, 1.5, 0.3};
@@ -206,7 +207,7 @@ TEST(Contacts, AtTheFootOfAnEdgeLightDependsOnTheSide) {
   const Surroundings around = find_surroundings(mesh);
   std::size_t most = 0;
   for (const Vec& foot : block.ring(0)) {
-    std::size_t ways = 0;  // directions from the foot along creases, outside the block
+    std::size_t ways = 0;  // number of directions from the foot along creases, outside the block
     for (const Crease& crease : room.creases) {
       if (crease.a.z != 0 || crease.b.z != 0 || eval_distance(foot, crease.a, crease.b) > 1e-9)
         continue;
@@ -231,7 +232,7 @@ TEST(Contacts, AtTheFootOfAnEdgeLightDependsOnTheSide) {
     most = std::max(most, sides);
   }
   EXPECT_EQ(most, 4u);
-  // Elsewhere, creases do not move the lit points.
+  // Away from the feet, creases must not move the points where vertices are lit.
   for (const Vertex& vertex : mesh.vertices) {
     if (vertex.object != 0 || vertex.at.x == 0 || vertex.at.x == 8 || vertex.at.y == 0 ||
         vertex.at.y == 8)
@@ -246,7 +247,8 @@ TEST(Contacts, AtTheFootOfAnEdgeLightDependsOnTheSide) {
   }
 }
 
-// At the end of a screen, light is computed separately for its sides and between creases.
+// At the end of a screen, each side of the screen and each sector between creases must have its own
+// light.
 TEST(Contacts, AtTheEndOfAScreenLightDependsOnTheSide) {
   for (const double turn : {0.0, 0.3}) {
     Room room = make_floor();
@@ -269,8 +271,8 @@ TEST(Contacts, AtTheEndOfAScreenLightDependsOnTheSide) {
   }
 }
 
-// If the shadow along a foot is too narrow to cut the patches, it does not spread over a whole
-// patch.
+// The shadow along a contact may be so narrow that the patches are not divided at its border. It
+// must then not spread over a whole patch.
 TEST(Contacts, VerticesAtAFootAreLitBeyondCreasesThatAreNotKept) {
   Room room = make_floor();
   const Block block{4.2, 4.1, 0, 1, 1.5, 1.5, 0.3};
@@ -280,7 +282,7 @@ TEST(Contacts, VerticesAtAFootAreLitBeyondCreasesThatAreNotKept) {
   const auto find_lit = [&](std::vector<Crease> creases) {
     room.creases = std::move(creases);
     const Mesh mesh = make_mesh(room, {});
-    std::vector<double> before;  // lit points at the foot
+    std::vector<double> before;  // distances of lit points from the foot of the block
     for (const Vertex& vertex : mesh.vertices) {
       const double along = dot(vertex.at - foot[0], normalize(foot[1] - foot[0]));
       if (vertex.object == 0 && along > 0.2 && along < 2.8 &&
@@ -299,7 +301,7 @@ TEST(Contacts, VerticesAtAFootAreLitBeyondCreasesThatAreNotKept) {
     EXPECT_GT(lit, 0.05);
     EXPECT_LT(lit, 0.07);
   }
-  // A crease across the foot, and one that patches have as an edge, have no effect.
+  // A crease that crosses the foot, and one that is an edge of patches, must have no effect.
   const Vec middle = 0.5 * (foot[0] + foot[1]);
   for (const double lit : find_lit({{middle, middle + outward}})) EXPECT_LT(lit, 0.02);
   for (const double lit : find_lit({beside(0.3)})) EXPECT_LT(lit, 0.02);

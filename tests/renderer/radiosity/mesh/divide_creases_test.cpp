@@ -1,5 +1,5 @@
-// Faces cut along any creases: the quads fill the face, meet edge to edge, and have the creases
-// among their edges.
+// Tests faces that are divided along any creases. The quads must fill the face and meet edge to
+// edge, and the creases must be among their edges.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@ namespace {
 
 using renderer::test::Random;
 
-constexpr double TOUCH = 0.1;  // largest shift of a crease, as a share of a patch's width
+constexpr double TOUCH = 0.1;  // largest shift of a crease, as a fraction of a patch's width
 
 struct Flat {
   Face face;
@@ -19,7 +19,7 @@ struct Flat {
   Vec at(double x, double y) const { return x * u + y * v; }
 };
 
-// A convex polygon with its corners on an ellipse.
+// A convex polygon whose corners lie on an ellipse.
 Flat make_polygon(Random& random, int corners) {
   const auto [u, v] = renderer::test::make_plane(random.direction());
   Flat flat{{}, u, v, 0};
@@ -61,8 +61,8 @@ std::vector<Crease> make_creases(Random& random, const Flat& flat, int count) {
   return creases;
 }
 
-// Expects that points of the creases inside the face lie on listed edges, and that listed edges lie
-// on creases.
+// Expects that those points of the creases that are inside the face lie on listed edges, and that
+// listed edges lie on creases.
 void check_creases(const Flat& flat, const Division& division, std::span<const Crease> creases) {
   const Vec normal = normalize(eval_area_normal(flat.face.corners));
   const auto& c = flat.face.corners;
@@ -81,8 +81,7 @@ void check_creases(const Flat& flat, const Division& division, std::span<const C
       double nearest = 1e9;
       for (const auto& [a, b] : division.creases)
         nearest = std::min(nearest, eval_distance(p, division.points[a], division.points[b]));
-      // Near its end, a crease may cut through the corner of a cell, over a length of up to one
-      // `touch`.
+      // Near its end, a crease may cut the corner of a cell, over a length of at most `touch`.
       ASSERT_LE(nearest, 1.5 * touch) << "crease not covered";
     }
   for (const auto& [a, b] : division.creases)
@@ -105,7 +104,7 @@ TEST(DivideCreases, AnyFaceAndCreases) {
     for (std::size_t i = 1; i < creases.size() && seed % 4 == 0; i += 2) {
       const auto& c = flat.face.corners;
       const double s = random.unit();
-      // a crease along a side
+      // a crease along one side of the face
       creases[i] = {eval_bilinear(c, s, random.unit()), eval_bilinear(c, s, 1)};
     }
     const Division division = divide_face(flat.face, 1, {.creases = creases});
@@ -114,20 +113,20 @@ TEST(DivideCreases, AnyFaceAndCreases) {
     EXPECT_EQ(division.left_out, 0u);
     if (testing::Test::HasFailure()) return;
   }
-  // Creases meet at any angle, and so do the edges of quads.
+  // Creases meet at any angle, and so may the edges of quads.
   std::sort(angles.begin(), angles.end());
   EXPECT_GT(angles.front(), 0.3);
   EXPECT_GT(angles[angles.size() / 20], 1.5);
   EXPECT_GT(angles[angles.size() / 2], 10);
 }
 
-// The step between lines that contains `middle`.
+// The length of the step between grid lines that contains the position `middle`.
 double find_step(const std::vector<double>& lines, double middle) {
   const auto after = std::ranges::upper_bound(lines, middle);
   return *after - *std::prev(after);
 }
 
-// Halved rows stay narrow if creases run across them.
+// Rows that have been halved must stay narrow if creases run across them.
 TEST(DivideCreases, NarrowRowsStayNarrow) {
   double widest = 0;
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
@@ -176,7 +175,7 @@ TEST(DivideCreases, Hundreds) {
   EXPECT_LT(division.quads.size(), 30'000u);
 }
 
-// A rectangle of 4 x 3 in 4 x 3 patches.
+// A rectangle of 4 x 3 units, divided into 4 x 3 patches.
 Face make_wall() {
   Face face;
   face.corners = {{0, 0, 0}, {4, 0, 0}, {4, 3, 0}, {0, 3, 0}};
@@ -208,7 +207,7 @@ TEST(DivideCreases, AlongTheSidesItStaysAGrid) {
 }
 
 TEST(DivideCreases, LinesOfTheGridGiveWay) {
-  // The grid line moves to a crease within a third of a patch, and stays otherwise.
+  // A grid line moves to a crease that is nearer than a third of a patch, and stays otherwise.
   for (const auto& [x, columns] :
        {std::pair{2.0, 4u}, {2.3, 4u}, {1.7, 4u}, {2.4, 5u}, {3.95, 4u}}) {
     const std::vector<Crease> creases{{{x, 0, 0}, {x, 1.2, 0}}};
@@ -223,15 +222,16 @@ TEST(DivideCreases, ThoseElsewhereChangeNothing) {
   const Division plain = divide_face(wall, 2);
   // a crease in front of the face
   const std::vector<Crease> elsewhere{{{1, 1, 0.01}, {2, 2, 0.01}},
-                                      {{1, 1, 0}, {2, 2, 1}},         // a crease through the face
+                                      // A crease that passes through the face.
+                                      {{1, 1, 0}, {2, 2, 1}},
                                       {{4.2, 0, 0}, {4.2, 3, 0}},     // a crease beside the face
                                       {{-1, 2.5, 0}, {0.4, 3.9, 0}},  // a crease past a corner
-                                      {{1, 1, 0}, {1, 1, 0}}};        // a crease without length
+                                      {{1, 1, 0}, {1, 1, 0}}};        // a crease of length zero
   const Division division = divide_face(wall, 2, {.creases = elsewhere});
   EXPECT_EQ(division.points, plain.points);
   EXPECT_EQ(division.quads, plain.quads);
   EXPECT_TRUE(division.creases.empty());
-  // A crease on the border is listed.
+  // A crease on the border of the face adds no quads, but is listed.
   const std::vector<Crease> border{{{0, 0, 0}, {4, 0, 0}}};
   EXPECT_EQ(divide_face(wall, 2, {.creases = border}).quads, plain.quads);
   EXPECT_EQ(divide_face(wall, 2, {.creases = border}).creases.size(), 8u);

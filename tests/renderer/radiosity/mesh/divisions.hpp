@@ -1,5 +1,5 @@
 #pragma once
-// Checks of faces that are cut along creases.
+// Checks for faces that are divided along creases.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,8 @@ inline double eval_area(std::span<const Vec> corners) {
   return length(eval_area_normal(corners)) / 2;
 }
 
-// Checks all invariants of a division. Returns the smallest angle of its quads in degrees.
+// Checks everything that must be true of a division. Returns the smallest angle of its quads, in
+// degrees.
 inline double check_division(const Face& face, int refine, const Division& division) {
   const Vec normal = normalize(eval_area_normal(face.corners));
   double least = 180;
@@ -35,14 +36,14 @@ inline double check_division(const Face& face, int refine, const Division& divis
     }
   }
   EXPECT_NEAR(area, eval_area(face.corners), 1e-9 * area);
-  // An edge with a quad on one side only is on the border of the face.
+  // An edge that has a quad on one side only must be on the border of the face.
   double border = 0, around = 0;
   for (const auto& [edge, count] : sides)
     if (!sides.contains({edge.second, edge.first}))
       border += length(division.points[edge.first] - division.points[edge.second]);
   for (std::size_t i = 0; i < face.corners.size(); ++i)
     around += length(face.corners[(i + 1) % face.corners.size()] - face.corners[i]);
-  // (If no crease crosses the face, it is divided as without creases, which may double points.)
+  // (If no crease crosses the face, it is divided as without creases; points may then be doubled.)
   if (division.points != divide_face(face, refine).points) {
     EXPECT_NEAR(border, around, 1e-9 * around);
   }

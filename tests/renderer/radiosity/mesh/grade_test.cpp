@@ -1,4 +1,4 @@
-// Refinement of patches near lights.
+// Tests the refinement of patches near lights.
 
 #include "renderer/radiosity/mesh/grade.hpp"
 
@@ -13,7 +13,8 @@
 namespace radiosity::test {
 namespace {
 
-// A box with a lamp that shines down from under its ceiling, near the wall at low x.
+// A box with a lamp under its ceiling that shines down, at the distance `away` from the wall at low
+// x.
 Room make_lamp_room(double away) {
   Room room;
   room.materials = {{"wall", grey(0.5), {}}, {"lamp", grey(0), grey(1)}};
@@ -22,7 +23,8 @@ Room make_lamp_room(double away) {
   return room;
 }
 
-// The number of steps of length 1/even, and of its halves and quarters. No other steps may exist.
+// The number of steps of length 1/even, of half this length, and of a quarter of it. Other lengths
+// are errors.
 std::array<std::size_t, 3> count_steps(const std::vector<double>& lines, int even) {
   std::array<std::size_t, 3> count{};
   for (std::size_t i = 1; i < lines.size(); ++i) {
@@ -35,8 +37,8 @@ std::array<std::size_t, 3> count_steps(const std::vector<double>& lines, int eve
   return count;
 }
 
-// The error of the lamp's light at the centres of patches on the nearby wall: root mean square,
-// relative to the light.
+// The root mean square error of the lamp's light at the centres of patches on the nearby wall,
+// divided by the root mean square of the light.
 double find_error(const Room& room) {
   const Mesh mesh = make_mesh(room, {});
   const auto find_light = [&](const Vertex& vertex) {
@@ -75,14 +77,14 @@ TEST(Grade, ShowsTheLightOfALampBesideAWall) {
   }
 }
 
-// Rows are halved where the light varies, and only there.
+// Rows must be halved where the light varies, and only there.
 TEST(Grade, HalvesRowsBesideTheLamp) {
   const Room room = make_lamp_room(0.3);
   const Room graded = make_graded(room, 1);
   EXPECT_TRUE(graded.faces[1].grid.along.empty()) << "behind the lamp it is dark";
   EXPECT_TRUE(graded.faces[6].grid.along.empty()) << "the lamp";
   EXPECT_TRUE(graded.faces[3].grid.along.empty()) << "the wall that is far";
-  // the first direction of this wall's grid is y, the second z
+  // the first direction of this wall's grid is y, the second one z
   const Grid& wall = graded.faces[2].grid;
   ASSERT_FALSE(wall.along.empty());
   EXPECT_GT(count_steps(wall.along, 8)[1], 1u);
@@ -93,7 +95,7 @@ TEST(Grade, HalvesRowsBesideTheLamp) {
   EXPECT_LE(count_patches(graded, 1), 2 * count_patches(room, 1));
 }
 
-// Rows are not halved again if the room would have more than twice as many patches.
+// Rows must not be halved again if the room would then have more than twice as many patches.
 TEST(Grade, KeepsWithinTwiceAsManyPatches) {
   Room room = make_lamp_room(0.3);
   for (Face& face : room.faces) face.along = face.across = 1;
@@ -110,15 +112,15 @@ TEST(Grade, KeepsWithinTwiceAsManyPatches) {
   EXPECT_GT(halved, 2u);
 }
 
-// For rooms of any shape and position, steps are halved at most twice, and the number of patches at
-// most doubles. A turned room has the same grids.
+// In rooms of any shape and position, steps are halved at most twice, and the number of patches at
+// most doubles. A rotated room must have the same grids.
 TEST(Grade, IsTheSameHoweverTheRoomIsTurned) {
   std::size_t halved = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random{seed};
     Room room = make_blocks(seed).room;
-    if (seed % 2 == 0) {  // one light in a wall, and one that stands on points of the floor
+    if (seed % 2 == 0) {  // one light in a wall, and one with two corners on the floor
       room.materials.push_back({"glow", grey(0.5), grey(2)});
       const auto glow = static_cast<std::uint32_t>(room.materials.size() - 1);
       const Vec low = room.faces[0].corners[0], along = room.faces[0].corners[1] - low;

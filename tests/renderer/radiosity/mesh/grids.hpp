@@ -1,5 +1,5 @@
 #pragma once
-// Grids of patches in space, and illuminations on them, for tests of reconstruction.
+// Grids of patches in space, and illuminations on them, for tests of the reconstruction.
 
 #include <functional>
 
@@ -35,11 +35,11 @@ inline void add_patch(Mesh& mesh, const std::array<std::uint32_t, 4>& corners) {
   mesh.patches.push_back(patch);
 }
 
-/// The vertex where lines u and v meet.
+/// Maps the parameters u and v of two grid lines to the vertex where they meet.
 using Surface = std::function<Vertex(double u, double v)>;
 
-/// Makes a patch between any two neighbouring lines u and v. With `turns`, patches begin at random
-/// corners.
+/// Makes a patch between any two neighbouring lines u and v. With `turns`, each patch begins at a
+/// random corner.
 inline Mesh make_grid(const std::vector<double>& u, const std::vector<double>& v,
                       const Surface& surface, Random* turns = nullptr) {
   Mesh mesh;
@@ -56,7 +56,8 @@ inline Mesh make_grid(const std::vector<double>& u, const std::vector<double>& v
   return mesh;
 }
 
-/// Makes lines from 0 to 1. Steps are equal or, with `uneven`, random up to a factor of three.
+/// Makes the positions of lines from 0 to 1. All steps are equal; with `uneven`, they are random
+/// and differ by a factor of at most three.
 inline std::vector<double> make_lines(int patches, Random* uneven = nullptr) {
   std::vector<double> lines{0};
   for (int i = 0; i < patches; ++i)
@@ -65,7 +66,7 @@ inline std::vector<double> make_lines(int patches, Random* uneven = nullptr) {
   return lines;
 }
 
-/// A plane with axes u and v of any length, which are at right angles only if `square`.
+/// A plane with axes u and v of any length. They are at right angles only if `square` is true.
 inline Surface make_plane(Random& random, bool square = false) {
   const Vec normal = random.direction(), from = random.point(3);
   const auto [a, b] = renderer::test::make_plane(normal);
@@ -83,7 +84,7 @@ inline std::vector<Rgb> make_colours(Random& random, std::size_t count) {
   return colours;
 }
 
-/// The values of a function of points at the vertices.
+/// The values of a function at the positions of the mesh's vertices.
 template <class F>
 std::vector<Rgb> take(const Mesh& mesh, const F& function) {
   std::vector<Rgb> values;
@@ -101,7 +102,8 @@ inline double eval_distance(const Rgb& a, const Rgb& b) {
   return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
-/// The largest deviation from a function, at n x n points of every patch that `counts`.
+/// The largest deviation of the illumination from a function, at n x n points of every patch for
+/// which `counts` is true.
 template <class F>
 double find_error(const Mesh& mesh, const Illumination& illumination, const F& function,
                   const std::function<bool(const Patch&)>& counts = {}, int n = 5) {
@@ -118,7 +120,7 @@ double find_error(const Mesh& mesh, const Illumination& illumination, const F& f
   return error;
 }
 
-/// The derivatives of the illumination by s and by t, inside the patch.
+/// The derivatives of the illumination by s and t, at a point inside the patch.
 struct Derivatives {
   Rgb by_s, by_t;
 };
@@ -130,7 +132,7 @@ inline Derivatives differentiate(const Illumination& illumination, std::uint32_t
           1 / (2 * k) * (4.0 * at(s, t + k) + -3.0 * at(s, t) + -1.0 * at(s, t + 2 * k))};
 }
 
-/// The change for a unit step along `d` in a flat patch.
+/// The change of the illumination for a unit step along `d`, in a flat patch.
 inline Rgb differentiate_along(const Mesh& mesh, const Illumination& illumination,
                                std::uint32_t patch, double s, double t, const Vec& d) {
   const auto [by_s, by_t] = differentiate(illumination, patch, s, t);

@@ -1,4 +1,5 @@
-// The foot of a face that stands near the border of another, and the floor under an edge.
+// Tests the light where a face stands near the border of another face (on a ledge), and on the
+// floor under a hanging edge.
 
 #include <gtest/gtest.h>
 
@@ -10,7 +11,8 @@ namespace {
 
 constexpr double LONG = 60, HEIGHT = 1;
 
-// A face one patch high, which stands on a bright face that extends `width` in front of it.
+// A face that is one patch high, and stands on a bright face that extends by `width` in front of
+// it.
 Room make_room(double width) {
   Room room;
   room.materials = {{"face", grey(0.5), {}}, {"ledge", grey(0), grey(1)}};
@@ -19,7 +21,7 @@ Room make_room(double width) {
   return room;
 }
 
-// The light that a vertex receives from the ledge.
+// The form factor from a vertex to the bright face.
 double eval_share(const Mesh& mesh, const Vertex& vertex) {
   return sum_factors({mesh, {}}, vertex, [](const Patch& patch) { return patch.material == 1; });
 }
@@ -34,14 +36,14 @@ TEST(Ledges, AreFoundWithTheirWidths) {
     for (const double x : {1.0, 20.0, LONG - 1})
       EXPECT_NEAR(eval_width(ledge, {x, 0, 0}), width, 1e-9);
   }
-  // A wall does not stand on a floor that ends at the wall.
+  // A wall does not stand on a floor that ends at this wall.
   Room box;
   box.materials = {{"wall", grey(0.5), grey(1)}};
   add_box(box, 0, {0, 0, 0}, {3, 2, 1});
   for (const auto& contacts : find_contacts(box, 1)) EXPECT_TRUE(contacts.ledges.empty());
 }
 
-// The front of a face stands on a surface, which may continue in another face.
+// The ledge in front of a standing face may continue in another face.
 TEST(Ledges, EndWhereTheSurfaceDoes) {
   Room room = make_room(0.2);
   add_quad(room, 1, {0, -5, 0}, {LONG, 0, 0}, {0, 4.8, 0});
@@ -53,8 +55,8 @@ TEST(Ledges, EndWhereTheSurfaceDoes) {
   EXPECT_TRUE(find_contacts(under, 1)[1].ledges.empty());
 }
 
-// The angle between foot and edge is arbitrary, and they may even meet. The room is turned by any
-// angle.
+// The ledge may narrow: the angle between its edge and the foot is arbitrary, and they may even
+// meet. The room is rotated by any angle.
 TEST(Ledges, MayNarrowToAPoint) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -69,15 +71,16 @@ TEST(Ledges, MayNarrowToAPoint) {
              std::sin(angle) * p.x + std::cos(angle) * p.y, p.z};
     for (const Vertex& vertex : make_mesh(room, {}).vertices) {
       const double moved = length(vertex.lit - vertex.at);
-      // the displacement is finite, and not NaN
+      // the displacement must be finite
       EXPECT_LT(moved, 0.4) << vertex.at.x << ' ' << vertex.at.y;
     }
   }
 }
 
-// Beside a ledge, light is computed at the height that makes the mean of the patch right. For a
-// ledge wider than four times the patch's height, that is at the foot. (The test does not check the
-// mean there, since its ledge, a single patch, is too near for an accurate form factor.)
+// Beside a ledge, the light of a vertex at the foot is computed at the height that makes the mean
+// of the patch right. For a ledge wider than four times the patch's height, this is at the foot
+// itself. (The mean is not tested for such ledges, because a single patch as ledge is too near for
+// an accurate form factor.)
 TEST(Ledges, GiveAPatchItsMeanLight) {
   for (const double width : {0.03, 0.1, 0.25, 0.5, 0.9, 1.1, 3.0, 5.0}) {
     SCOPED_TRACE(testing::Message() << "width " << width);
@@ -101,8 +104,8 @@ TEST(Ledges, GiveAPatchItsMeanLight) {
   }
 }
 
-// An object hangs just above a floor, level or sloping along its edge. Light enters under the
-// object. In patches beside its edge, the mean of this light is right.
+// An object hangs just above a floor; it is level, or slopes along its edge. Light enters under the
+// object. In the patches beside its edge, the mean of this light must be right.
 TEST(Hanging, GivesPatchesBesideItsEdgeTheirMeanLight) {
   const auto check = [](double gap, double slope) {
     SCOPED_TRACE(testing::Message() << "gap " << gap << ", slope " << slope);
@@ -110,7 +113,7 @@ TEST(Hanging, GivesPatchesBesideItsEdgeTheirMeanLight) {
     room.materials = {{"floor", grey(0.5), {}}, {"sky", grey(0), grey(1)}};
     add_quad(room, 0, {0, 0, 0}, {LONG, 0, 0}, {0, 12, 0}, 60, 12);
     add_quad(room, 0, {0, 6, gap - slope * LONG / 2}, {0, 6, 0}, {LONG, 0, slope * LONG});
-    // a wall large enough to act as half of the sky
+    // a wall so large that it covers half of the sky
     add_quad(room, 1, {2000, -40, 0}, {-4000, 0, 0}, {0, 0, 2000});
     const Mesh mesh = make_mesh(room, {});
     double worst = 0;
@@ -123,8 +126,9 @@ TEST(Hanging, GivesPatchesBesideItsEdgeTheirMeanLight) {
         to = std::max(to, patch.at[i].y - 6);
       }
       if (from > -1e-6 && to < 3) {
-        // At the distance y inside the edge, the share (1 - y / sqrt(y^2 + gap^2)) / 2 of the light
-        // of half the sky arrives.
+        // At the distance y from the edge, below the object, the fraction (1 - y / sqrt(y^2 +
+        // gap^2)) / 2 of the light of half the sky arrives. The mean is its integral from `from` to
+        // `to`, divided by their distance.
         const double expected =
             (1 - (std::hypot(to, gap) - std::hypot(from, gap)) / (to - from)) / 2;
         worst = std::max(worst, std::abs(mean - expected));

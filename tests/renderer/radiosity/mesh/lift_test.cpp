@@ -1,4 +1,4 @@
-// Faces that overlap in one plane.
+// Tests faces that overlap in one plane.
 
 #include "renderer/radiosity/mesh/lift.hpp"
 
@@ -10,7 +10,7 @@
 namespace radiosity::test {
 namespace {
 
-// A room with a ceiling in two columns, and a lamp of columns x rows tiles across both.
+// A room whose ceiling consists of two columns, with a lamp of columns x rows tiles across both.
 Room make_tiled_lamp(std::uint64_t seed, int columns, int rows) {
   Random random{seed};
   Room room;
@@ -29,7 +29,7 @@ Room make_tiled_lamp(std::uint64_t seed, int columns, int rows) {
   return room;
 }
 
-// The vertices of the lamp on the lines where the lamp of four tiles is cut.
+// The number of the lamp's vertices on each of the two lines that divide a lamp of four tiles.
 std::array<std::size_t, 2> count_on_cuts(const Mesh& mesh) {
   renderer::Bounds lamp;
   for (const Vertex& vertex : mesh.vertices)
@@ -58,7 +58,7 @@ TEST(Lift, ALampInTilesIsOneLamp) {
   }
 }
 
-// A floor with overlapping rectangles on it, some of them two-sided, all in one plane.
+// A floor with overlapping rectangles in its plane, some of them two-sided.
 Room make_stack(Random& random, int rectangles) {
   Room room;
   room.materials = {{"a", grey(0.5), {}}, {"b", grey(0.5), {}}, {"lamp", {}, grey(1)}};
@@ -74,7 +74,7 @@ Room make_stack(Random& random, int rectangles) {
   add(0, 0, 1, 1);
   add(1, 0, 1, 1);
   for (int i = 0; i < rectangles; ++i) {
-    // Steps of a quarter let rectangles abut.
+    // Multiples of a quarter, so that some rectangles abut.
     const auto choose = [&](int most) { return 0.25 * random.below(most); };
     const double x = choose(7), y = choose(3);
     add(x, y, 0.25 + choose(4), 0.25 + choose(4));
@@ -102,7 +102,7 @@ TEST(Lift, StacksStayNearTheirPlaneAndInOrder) {
   }
 }
 
-// Copies of a square: each is clearly above the one before it, also in a high stack.
+// Several copies of a square must be above each other, with clear distances, even in a high stack.
 TEST(Lift, CopiesOfAFaceAreInOrder) {
   for (const int copies : {1, 2, 9, 10, 100}) {
     Room room;

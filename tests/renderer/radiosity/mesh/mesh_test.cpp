@@ -1,4 +1,4 @@
-// Properties that a mesh keeps from its room: areas, sides, powers, and shared vertices.
+// Tests properties that a mesh must keep from its room: areas, sides, powers, and shared vertices.
 
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ TEST(Mesh, KeepsAreasAndPowers) {
   }
 }
 
-// The error message for a room, whose mesh must be refused.
+// The message of the error for a room whose mesh must be refused.
 std::string refusal_of(const Room& room) {
   try {
     make_mesh(room, {});
@@ -45,7 +45,7 @@ std::string refusal_of(const Room& room) {
   return {};
 }
 
-// The second face alone has fewer patches than the limit. Only the sum exceeds it.
+// The second face alone has fewer patches than the limit; only the sum for the room exceeds it.
 TEST(Mesh, TheSumOfPatchesIsCheckedBeforeAnyIsMade) {
   Room room = make_small_room();
   room.faces[0].along = 3000;
@@ -98,7 +98,7 @@ TEST(Mesh, PatchesLookWhereTheirFaceDoes) {
   }
 }
 
-// The back is divided like the front, patch behind patch.
+// The back of a face is divided like its front, so that patches lie behind patches.
 TEST(Mesh, BothSidesAreDividedAlike) {
   Room room;
   room.materials = {{"lamp", grey(0), grey(1)}};
@@ -114,8 +114,8 @@ TEST(Mesh, BothSidesAreDividedAlike) {
               1);
 }
 
-// Walls of a room are separate surfaces. A wall of two faces is one surface if both have the same
-// material.
+// The walls of a room are separate surfaces. A wall that consists of two faces is one surface if
+// both have the same material.
 TEST(Mesh, VerticesAreSharedWithinASurface) {
   for (const bool same : {true, false}) {
     Room room;
@@ -129,8 +129,8 @@ TEST(Mesh, VerticesAreSharedWithinASurface) {
   }
 }
 
-// Light is computed slightly inside the border for vertices on it, at the vertex itself for others,
-// and for all of them in the plane of the face.
+// The light of vertices on a border is computed slightly inside it. For all other vertices, it is
+// computed at the vertex. These points must lie in the plane of the face.
 TEST(Mesh, BordersAreLitInside) {
   Room room;
   room.materials = {{"wall", grey(0.5), grey(1)}};

@@ -1,5 +1,5 @@
-// The reference path tracer agrees with closed forms within its standard error. That error is
-// tested too.
+// Tests that the reference path tracer agrees with closed forms within its standard error, and that
+// the standard error is right.
 
 #include "tests/reference/path_tracer.hpp"
 
@@ -29,9 +29,10 @@ void look(Room& room, const Vec& from, const Vec& at, const Vec& up, double angl
   room.view = {from, at, up, angle};
 }
 
-// Compares pictures of many seeds with the expected value of each pixel. Their mean must be right,
-// and so must the standard error of each pixel. The standard error comes from n rounds, so the
-// error divided by it has a variance of (n - 1) / (n - 3) (Student's distribution).
+// Compares pictures for many seeds with the expected value of each pixel. Their mean must be right,
+// and so must the standard error of each pixel. The standard error is computed from n rounds of
+// paths. Therefore, the error divided by the standard error has the variance (n - 1) / (n - 3)
+// (Student's distribution).
 void expect_within_noise(const Room& room, TracerParams params, const std::vector<double>& expected,
                          const std::string& what) {
   constexpr int SEEDS = 16;
@@ -63,7 +64,7 @@ void expect_within_noise(const Room& room, TracerParams params, const std::vecto
 }
 
 TEST(PathTracer, FurnaceHasItsClosedForm) {
-  // If every face emits E and reflects rho, everything is as bright as E / (1 - rho).
+  // If every face emits E and reflects rho, the radiosity is E / (1 - rho) everywhere.
   for (const double rho : {0.3, 0.9}) {
     test::Random random{7};
     Room room = test::make_furnished(random, 3, 1);
@@ -74,7 +75,7 @@ TEST(PathTracer, FurnaceHasItsClosedForm) {
   }
 }
 
-// A floor and objects above it, seen from above.
+// A floor, to which tests add objects, as seen from above.
 Room make_floor(double size) {
   Room room;
   room.materials = {
@@ -98,7 +99,8 @@ std::vector<double> eval_floor(const Room& room, const TracerParams& params, con
 }
 
 TEST(PathTracer, DirectLightHasItsClosedForm) {
-  // B = rho E F. One lamp is distant; the other stands on the floor, where F approaches 1/2.
+  // The radiosity must be B = rho E F, with the form factor F. One lamp is distant; the other
+  // stands on the floor, where F approaches 1/2.
   Room room = make_floor(1);
   add_quad(room, 1, {0.1, -1.5, 2}, {0, 1, 0.3}, {1, 0, 0});
   add_quad(room, 1, {-0.02, 0, 0}, {0, 1, 0}, {0, 0, 0.5});
@@ -113,8 +115,8 @@ TEST(PathTracer, DirectLightHasItsClosedForm) {
 }
 
 TEST(PathTracer, MirrorShowsALampTwice) {
-  // B = rho E (F + m F'), where F' is that of the lamp behind a mirror larger than the lamp's
-  // image.
+  // The radiosity must be B = rho E (F + m F'). F' is the form factor of the lamp's image behind a
+  // mirror, which is larger than the image.
   Room room = make_floor(1);
   add_quad(room, 1, {1, -1, 0.5}, {0, 3, 0}, {0, 0, 2});
   // the lamp shines towards the mirror and the floor

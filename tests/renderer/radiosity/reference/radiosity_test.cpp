@@ -1,4 +1,5 @@
-// Pictures of radiosity, compared with those of the path tracer. tests/reference/run does more.
+// Compares pictures of radiosity with those of the path tracer. tests/reference/run compares more
+// rooms.
 
 #include <gtest/gtest.h>
 
@@ -40,7 +41,7 @@ Deviation compare_room(const Room& room, int refine, Reconstruction kind, const 
   return found;
 }
 
-// A box in a box, both axis-aligned.
+// A block in a room, both parallel to the axes.
 constexpr const char* UPRIGHT = R"(
 material wall reflect 0.7 0.6 0.5
 material lamp reflect 0 0 0  emit 17 15 12
@@ -68,7 +69,7 @@ TEST(RadiosityAgainstPathTracer, UprightBox) {
   EXPECT_LT(found.group, 12);
 }
 
-// A lamp 2 cm below a ceiling, seen from below and from a corner, has no dark halo.
+// A lamp 2 cm below a ceiling must have no dark halo, seen from below and from a corner.
 TEST(RadiosityAgainstPathTracer, LampBelowACeiling) {
   Room room = test::read(R"(
 material wall reflect 0.75 0.75 0.75
@@ -151,7 +152,7 @@ TEST(Deviation, LeavesOutRaysThatPassAnEdge) {
 }
 
 TEST(Deviation, FindsGroupsBiasAndEdges) {
-  // A reference of two faces, and a picture that is 10 % too bright with a dark group.
+  // The reference shows two faces. The picture is 10 % too bright, and has a group of dark pixels.
   Reference reference;
   constexpr int W = 10, H = 8;
   reference.picture = {W, H, std::vector<Rgb>(W * H, {2, 2, 2})};
@@ -166,7 +167,7 @@ TEST(Deviation, FindsGroupsBiasAndEdges) {
   EXPECT_NEAR(even.p99, 0.1, 1e-12);
   EXPECT_EQ(even.group, 0);
 
-  // changes the pixels of a diagonal
+  // changes the pixels on a diagonal
   for (const std::size_t i : {0, 11, 22, 33}) picture.pixels[i] = {1, 1, 1};
   picture.pixels[29] = {1, 1, 1};  // not a neighbour of pixel 30, which is in the next row
   picture.pixels[30] = {1, 1, 1};
@@ -177,13 +178,14 @@ TEST(Deviation, FindsGroupsBiasAndEdges) {
   picture.pixels[4] = {4, 4, 4};  // a pixel at the border between the faces
   EXPECT_NEAR(compare(picture, reference).edges, 1, 1e-12);
   EXPECT_NEAR(compare(picture, reference).worst, 0.5, 1e-12);
-  // Noise of a quarter of the radiosity explains the errors.
+  // The standard error is now a quarter of the radiosity, which explains the differences.
   reference.error.assign(W * H, 0.5);
   picture.pixels[4] = {2, 2, 2};
   EXPECT_EQ(compare(picture, reference).group, 0);
 
   const auto inner = find_inner(reference);
-  EXPECT_EQ(std::ranges::count(inner, true), 8 * H);  // all pixels except the columns at the border
+  // All pixels except the columns at the border between the faces.
+  EXPECT_EQ(std::ranges::count(inner, true), 8 * H);
   reference.emits[0] = true;
   EXPECT_EQ(std::ranges::count(find_inner(reference), true), 8 * H - 1);
 }

@@ -1,4 +1,4 @@
-// Rejected rooms, with the reason.
+// Tests that invalid rooms are refused with the right message.
 
 #include <gtest/gtest.h>
 
@@ -14,7 +14,7 @@ constexpr double INF = std::numeric_limits<double>::infinity();
 struct WrongRoom {
   const char* name;
   void (*spoil)(Room&);
-  const char* error;  // beginning of the message
+  const char* error;  // start of the message
 };
 void PrintTo(const WrongRoom& wrong, std::ostream* out) { *out << wrong.name; }
 
@@ -77,7 +77,8 @@ INSTANTIATE_TEST_SUITE_P(
                   },
                   "a.room:7: found a face whose corners wind more than once before corner"},
         WrongRoom{"Spiral",
-                  [](Room& r) {  // a polygon that winds around more than once, always to the left
+                  // A border that turns left at every corner, but goes round more than once.
+                  [](Room& r) {
                     corners(r) = {{0, 0, 0}};
                     for (int i = 0; i < 11; ++i)
                       corners(r).push_back({std::cos(0.7 * i), std::sin(0.7 * i), 0});
@@ -172,13 +173,13 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(RoomCheck, SmallestRoomsPass) {
   Room room = make_small_room();
   EXPECT_EQ(get_error([&] { check(room); }), "accepted");
-  corners(room)[2].z = 2e-6;  // off the plane by a quarter of the face's size
+  corners(room)[2].z = 2e-6;  // every corner is then off the mean plane by a quarter of this
   EXPECT_EQ(get_error([&] { check(room); }), "accepted");
   room.materials[0] = {"mirror", {1, 1, 1}, {}, true};
   EXPECT_EQ(get_error([&] { check(room); }), "accepted");
 }
 
-// A flat, convex face remains valid at any position and size.
+// A flat, convex face must be valid at any position and size.
 TEST(RoomCheck, ConvexFacesPassAndDentedOnesDoNot) {
   for (std::uint64_t seed = 1; seed <= 2000; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -210,7 +211,7 @@ TEST(RoomCheck, ConvexFacesPassAndDentedOnesDoNot) {
   }
 }
 
-// Newell's normal is the sum over the triangles of a fan from any corner.
+// Newell's normal is the sum over a fan of triangles. It must be the same from every corner.
 TEST(RoomCheck, AreaNormalsAreTheSameFromEveryCorner) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

@@ -1,4 +1,4 @@
-// The rooms in experiments/scenes have the properties that their comments state.
+// Tests that the rooms in experiments/scenes have the properties stated in their comments.
 
 #include <gtest/gtest.h>
 
@@ -56,7 +56,7 @@ TEST_P(OurRooms, HaveAsManyPatchesAsTheySay) {
   }
 }
 
-// No face is seen from behind, and nothing beyond the walls is visible.
+// In the picture, no face shows its back, and nothing outside the walls is visible.
 TEST_P(OurRooms, ShowTheirFrontsToTheView) {
   const Room room = load_room(path());
   const Mesh mesh = make_mesh(room, {});
@@ -82,14 +82,15 @@ TEST_P(OurRooms, ShowTheirFrontsToTheView) {
   EXPECT_GT(seen.size(), 3u);
 }
 
-// True if the polygon lies between a point of the right wall and a point of the window.
+// True if the polygon is between a point of the right wall and a point of the window.
 bool is_covered(const Face& polygon, const Vec& from, const Vec& to) {
   const std::vector<Vec>& c = polygon.corners;
   const Vec at = from + (c[0].x - from.x) / (to.x - from.x) * (to - from);
   return at.y > c[0].y && at.y < c[2].y && at.z > c[0].z && at.z < c[2].z;
 }
 
-// Number of 9 x 9 points of the window, including its corners, that the polygon hides.
+// How many of 9 x 9 points of the window, which include its corners, the polygon hides from
+// `point`.
 int count_covered(const Face& window, const Face& polygon, const Vec& point) {
   int covered = 0;
   for (int i = 0; i <= 8; ++i)

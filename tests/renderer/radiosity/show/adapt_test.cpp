@@ -1,4 +1,4 @@
-// Adaptive meshes have small patches where the illumination varies.
+// Tests that adaptive meshes have small patches where the illumination varies.
 
 #include "renderer/radiosity/show/adapt.hpp"
 
@@ -14,8 +14,8 @@ namespace {
 
 constexpr ReconstructionParams BILINEAR{Reconstruction::bilinear};
 
-// A floor of the given width, and a lamp of 2 x 2 at height 3 above its middle. The view from above
-// shows the whole floor, up to 40 x 40.
+// A floor of the given width, with a lamp of 2 x 2 at height 3 above its middle. The view from
+// above shows the whole floor, or 40 x 40 of a larger one.
 Room make_floor(double width) {
   Room room;
   room.materials = {{"floor", grey(0.5), {}}, {"lamp", grey(0), grey(10)}};
@@ -26,8 +26,8 @@ Room make_floor(double width) {
   return room;
 }
 
-// Root mean square error of the mesh's surfaces on a grid of points around the origin, divided by
-// the root mean square of the light there.
+// Root mean square error of the interpolated surfaces at a grid of points around the origin,
+// divided by the root mean square of the light there.
 double find_error(const Mesh& mesh, double width) {
   const Solution solution = solve(mesh, {});
   const auto shown = reconstruct(mesh, solution.vertices, BILINEAR);
@@ -71,7 +71,8 @@ TEST(Adapt, TheErrorIsWhatIsAskedFor) {
   }
 }
 
-// Rows start even, not halved near lights, and are halved where the solution requires it.
+// Even with Room::fine_near_lights, adapt_mesh() begins with even rows. It halves them only where
+// the solution requires it.
 TEST(Adapt, BeginsWithEvenRows) {
   Room room = make_floor(10);
   for (Vec& corner : room.faces[1].corners) corner.z = 1;
@@ -85,8 +86,8 @@ TEST(Adapt, BeginsWithEvenRows) {
   EXPECT_EQ(adapted.mesh.patches.size(), even.patches.size());
 }
 
-// Patches of a face meet at their corners, so their areas sum to that of the face. Every edge is in
-// two patches on opposite sides, or in one if it is on the border.
+// The patches of a face must meet at their corners, so that their areas add up to that of the face.
+// Every edge must belong to two patches on opposite sides, or to one patch if it is on the border.
 TEST(Adapt, PatchesOfAFaceMeetAtTheirCorners) {
   const Mesh mesh = adapt_mesh(make_floor(10), {}, BILINEAR, {0.05}).mesh;
   double area = 0;
@@ -105,7 +106,8 @@ TEST(Adapt, PatchesOfAFaceMeetAtTheirCorners) {
   }
 }
 
-// A block stands on the floor, which is cut at the block's foot at any fineness.
+// A block stands on the floor. For floors of any size, the mesh must have edges along the block's
+// foot.
 TEST(Adapt, FeetStayContacts) {
   for (const double width : {4.0, 400.0}) {
     Room room = make_floor(width);
@@ -129,7 +131,7 @@ TEST(Adapt, FeetStayContacts) {
   }
 }
 
-// If the light is out of view, no patch is halved.
+// If the picture does not show the floor, none of its patches is halved.
 TEST(Adapt, OnlyWhatThePictureShowsCounts) {
   Room room = make_floor(10);
   const std::size_t seen = adapt_mesh(room, {}, BILINEAR, {0.02}).mesh.patches.size();
@@ -139,8 +141,8 @@ TEST(Adapt, OnlyWhatThePictureShowsCounts) {
   EXPECT_GT(seen, 20 * turned.mesh.patches.size());
 }
 
-// The view shows the floor over a mirror that reflects half of each colour. In squares of colours,
-// the floor's share is therefore a quarter.
+// The view shows the floor in a mirror that reflects half of each colour. The weight of the floor
+// in the mean square of the picture is therefore a quarter.
 TEST(Adapt, SharesAreOfThePictureAndOfItsSquare) {
   Room room = make_floor(10);
   room.materials.push_back({"glass", grey(0.5), {}});
@@ -149,7 +151,7 @@ TEST(Adapt, SharesAreOfThePictureAndOfItsSquare) {
   double all = 0;
   const Mesh straight = make_mesh(room, {});
   for (const Rgb& share : find_shares(straight, room.view, picture)) all += share.r;
-  EXPECT_NEAR(all, 0.96, 1e-12);  // the back of the lamp, 2 x 2 of 10 x 10, is black
+  EXPECT_NEAR(all, 0.96, 1e-12);  // the lamp's back, 2 x 2 of 10 x 10, is black
   add_quad(room, 2, {-5, -5, 900}, {0, 10, 0}, {10, 0, 0});  // a mirror that faces down
   room.view.from = {0, 0, 0.5};
   room.view.at = {0, 0, 1};
@@ -190,9 +192,10 @@ TEST(Adapt, TakesAnyRoom) {
     EXPECT_LE(adapted.error, 0.05);
     EXPECT_GT(mesh.patches.size(), 2 * before);
     EXPECT_EQ(mesh.mirrors.size(), 1u);
-    // The patches of each side cover it once: floor, lamp, the leaning face twice, the triangle.
+    // The patches of each side cover it exactly once: the floor, the lamp, the leaning face on both
+    // sides, and the triangle.
     EXPECT_NEAR(mesh.area, 36 + 4 + 2 * std::sqrt(4.25) + 1, 1e-9);
-    // No patch crosses the crease.
+    // No patch of the floor may extend across the crease.
     for (const Patch& patch : mesh.patches) {
       if (patch.face != 0) continue;
       double least = 0, most = 0;

@@ -1,4 +1,4 @@
-// Radiosity converted to bytes and files.
+// Tests the conversion of radiosity to bytes and picture files.
 #include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
@@ -53,7 +53,7 @@ TEST(Display, BytesAreThePowerOfTheExposedLight) {
   const Picture picture{2, 1, {{0.5, 2, -1}, {0.1, std::nan(""), INFINITE}}};
   EXPECT_EQ(make_rgb8(picture, {1, 1}), (std::vector<std::uint8_t>{128, 255, 0, 26, 0, 255}));
   EXPECT_EQ(make_rgb8(picture, {0.5, 1}), (std::vector<std::uint8_t>{64, 255, 0, 13, 0, 255}));
-  // 255 * sqrt(0.5) = 180.3, 255 * sqrt(0.1) = 80.6
+  // 255 * sqrt(0.5) = 180.3 and 255 * sqrt(0.1) = 80.6
   EXPECT_EQ(make_rgb8(picture, {1, 2}), (std::vector<std::uint8_t>{180, 255, 0, 81, 0, 255}));
 }
 

@@ -1,4 +1,4 @@
-// Bicubic surfaces stay near the surrounding illumination.
+// Tests that bicubic surfaces stay near the illumination around them.
 
 #include "renderer/radiosity/show/limit.hpp"
 
@@ -11,7 +11,7 @@ namespace {
 
 constexpr ReconstructionParams LIMITED{Reconstruction::bicubic, Twist::estimated};
 
-// Bright and dark vertices in random order.
+// Random values for vertices: some bright, some dark.
 std::vector<Rgb> make_contrasts(Random& random, std::size_t count) {
   std::vector<Rgb> values;
   for (std::size_t i = 0; i < count; ++i)
@@ -19,7 +19,7 @@ std::vector<Rgb> make_contrasts(Random& random, std::size_t count) {
   return values;
 }
 
-// The range of all patches that share a corner with a patch.
+// The range of the values of all patches that share a corner with `patch`.
 Limits find_range(const Mesh& mesh, std::span<const Rgb> values, const Patch& patch) {
   Limits range{values[patch.corners[0]], values[patch.corners[0]]};
   for (const Patch& other : mesh.patches) {
@@ -33,7 +33,7 @@ Limits find_range(const Mesh& mesh, std::span<const Rgb> values, const Patch& pa
   return range;
 }
 
-// True if limit_change() keeps a change by one of its three rules, within a tolerance.
+// True if one of the three rules of limit_change() allows the change, within a tolerance.
 bool is_kept(double change, double value, double whole, double there) {
   constexpr double TINY = 1e-9;
   const double bend = whole - change, other_bend = there - whole;
@@ -95,8 +95,8 @@ TEST(Limit, SurfacesStayNearTheIlluminationAroundThem) {
   EXPECT_GT(beyond_without, 0);
 }
 
-// One side of a line of vertices is lit, the other in shadow. A surface that follows only the
-// slopes would dip below the shadow and overshoot the light.
+// One side of a line of vertices is lit, and the other is in shadow. A surface that follows only
+// the slopes would go below the shadow and above the light.
 TEST(Limit, NothingSwingsBesideALeap) {
   double swung = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -142,7 +142,7 @@ TEST(Limit, LeavesSmoothSurfacesAlone) {
   }
 }
 
-// A vertex that is two corners of a patch lights both of them.
+// If a vertex is two corners of a patch, the surface must have the vertex's value at both of them.
 TEST(Limit, PatchesWithTheSameVertexTwiceAreWhollyLit) {
   for (std::size_t corner = 0; corner < 4; ++corner) {
     Mesh mesh;

@@ -1,4 +1,5 @@
-// Fine patches and penumbrae near concentrated light: make_lit_mesh() and Room::fine_shadows.
+// Tests fine patches and penumbrae near small, bright lights: make_lit_mesh() and
+// Room::fine_shadows.
 
 #include <gtest/gtest.h>
 
@@ -9,8 +10,8 @@
 namespace radiosity::test {
 namespace {
 
-// A lamp hangs below a ceiling and beside a wall. The wall is bright in a narrow strip, which
-// lights the border of the ceiling.
+// A lamp hangs below a ceiling and near a wall. A narrow strip of the wall is bright and lights the
+// border of the ceiling.
 constexpr const char* LAMP_BESIDE_A_WALL = R"(
 material wall reflect 0.7 0.7 0.7
 material lamp reflect 0 0 0  emit 15 15 15
@@ -19,7 +20,7 @@ quad lamp  1 0.1 2.3  1 0.6 2.3  1.6 0.6 2.3  1.6 0.1 2.3
 view from 1.5 2.9 1.2 at 1.5 0 1.2 up 0 0 1 angle 70 size 40 30
 )";
 
-// A wall with a slit of 8 cm stands between a lamp and the other half of the room.
+// A wall with a slit of 8 cm separates a lamp from the other half of the room.
 constexpr const char* SLIT = R"(
 material wall reflect 0.5 0.5 0.5
 material lamp reflect 0 0 0  emit 60 60 60
@@ -48,7 +49,7 @@ TEST(LitMesh, IsFinerWhereLightIsConcentrated) {
   const LightParams light = make_light();
   const AdaptedMesh adapted = make_lit_mesh(room, light);
   const Mesh even = make_mesh(room, light.mesh);
-  const auto count = [](const Mesh& mesh) {  // counts patches of the ceiling and of the floor
+  const auto count = [](const Mesh& mesh) {  // counts the patches of the ceiling and of the floor
     std::array<std::size_t, 2> counts{};
     for (const Patch& patch : mesh.patches)
       if (patch.normal.z == -1 && patch.centre.z > 2.39)
@@ -64,7 +65,7 @@ TEST(LitMesh, IsFinerWhereLightIsConcentrated) {
   EXPECT_GT(ceiling, count(even)[0]);
   EXPECT_EQ(floor, count(even)[1]);
 
-  // The view has no effect, and the result equals that for a given mesh.
+  // The view must have no effect, and the result must equal that for a given mesh.
   Room turned = room;
   turned.view.from = {0.3, 0.3, 0.1};
   AdaptedMesh other = make_lit_mesh(turned, light);
@@ -91,7 +92,8 @@ TEST(LitMesh, IsMakeMeshsUnlessAsked) {
   check_plain();
 }
 
-// Behind a slit, a vertex sees a part of the lamp, whose size single rays do not measure.
+// Through a slit, a vertex sees only a part of the lamp. Single rays cannot measure the size of
+// this part.
 TEST(FineShadows, LightBehindASlitHasNoStreaks) {
   Room room = make_room(SLIT);
   const Mesh mesh = make_mesh(room, {});

@@ -1,4 +1,4 @@
-// Location of the patch at a point of a face.
+// Tests the location of the patch at a point of a face.
 #include "renderer/radiosity/show/locate.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,8 @@
 namespace radiosity::test {
 namespace {
 
-// A convex quad: a circle with four corners, squeezed and turned. A side may have no length.
+// A convex quad: four points on a circle that is stretched and rotated. A side may have length
+// zero.
 std::array<Corner, 4> make_quad(Random& random) {
   std::array<double, 4> angles;
   for (double& a : angles) a = random.range(0, 2 * std::numbers::pi);
@@ -73,7 +74,7 @@ TEST(Locate, EveryPointOfEverySideIsOnItsPatch) {
         const auto& side = get_side(sides, object, back);
         ASSERT_EQ(side.kind == radiosity::Side::Kind::nothing, back && !face.two_sided);
         for (int i = 0; i < 200 && side.kind == radiosity::Side::Kind::patches; ++i) {
-          // Some points lie on corners and edges.
+          // Some points lie on corners and edges of patches.
           Vec point;
           double sum = 0;
           for (const Vec& corner : face.corners) {
@@ -92,7 +93,7 @@ TEST(Locate, EveryPointOfEverySideIsOnItsPatch) {
               << "face " << object << " point " << i;
         }
       }
-    // The grid tests one or a few patches, not all of them.
+    // The grid must test only one or a few patches for each point, not all of them.
     EXPECT_LT(work[renderer::Op::polygon_edges], 200 * 12 * 6u);
   }
 }

@@ -1,4 +1,4 @@
-// Warnings about faces with the wrong orientation.
+// Tests the warnings about faces with the wrong orientation.
 #include "renderer/radiosity/show/orientation.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,8 @@ std::vector<std::string> find_in(const Room& room) {
   return find_turned_faces(room, make_mesh(room, {}));
 }
 
-// A closed room of 2 x 2 x 2 with its fronts inside, and a lamp below the ceiling that shines down.
+// A closed room of 2 x 2 x 2 with a lamp below the ceiling. The fronts of the walls are inside if
+// `inside`; the lamp shines down if `down`.
 Room make_box(bool inside, bool down) {
   return read_room(fmt::format("material w reflect 0.5 0.5 0.5\n"
                                "material l reflect 0 0 0 emit 1 1 1\n"

@@ -1,4 +1,5 @@
-// The second pass, compared with known illumination, and the z-buffer, compared with that pass.
+// Compares pictures of the second pass with known illumination, and pictures of the z-buffer with
+// those of the second pass.
 #include "renderer/radiosity/show/picture.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +33,7 @@ TEST(TracePicture, EveryPixelHasWhatItsRayMeets) {
     }
 }
 
-// Patches reproduce linear radiosity, so the picture does not depend on the mesh.
+// Patches reproduce a linear radiosity exactly, so that the picture must not depend on the mesh.
 TEST(TracePicture, DoesNotDependOnTheMesh) {
   Room room = make_furnished_cube(1);
   const Picture coarse = trace(room, make_mesh(room, {1}));
@@ -45,7 +46,7 @@ TEST(TracePicture, DoesNotDependOnTheMesh) {
   }
 }
 
-// The mirror at x = 1 shows at x what lies at 2 - x. Two facing mirrors reflect a ray repeatedly.
+// The mirror at x = 1 shows at x what is at 2 - x. Two facing mirrors reflect a ray many times.
 TEST(TracePicture, MirrorsShowTheMirroredRoom) {
   Room room = make_cube(3);
   room.view.at = {1, 0.4, 0.2};
@@ -88,7 +89,8 @@ TEST(TracePicture, BacksAreBlackAndHideUnlessThereIsASecondFace) {
   for (const int what : {0, 1, 2, 3}) {
     Room room = make_cube(2);
     room.view = {{0.5, 0.5, 0.9}, {0.5, 0.5, 0}, {0, 1, 0}, 60, 0, 8, 8};
-    // A quad perpendicular to the view, facing away; slightly slanted, so that rounding matters.
+    // A quad that faces away from the eye, almost perpendicular to the view. It is slightly
+    // slanted, so that rounding matters.
     const std::vector<Vec> front = {
         {0, 0.01, 0.3}, {0.02, 1, 0.41}, {1, 0.99, 0.43}, {0.98, 0, 0.32}};
     const Vec n = normalize(eval_area_normal(front));
@@ -142,14 +144,14 @@ TEST(TracePicture, ImpossibleParametersAreErrors) {
   EXPECT_THROW(renderer::make_image_plane({{1, 2, 3}, {1, 2, 3}}), base::BadInput);
 }
 
-// Both pictures have the same sample points, so pixels differ only where rounding decides which of
+// Both pictures have the same sample points. Pixels may differ only where rounding decides which of
 // two faces is hit.
 TEST(PreviewPicture, IsTheTracedPicture) {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     Random random{seed};
     Room room = make_cube(3);
-    // Keeps the object inside the cube, since a wall that it crosses would have patches other than
-    // parallelograms.
+    // Keeps the object inside the cube. If it crossed a wall, the wall would have patches that are
+    // not parallelograms.
     const Vec a = random.point(0.08) + Vec{0.5, 0.5, 0.5};
     const Vec b = 0.2 * random.direction(), c = 0.2 * random.direction();
     room.faces.push_back(make_face({a, a + b, a + b + c, a + c}, 4, 5));
@@ -175,7 +177,7 @@ TEST(PreviewPicture, IsTheTracedPicture) {
   }
 }
 
-// The room is seen from outside, with corners behind the eye.
+// The room is seen from outside, and has corners behind the eye.
 TEST(PreviewPicture, MirrorsAreAsGreyAsTheRoom) {
   Room room = make_cube(4);
   room.faces[4].material = 1;

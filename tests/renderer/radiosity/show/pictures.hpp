@@ -1,5 +1,5 @@
 #pragma once
-// A room for pictures, with illumination known everywhere.
+// A room for tests of pictures, with a known illumination at every point.
 
 #include "renderer/radiosity/show/picture.hpp"
 #include "tests/renderer/support.hpp"
@@ -16,8 +16,8 @@ inline Face make_face(std::vector<Vec> corners, int along = 1, int across = 1) {
   return face;
 }
 
-/// A room with material 0 (diffuse, emits) and 1 (a mirror with a different reflectance for each
-/// colour).
+/// A room without faces. Material 0 is diffuse and emits light; material 1 is a mirror whose
+/// reflectance is different for each colour.
 inline Room make_empty_room() {
   Room room;
   room.materials = {{"wall", {0.5, 0.5, 0.5}, {1, 1, 1}, false},
@@ -29,7 +29,8 @@ inline Room make_empty_room() {
   return room;
 }
 
-/// The unit cube from inside: faces 0 (x = 0), 1 (x = 1), 2 and 3 (y), 4 and 5 (z).
+/// The unit cube, with its fronts inside. Faces 0 and 1 are at x = 0 and 1, faces 2 and 3 at y = 0
+/// and 1, faces 4 and 5 at z = 0 and 1.
 inline Room make_cube(int divide) {
   Room room = make_empty_room();
   const auto add = [&](const Vec& o, const Vec& a, const Vec& b) {
@@ -45,7 +46,7 @@ inline Room make_cube(int divide) {
   return room;
 }
 
-/// The cube with a two-sided triangle and pentagon in it, and two quads back to back.
+/// The unit cube with a two-sided triangle, a two-sided pentagon, and two quads back to back in it.
 inline Room make_furnished_cube(int divide) {
   Room room = make_cube(divide);
   room.faces.push_back(make_face({{0.2, 0.2, 0.3}, {0.7, 0.3, 0.2}, {0.4, 0.8, 0.5}}, divide));
@@ -60,7 +61,8 @@ inline Room make_furnished_cube(int divide) {
   return room;
 }
 
-/// A radiosity linear in space, which any patch reproduces; positive in the unit cube.
+/// A radiosity that is linear in space, and positive in the unit cube. Any patch reproduces it
+/// exactly.
 inline Rgb eval_linear(const Vec& p) {
   return {1 + p.x, 2 + p.y - 0.5 * p.z, 1.5 - 0.3 * p.x + p.z};
 }
@@ -80,7 +82,7 @@ inline double distance(const Rgb& a, const Rgb& b) {
   return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
-/// The direction of the ray through a pixel's centre.
+/// The direction of the ray through the centre of pixel (x, y).
 inline Vec eval_way(const renderer::View& view, const PictureParams& params, int x, int y) {
   const Vec ahead = normalize(view.at - view.from), right = normalize(cross(ahead, view.up));
   const double half = std::tan(view.angle * std::numbers::pi / 360),
@@ -89,7 +91,7 @@ inline Vec eval_way(const renderer::View& view, const PictureParams& params, int
                    (params.height / 2.0 - y - 0.5) * step * cross(right, ahead));
 }
 
-/// The distance from a point in the unit cube to its border.
+/// The distance in direction `way` from a point in the unit cube to its border.
 inline double eval_reach(const Vec& from, const Vec& way) {
   double reach = renderer::Bounds::INF;
   for (int axis = 0; axis < 3; ++axis)

@@ -1,4 +1,4 @@
-// Accuracy of the reconstructed illumination for smooth functions.
+// Tests the accuracy of the reconstructed illumination for smooth functions.
 
 #include <gtest/gtest.h>
 
@@ -28,8 +28,8 @@ TEST(ReconstructError, FallsWithTheThirdPowerOfTheStepBilinearWithTheSecond) {
   for (const Twist twist : {Twist::zero, Twist::estimated})
     for (const bool inside : {true, false}) {
       const ReconstructionParams params = make_unlimited(twist);
-      // Without twists, the term in s t is missing. It is of second order in the step, so the error
-      // falls with the second power only.
+      // Without twists (mixed derivatives), the term in s t is missing. It is of second order in
+      // the step, so that the error falls only with the second power of the step.
       const double expected = twist == Twist::estimated ? 6 : 3.5;
       EXPECT_GT(find(8, params, inside) / find(16, params, inside), expected);
       EXPECT_GT(find(16, params, inside) / find(32, params, inside), expected);
@@ -38,8 +38,8 @@ TEST(ReconstructError, FallsWithTheThirdPowerOfTheStepBilinearWithTheSecond) {
     EXPECT_NEAR(find(n, BILINEAR, true) / find(2 * n, BILINEAR, true), 4, 0.7);
 }
 
-// The irradiance of the wall z = 0 at a point, by the midpoint rule, from a square emitter with the
-// half axes a and b.
+// The irradiance of the wall z = 0 at a point, from a square emitter with the half axes a and b.
+// Computed by the midpoint rule.
 double eval_irradiance(const Vec& at, const Vec& centre, const Vec& a, const Vec& b) {
   constexpr int N = 24;
   const Vec n = cross(a, b);
@@ -62,7 +62,8 @@ TEST(ReconstructError, OfASquareEmitterOn3x3PatchesIsAtMostAThirdOfBilinear) {
   const auto bicubic = reconstruct(mesh, values, BICUBIC);
   EXPECT_LT(find_error(mesh, bicubic, facing, {}, 9),
             find_error(mesh, reconstruct(mesh, values, BILINEAR), facing, {}, 9) / 3);
-  // The thesis's peak was 5.7 % too low. Bilinear interpolation is 9 % too low here.
+  // In the thesis, the peak was 5.7 % too low. Bilinear interpolation gives 9 % too low a peak
+  // here.
   EXPECT_NEAR(eval_illumination(bicubic, 4, 0.5, 0.5).r, peak, 0.03 * peak);
 }
 

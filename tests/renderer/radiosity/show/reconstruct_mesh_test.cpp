@@ -1,5 +1,5 @@
-// Illumination between vertices on meshes other than grids: polygons, several faces, curved
-// surfaces, creases.
+// Tests the illumination between vertices on meshes that are not grids: polygons, several faces,
+// curved surfaces and creases.
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@
 namespace radiosity::grids {
 namespace {
 
-// A regular polygon of radius 1 in some plane.
+// A regular polygon of radius 1 in a random plane.
 Face make_polygon(Random& random, int corners, int along) {
   const auto plane = make_plane(random, true);
   Face face;
@@ -30,7 +30,8 @@ Mesh mesh_of(const std::vector<Face>& faces) {
   return make_mesh(room, {});
 }
 
-// The largest gap between patches with a common edge, found by position.
+// The largest difference of illumination between patches at their common edge. Edges are found by
+// position.
 double find_largest_gap(const Mesh& mesh, const Illumination& b, Random& random) {
   using Key = std::array<double, 3>;
   const auto key = [&](std::uint32_t v) {
@@ -101,7 +102,7 @@ TEST(ReconstructMesh, PolygonsAreNearSmoothFunctionsAndDoNotOvershoot) {
   }
 }
 
-// The surface continues across faces with a common plane and material.
+// The surface must continue across faces with a common plane and material.
 TEST(ReconstructMesh, FacesThatShareVerticesAreOneSurface) {
   Random random{1};
   const auto plane = make_plane(random);
@@ -119,7 +120,7 @@ TEST(ReconstructMesh, FacesThatShareVerticesAreOneSurface) {
   EXPECT_LT(find_error(mesh, smooth, quadratic), 1e-9);
 }
 
-// Random values, equal at equal positions.
+// Random values for the vertices, equal where positions are equal.
 std::vector<Rgb> make_values(const Mesh& mesh, Random& random) {
   std::map<std::array<double, 3>, Rgb> by_place;
   return take(mesh, [&](const Vec& at) {
@@ -147,7 +148,7 @@ TEST(ReconstructMesh, CreasesLeaveNoGapsWhereverTheyCrossTurnAndEnd) {
   }
 }
 
-// A roof has its ridge on a crease. Other creases have no effect.
+// The function is a roof whose ridge lies on a crease. Other creases must have no effect.
 TEST(ReconstructMesh, AFunctionThatBreaksAtACreaseIsExact) {
   for (const bool creased : {true, false}) {
     Random random{3};
@@ -175,11 +176,12 @@ TEST(ReconstructMesh, AFunctionThatBreaksAtACreaseIsExact) {
   }
 }
 
-// Facets have the normals of a cylinder. The result equals that on the unrolled plane.
+// The facets have the normals of a cylinder. The result must equal that on the unrolled, flat
+// surface.
 TEST(ReconstructMesh, ACylinderIsAsGoodAsItsPlane) {
   Random random{2};
   const auto u = make_lines(6), v = make_lines(3, &random);
-  const double half = 1.0 / 6;  // half angle of a facet
+  const double half = 1.0 / 6;  // half the angle of a facet
   const auto round = [&](double a, double b) {
     const Vec normal{std::cos(2 * a), std::sin(2 * a), 0};
     const Vec at = normal + Vec{0, 0, b};

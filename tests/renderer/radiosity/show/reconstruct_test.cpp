@@ -1,4 +1,5 @@
-// Illumination between vertices: functions that it reproduces, its smoothness and accuracy.
+// Tests the illumination between vertices: functions that must be reproduced, smoothness and
+// accuracy.
 
 #include "renderer/radiosity/show/reconstruct.hpp"
 
@@ -12,7 +13,7 @@ namespace radiosity::grids {
 namespace {
 
 constexpr Twist TWISTS[] = {Twist::zero, Twist::diagonal, Twist::estimated};
-// Evaluates Eq 3.1 literally, matrix by matrix.
+// Compares with a literal evaluation of thesis Eq 3.1, matrix by matrix.
 TEST(Hermite, IsTheProductOfEq31) {
   constexpr double M[4][4] = {{2, -2, 1, 1}, {-3, 3, -2, -1}, {0, 0, 1, 0}, {1, 0, 0, 0}};
   Random random{1};
@@ -92,8 +93,8 @@ TEST(Reconstruct, QuadraticFunctionsAreExactOnParallelLines) {
   }
 }
 
-// The largest gaps of value and slope between two patches, at random points of their common edges.
-// All nu x nv patches of the grid must begin at the same of their corners.
+// The largest differences of value and of slope between two patches, at random points of their
+// common edges. All nu x nv patches of the grid must begin at the same corner.
 struct Gaps {
   double value = 0, slope = 0;
 };
@@ -131,11 +132,11 @@ TEST(Reconstruct, IsC1AcrossInnerBorders) {
     }
     const auto gaps = find_gaps(mesh, reconstruct(mesh, values, BILINEAR), 5, random);
     EXPECT_LT(gaps.value, 1e-12);
-    EXPECT_GT(gaps.slope, 0.1);  // this discontinuity of the slope causes Mach bands
+    EXPECT_GT(gaps.slope, 0.1);  // this jump of the slope causes Mach bands
   }
 }
 
-// The thesis's mixed derivatives agree on both sides only if the steps do.
+// The mixed derivatives of the thesis agree on both sides of an edge only if the steps are equal.
 TEST(Reconstruct, WithDiagonalTwistsIsC1OnEvenGridsOnly) {
   Random random{4};
   const auto lines = make_lines(4), uneven = make_lines(4, &random);
@@ -150,8 +151,8 @@ TEST(Reconstruct, WithDiagonalTwistsIsC1OnEvenGridsOnly) {
   EXPECT_LT(find(uneven).value, 1e-12);
 }
 
-// Two grids without common vertices meet in a line, with equal values and different slopes across
-// it.
+// Two grids without common vertices meet in a line. Their values there are equal, but the slopes
+// across the line differ.
 TEST(Reconstruct, IsC0ButNotC1AcrossCreases) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -178,8 +179,8 @@ TEST(Reconstruct, IsC0ButNotC1AcrossCreases) {
   }
 }
 
-// Creases may make lines almost coincide. The slope across the narrow strip must not affect the
-// wide patches.
+// Creases may make two grid lines almost coincide. An error in the narrow strip between them must
+// not affect the wide patches.
 TEST(Reconstruct, SmallErrorsOnNarrowPatchesStaySmall) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

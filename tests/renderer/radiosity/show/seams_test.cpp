@@ -1,4 +1,5 @@
-// Two coplanar faces with different divisions have one surface at their common edge.
+// Tests that two faces in one plane that are divided differently have equal illumination at their
+// common edge.
 
 #include "renderer/radiosity/show/seams.hpp"
 
@@ -12,7 +13,8 @@ namespace {
 
 constexpr ReconstructionParams BOUNDED{Reconstruction::bicubic, Twist::estimated};
 
-// A square of 2 x 2 in some plane, cut along u = 1 into halves with different divisions there.
+// A square of 2 x 2 in a random plane. It is cut along u = 1 into two faces, which are divided
+// differently there.
 struct Halves {
   Surface plane;
   Room room;
@@ -32,7 +34,7 @@ struct Halves {
   }
 };
 
-// The illumination on the cut at v, from the patches of one face.
+// The illumination on the cut at the position v, evaluated on the patches of one face.
 Rgb eval_at_cut(const Halves& halves, const Mesh& mesh, const Illumination& lit, std::uint32_t face,
                 double v) {
   constexpr double S[] = {0, 1, 1, 0, 0}, T[] = {0, 0, 1, 1, 0};
@@ -71,7 +73,7 @@ TEST(Seams, HaveNoGapsAndKeepLinearFunctions) {
       SCOPED_TRACE(testing::Message() << left << " and " << right << ", seed " << seed);
       Random random{seed};
       Halves halves(random, left, right);
-      if (seed % 2 == 0)  // a crease across the cut, between vertices
+      if (seed % 2 == 0)  // a crease that crosses the cut between vertices
         halves.room.creases.push_back({halves.plane(0, 0.86).at, halves.plane(2, 0.86).at});
       const Mesh mesh = make_mesh(halves.room, {});
       auto values = make_colours(random, mesh.vertices.size());
@@ -87,8 +89,7 @@ TEST(Seams, HaveNoGapsAndKeepLinearFunctions) {
     }
 }
 
-// The seams of three coplanar faces meet in a T: the shorter seam contains an end of the longer
-// one.
+// Three faces in one plane meet in a T. The longer seam contains an end of the shorter one.
 TEST(Seams, ThatMeetInATHaveNoGaps) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

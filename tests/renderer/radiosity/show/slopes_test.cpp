@@ -1,4 +1,4 @@
-// Tangent planes of the illumination function: Eq 3.5 to 3.7 and the rules for borders.
+// Tests the tangent planes of the illumination: thesis Eq 3.5 to 3.7, and the rules for borders.
 
 #include "renderer/radiosity/show/slopes.hpp"
 
@@ -15,7 +15,7 @@ std::vector<Slopes<Rgb>> find(const Mesh& mesh, std::span<const Rgb> values) {
   return find_slopes(mesh, make_fans(mesh), values);
 }
 
-// An edge of a patch, from a corner to the next one.
+// An edge of a patch, from one corner to the next.
 struct Edge {
   Vec at, to;
 };
@@ -24,7 +24,7 @@ Edge find_edge(const Mesh& mesh, std::uint32_t patch, std::uint32_t corner) {
   return {mesh.vertices[corners[corner]].at, mesh.vertices[corners[(corner + 1) % 4]].at};
 }
 
-// A cylinder of facets with the cylinder's normals; u runs around it and v up.
+// A cylinder of facets that have the cylinder's normals. u runs around the cylinder and v along it.
 Vertex place_on_cylinder(double u, double v) {
   const double angle = 0.3 + 2 * u;
   const Vec normal{std::cos(angle), std::sin(angle), 0};
@@ -46,8 +46,8 @@ TEST(Slopes, OfAnEvenGridAreCentralDifferences) {
   }
 }
 
-// Follows figures 3.3 and 3.4 literally: lifts points by B along the geometric normal, takes the
-// normal N_i of each plane through lifted points, and averages these normals.
+// Follows thesis figures 3.3 and 3.4 literally: lifts points by B along the geometric normal, takes
+// the normal N_i of each plane through lifted points, and averages these normals.
 TEST(Slopes, AreTheMeanOfTheNormalsOfFigure34) {
   Random random{2};
   const Mesh mesh = make_grid(make_lines(2), make_lines(2), make_plane(random));
@@ -77,7 +77,7 @@ TEST(Slopes, AlongAnEdgeAreEq37TimesItsLengthOnFlatAndCurvedSurfaces) {
         const Edge edge = find_edge(mesh, p, c);
         const Vec d = edge.to - edge.at, ng = mesh.vertices[v].normal;
         const Vec ni = normalize(ng - red(slopes[v]));
-        const Vec across = normalize(cross(ng, d));  // normal of the plane of N_g and d
+        const Vec across = normalize(cross(ng, d));  // normal of the plane spanned by N_g and d
         const Vec nid = ni - dot(ni, across) * across;
         const Vec n = cross(cross(ni, ng), ng);
         const double sign = dot(n, d) < 0 ? -1 : 1;
@@ -87,7 +87,8 @@ TEST(Slopes, AlongAnEdgeAreEq37TimesItsLengthOnFlatAndCurvedSurfaces) {
   }
 }
 
-// Figure 3.7: the function falls from left to right, whatever the directions of the patches' edges.
+// Thesis figure 3.7: the function falls from left to right, for any directions of the patches'
+// edges.
 TEST(Slopes, RiseInOneHalfSpaceAndFallInTheOther) {
   const Mesh mesh = make_grid(make_lines(6), make_lines(2), place_on_cylinder);
   std::vector<Rgb> values;
@@ -110,7 +111,8 @@ TEST(Slopes, RiseInOneHalfSpaceAndFallInTheOther) {
   }
 }
 
-// Figure 3.5: V_1 and V_4 take the slope of the parabola, V_2 and V_3 that of their neighbours.
+// Thesis figure 3.5: V_1 and V_4 take the slope of the parabola, V_2 and V_3 that of their
+// neighbours.
 TEST(Slopes, AtBordersAreTheParabolas) {
   Random random{3};
   const Mesh mesh = make_grid(make_lines(3), make_lines(1), make_plane(random));
@@ -125,17 +127,17 @@ TEST(Slopes, AtBordersAreTheParabolas) {
     EXPECT_NEAR(slope(0), 2 * (b(1) - b(0)) - slope(1), 1e-12);
     EXPECT_NEAR(slope(3), 2 * (b(3) - b(2)) - slope(2), 1e-12);
   }
-  // In the other direction both ends are borders, so the function is a straight line.
+  // In the other direction, both ends are on borders, so that the function is a straight line.
   const Vec up = mesh.vertices[4].at - mesh.vertices[0].at;
   for (std::uint32_t v = 0; v < 8; ++v)
     EXPECT_NEAR(along(slopes[v], up).r, values[v % 4 + 4].r - values[v % 4].r, 1e-12);
 }
 
-// The slope along a crease is therefore the same on both sides, even if their patches differ.
+// Therefore, the slope along a crease is the same on both sides, even if their patches differ.
 TEST(Slopes, AlongAStraightBorderDependOnItsVerticesOnly) {
   Random random{5};
   const auto plane = make_plane(random, true);
-  Mesh mesh;  // a half disc of three uneven quads around the first vertex
+  Mesh mesh;  // half a disc: three uneven quads around the first vertex
   for (const auto& [u, v] : {std::pair{0.0, 0.0},
                              {1.0, 0.0},
                              {0.9, 0.9},
@@ -153,7 +155,7 @@ TEST(Slopes, AlongAStraightBorderDependOnItsVerticesOnly) {
               1e-12);
 }
 
-// Slopes that only turn with the surface do not change, so mixed derivatives are zero.
+// If slopes only turn with the surface, they do not change, so that mixed derivatives are zero.
 TEST(Twists, DoNotMistakeTheTurnOfACurvedSurfaceForAChange) {
   const auto helix = [](double u, double v) { return place_on_cylinder(u + v / 3, v); };
   const Mesh mesh = make_grid(make_lines(4), make_lines(4), helix);
