@@ -75,7 +75,8 @@ std::vector<CsvCell> CsvReader::take() {
     const bool is_last = ends_line();
     if (at_ < text_.size()) ++at_;
     if (is_last) break;
-    if (at_ == text_.size()) cells.emplace_back();  // comma at the end
+    // The last cell, after a comma at the end of the text.
+    if (at_ == text_.size()) cells.emplace_back();
   }
   ++line_;
   return cells;

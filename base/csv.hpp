@@ -1,5 +1,5 @@
 #pragma once
-// Comma-separated values (RFC 4180), record by record.
+// Reads comma-separated values (RFC 4180), record by record, and writes cells.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -41,7 +41,7 @@ class CsvReader {
 
   std::string_view text_, name_;
   std::size_t at_ = 0;
-  int line_ = 1;  // the line of text_[at_]
+  int line_ = 1;  // line number of text_[at_]
   int record_line_ = 1;
 };
 

@@ -15,8 +15,8 @@ namespace {
 std::atomic<bool> is_ending = false;
 static_assert(std::atomic<bool>::is_always_lock_free);  // required in signal handlers
 
-std::shared_mutex sections;  // held shared by every thread in an Undivided section
-thread_local int depth = 0;  // nesting depth of this thread's sections
+std::shared_mutex sections;  // locked (shared) by every thread that is in a section
+thread_local int depth = 0;  // number of nested sections that this thread is in
 
 std::mutex list_mutex;
 std::list<std::function<void()>> undos;

@@ -10,19 +10,19 @@
 
 namespace base {
 
-/// The text with each zero byte as "\\x00", because what() ends at a zero byte.
+/// Replaces each zero byte by the characters \x00, because std::exception::what() would end there.
 inline std::string show_zeros(std::string text) {
   for (std::size_t at = 0; (at = text.find('\0', at)) != text.npos;) text.replace(at, 1, "\\x00");
   return text;
 }
 
-/// Bad input, rejected on entry, before anything runs. The text names the file, line or key, the
-/// value found and the value expected.
+/// Bad input. It is refused when it is read, before anything runs. The message names the file, line
+/// or key, the value found and the value expected.
 struct BadInput : std::runtime_error {
   explicit BadInput(std::string text) : std::runtime_error(show_zeros(std::move(text))) {}
 };
 
-/// A broken invariant, which is a defect of tlab. The text holds the values found and expected.
+/// A broken invariant, that is, a defect of tlab. The message has the values found and expected.
 struct InvariantBroken : std::logic_error {
   using std::logic_error::logic_error;
 };

@@ -66,15 +66,15 @@ struct Domain {
 
   /// Describes the expected values, as in "a whole number from 0 to 16" or "one of red, green".
   std::string describe() const;
-  /// True if the value is of this kind and in range.
+  /// True if the value is of the kind `kind` and in its range.
   bool allows(const Scalar& value) const;
 };
 
 /// One parameter: a member of the struct P, with functions that read and write it.
 template <class P>
 struct Field {
-  std::string name;  ///< key in experiment files, name of the option and of the column
-  std::string unit;  ///< such as "bytes"; "" without a unit
+  std::string name;  ///< key in experiment files, option on the command line, column of tables
+  std::string unit;  ///< such as "bytes"; "" if the parameter has no unit
   std::string help;
   Domain domain;
   /// The address of the member, for `write`. If the member is inside an empty std::optional, fills
@@ -87,8 +87,8 @@ struct Field {
   std::function<Scalar(const void* member)> read;
 
   Scalar get(const P& params) const { return read(find(params)); }
-  /// Sets the parameter and returns "". For a refused value, changes nothing and returns a
-  /// description of the expected values.
+  /// Checks the value and sets the parameter to it; returns "". For a value that is refused,
+  /// changes nothing and returns a description of the expected values.
   std::string assign(P& params, const Scalar& value) const {
     return domain.allows(value) && write(place(params), value) ? "" : domain.describe();
   }
@@ -247,7 +247,8 @@ struct Declare {
   }
 };
 
-/// Turns a field of Inner into a field of P. `access` maps a P to its Inner.
+/// Makes a field of the struct P from a field of the struct Inner. `access` returns the Inner in a
+/// P.
 template <class P, class Inner, class Access>
 Field<P> lift(const Field<Inner>& field, Access access) {
   return {field.name,
@@ -270,8 +271,8 @@ Fields<P> lift_all(const Fields<Inner>& fields, Access access, const std::string
   return all;
 }
 
-/// Turns fields of an optional Inner into fields of P. Setting such a field creates the Inner.
-/// Without an Inner, a field has the value that it has in a default Inner.
+/// Makes fields of P from the fields of an Inner that a P may contain. Setting such a field creates
+/// the Inner. If there is no Inner, a field has the value that it has in a default Inner.
 template <class P, class Inner>
 Fields<P> lift_optional(const Fields<Inner>& fields, std::optional<Inner> P::*inner,
                         const std::string& prefix = "") {
@@ -347,8 +348,8 @@ Cell to_cell(const T& value) {
     return std::string(value);
 }
 
-/// `access` is a pointer to a member of R, or a function of const R&. Its value is a number or
-/// text, or an optional of either.
+/// Makes a column. `access` is a pointer to a member of R, or a function of a const R&. Its result
+/// is a number or text, or a std::optional of either.
 template <class R, class Access>
 Column<R> column(const std::string& name, Access access, const std::string& help) {
   return {name, help,
@@ -387,7 +388,8 @@ Columns<R> only_if(Has has, Columns<R> columns) {
   return columns;
 }
 
-/// The measurements of one run: names and cells in the order of the program's columns.
+/// The measurements of one run: names and cells, in the order of the columns of the experiment's
+/// program.
 using Row = std::vector<std::pair<std::string, Cell>>;
 template <class R>
 Row make_row(const Columns<R>& columns, const R& result) {

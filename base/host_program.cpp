@@ -60,7 +60,7 @@ class Scratch {
   int file_;
 };
 
-// The path of a program in PATH; none if it is not installed.
+// The path of a program that is in a folder of the variable PATH; none if it is in no such folder.
 std::optional<std::string> find_program(const std::string& name) {
   const char* path = std::getenv("PATH");
   for (const auto folder : split(path ? path : "/usr/local/bin:/usr/bin:/bin", ':')) {
@@ -138,7 +138,7 @@ class Child {
     siginfo_t end{};
     while (waitid(P_PID, static_cast<id_t>(id_), &end, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
     }
-    undo_.reset();  // the system may reuse the process id from now on
+    undo_.reset();  // after waitpid(), the system may reuse the id
     waitpid(id_, nullptr, 0);
     return end.si_status;
   }

@@ -6,12 +6,12 @@
 namespace base {
 
 struct HostProgram {
-  std::string name;                    ///< searched for in PATH
+  std::string name;                    ///< searched for in the folders of PATH
   std::vector<std::string> arguments;  ///< passed literally, without a shell
   std::string input = {};              ///< text for its standard input
   std::string purpose;                 ///< start of error messages, such as "topology ring:4"
   std::string remedy;  ///< advice if the program is missing, such as "install graphviz"
-  /// True: the program writes to tlab's standard output, and run_program returns "".
+  /// If true, the program writes to the standard output of tlab, and run_program() returns "".
   bool shows_output = false;
 };
 

@@ -12,8 +12,7 @@ namespace base {
 /// are cut in the middle; the length of the cut is shown.
 std::string make_readable(std::string_view message);
 
-/// Escapes control characters other than line ends and tabs, and bytes that are not UTF-8, as
-/// make_readable does. Cuts nothing.
+/// Escapes the bytes that make_readable escapes, except tabs, but does not cut lines.
 std::string show_controls(std::string_view text);
 
 /// The name in `known` with the smallest edit distance from `name`, if at most a third of the

@@ -8,8 +8,8 @@
 
 namespace base {
 
-/// A counter-based random number: a function of seed and counter only, so the order of calls does
-/// not matter (SplitMix64, G. Steele et al. 2014).
+/// A counter-based random number. It depends only on `seed` and `counter`, so that numbers can be
+/// computed in any order (SplitMix64, G. Steele et al. 2014).
 inline std::uint64_t random_at(std::uint64_t seed, std::uint64_t counter) {
   std::uint64_t z = seed + (counter + 1) * 0x9E3779B97F4A7C15u;
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9u;
@@ -25,11 +25,11 @@ class Random {
   Random(std::uint64_t seed, int processor)
       : engine_(seed * 1'000'003 + static_cast<std::uint64_t>(processor)) {}
 
-  /// Uniform between 0 and 1, both excluded.
+  /// A random number uniformly distributed between 0 and 1, both excluded.
   double uniform() { return (static_cast<double>(engine_() >> 11) + 0.5) * 0x1p-53; }
-  /// Exponentially distributed with mean 1.
+  /// A random number with exponential distribution and mean 1.
   double exponential() { return -std::log(uniform()); }
-  /// Uniform integer from 0 to n - 1.
+  /// A random integer, uniformly distributed from 0 to n - 1.
   int below(int n) { return static_cast<int>(uniform() * n); }
   /// A random processor from 0 to `processors` - 1 other than `processor`.
   int other_than(int processor, int processors) {

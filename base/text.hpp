@@ -33,7 +33,7 @@ std::optional<Number> parse_number(std::string_view text) {
 /// empty.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
-/// Puts a word in single quotes for messages and shortens it to 40 bytes. Bytes that are not
+/// Puts a word in single quotes, for messages. Shortens it to 40 bytes. Bytes that are not
 /// printable ASCII become escapes such as "\x0a".
 std::string quote(std::string_view word);
 

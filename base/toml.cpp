@@ -26,7 +26,7 @@ std::size_t measure_string(std::string_view text) {
     at += mark == '"' && text[at] == '\\' ? 2 : 1;
   }
   at = std::min(at + end.size(), text.size());
-  // One or two quote marks directly before the closing three belong to the string.
+  // One or two quote marks directly before the closing three are part of the string.
   for (int i = 0; i < 2 && has_lines && at < text.size() && text[at] == mark; ++i) ++at;
   return at;
 }

@@ -74,7 +74,7 @@ bool is_unable(int error) {
   return error == ENOSYS || error == EINVAL || error == ENOTSUP || error == EPERM;
 }
 
-// Makes an empty file. Returns false and sets errno if the file exists or cannot be made.
+// Creates an empty file. Returns false and sets errno if the file exists or cannot be created.
 bool make_empty(const fs::path& path) {
   const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   return file >= 0 && close(file) == 0;
@@ -174,7 +174,8 @@ class Input {
       require(size <= most, path_.string(), "longer than the limit of {} bytes", most);
     };
     check_size(size_);  // refuses a sparse file before reading it
-    most = std::min(most, std::max(size_, MOST_FROM_FILE));  // files of /proc state no size
+    // The size of files in /proc is stated as 0.
+    most = std::min(most, std::max(size_, MOST_FROM_FILE));
     std::string text, part(1 << 16, '\0');
     while (text.size() <= most) {
       const auto size = ::read(file_, part.data(), part.size());
@@ -208,7 +209,7 @@ class Input {
   const fs::path path_;
   const int file_;
   bool is_pipe_ = false;
-  std::size_t size_ = 0;  // size of a regular file at the start, in bytes
+  std::size_t size_ = 0;  // of a regular file when it was opened, in bytes
 };
 
 // The host's memory in bytes. A larger file cannot be read.

@@ -46,8 +46,8 @@ TEST(HostProgram, MissingProgramsComeWithTheRemedy) {
             "plot p: drawing needs the program no-such-program, which was not found: install it");
 }
 
-// Several threads start programs at the same time. If a program inherited the pipe that signals
-// another program's start, that start would seem to last until the first program ends.
+// Several threads start programs at the same time. A pipe signals that a program has started. If
+// another program inherited this pipe, the start would seem to last until that program ends.
 TEST(HostProgram, StartsDoNotWaitForOtherProgramsToEnd) {
   const HostProgram program{.name = "find",
                             .arguments = {"/proc/self/fd", "-lname", "pipe:*"},

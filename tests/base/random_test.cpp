@@ -5,7 +5,7 @@
 namespace base {
 namespace {
 
-// Random numbers must not change, since published results depend on them.
+// Random numbers must never change, because published results depend on them.
 TEST(Random, StreamsStayTheSame) {
   EXPECT_EQ(random_at(0, 0), 16294208416658607535u);  // first number of SplitMix64 for the seed 0
   EXPECT_EQ(Random(5489).uniform(),
