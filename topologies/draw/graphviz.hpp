@@ -6,7 +6,7 @@
 
 namespace topologies {
 
-/// Quotes a text as a one-line DOT string; escapes backslashes, quotes and &.
+/// Puts a text in quotes, as a DOT string in one line. Escapes backslashes, quotes and &.
 std::string quote_dot(const std::string& text);
 
 /// Runs a Graphviz program on the DOT text `dot` and returns its output. `name` is the topology's

@@ -64,7 +64,8 @@ Places make_grid(int n, double spacing, Column column, Row row) {
   return places;
 }
 
-// Processors by level below the root. Within a level, children follow the order of their parents.
+// By distance from the root: the processors there. Within a level, children follow the order of
+// their parents.
 std::vector<std::vector<int>> make_levels(const SpanningTree& tree) {
   std::vector<std::vector<int>> levels{{tree.root}};
   while (!levels.back().empty()) {
@@ -223,7 +224,7 @@ std::array<Place, 4> make_half_curve(const Place& from, const Place& to, const P
 }
 
 std::string format_points(const Place& place) {
-  constexpr double UNIT = 36;  // in points, 1/72 inch
+  constexpr double UNIT = 36;  // points per unit of the layout; a point is 1/72 inch
   return fmt::format("{:.2f},{:.2f}", UNIT * place.x, UNIT * place.y);
 }
 

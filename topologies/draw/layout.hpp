@@ -10,7 +10,7 @@
 
 namespace topologies {
 
-constexpr int MAX_DRAWN = 16384;  ///< processors in a drawing; at this limit an SVG has some 15 MB
+constexpr int MAX_DRAWN = 16384;  ///< largest number of processors; their SVG has about 15 MB
 
 struct Place {
   double x = 0, y = 0;

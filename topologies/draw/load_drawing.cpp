@@ -14,14 +14,14 @@ namespace topologies {
 namespace {
 
 constexpr double UNIT_PT = 36;       // points per unit of a layout
-constexpr double PROCESSOR_PT = 27;  // diameter in points
+constexpr double PROCESSOR_PT = 27;  // diameter of a processor in points
 
 struct Colour {
   double r, g, b;
 };
 
-// Colours with decreasing lightness (CIE L* 88, 76, 60, 41, 20), distinguishable by colour-blind
-// readers.
+// The colours of loads, from low to high. Their lightness decreases (CIE L* 88, 76, 60, 41, 20), so
+// that colour-blind readers can distinguish them.
 constexpr std::array<Colour, 5> SCALE{
     {{219, 222, 226}, {246, 178, 66}, {229, 110, 60}, {174, 45, 96}, {72, 15, 95}}};
 
@@ -73,7 +73,8 @@ std::string write_half(const Half& half, const std::vector<Node>& nodes) {
       quote_dot(fmt::format("{} to {}: busy {}", nodes[from].name, nodes[to].name, percent(load))));
 }
 
-// Index of the extra processor with this name, or the number of extras if there is none.
+// The index of the extra processor with this name, or the number of extra processors if there is
+// none.
 size_t find_extra(const Loads& loads, const std::string& name) {
   return static_cast<size_t>(std::ranges::find(loads.extras, name, &Loads::Extra::name) -
                              loads.extras.begin());

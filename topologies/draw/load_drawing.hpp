@@ -1,5 +1,5 @@
 #pragma once
-// Drawing of a topology with the load of each processor and link.
+// Drawing of a topology that shows the load of each processor and link.
 
 #include <array>
 #include <string>

@@ -1,5 +1,5 @@
 #pragma once
-// DOT files of topologies.
+// Reads and writes topologies as DOT files (Graphviz).
 
 #include <string>
 

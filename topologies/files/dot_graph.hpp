@@ -30,7 +30,7 @@ class DotGraph {
   /// Returns the number of the subgraph with this name inside group `around`. Makes a new subgraph
   /// if the name is unknown or absent.
   int open_group(int around, const std::optional<std::string>& name);
-  /// Nodes of a group in the order of their first mention in the file.
+  /// Numbers of the nodes in a group, in the order in which the file first mentions them.
   const std::set<int>& nodes_of(int group) const { return groups_[index(group)].nodes; }
 
   /// Returns the number of the node with this name, counted from 0. If the name is new, makes a

@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, 6> KEYWORDS{"graph", "digraph", "subgraph
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// Bytes beyond ASCII, from UTF-8 or Latin-1, count as letters.
+// Bytes beyond ASCII, which may be UTF-8 or Latin-1, count as letters.
 bool is_letter(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_' ||
          static_cast<unsigned char>(c) >= 128;

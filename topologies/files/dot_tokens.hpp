@@ -1,5 +1,5 @@
 #pragma once
-// Tokens of the DOT language, split as Graphviz splits them.
+// Tokens of the DOT language, divided as Graphviz does.
 
 #include <string>
 #include <string_view>
@@ -32,7 +32,7 @@ class DotTokens {
   bool accept(std::string_view text);
   /// Takes the next token if it is this symbol or keyword; otherwise throws BadInput.
   void require(std::string_view text);
-  /// Throws BadInput with file, line and the next token.
+  /// Throws BadInput with the file, the line, the next token and what was expected.
   [[noreturn]] void refuse(std::string_view expected) const;
 
   const std::string& file() const { return file_; }

@@ -26,7 +26,7 @@ const std::map<std::string, std::set<std::string>> KNOWN{
     {"graphml", {"key", "graph"}}, {"graph", {"node", "edge"}}, {"node", {"port"}}, {"edge", {}}};
 const std::set<std::string> PARTS{"graph", "node", "edge", "hyperedge", "locator"};
 
-// The reader of one file.
+// Reads one GraphML file.
 class GraphmlReader {
  public:
   GraphmlReader(const XmlElement& graphml, std::string file);
@@ -172,7 +172,7 @@ RawGraph GraphmlReader::read() {
   for (const auto& node : children(*graph, "node")) read_node(node);
   const bool is_directed = graph->attribute("edgedefault") == "directed";
   for (const auto& edge : children(*graph, "edge")) read_edge(edge, is_directed);
-  // The graph's attribute `root` may hold a name or an id.
+  // The graph's attribute `root` may hold the name or the id of a vertex.
   raw_.root = find(*graph, "root");
   const auto by_id = vertices_.find(raw_.root);
   if (!names_.contains(raw_.root) && by_id != vertices_.end())

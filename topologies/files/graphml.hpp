@@ -1,5 +1,5 @@
 #pragma once
-// GraphML files of topologies.
+// Reads and writes topologies as GraphML files.
 
 #include <string>
 

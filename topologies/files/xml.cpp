@@ -12,7 +12,7 @@ namespace {
 
 constexpr char SEPARATOR = '\n';  // Expat puts it between namespace and name; neither contains it
 
-// What the parser has seen so far.
+// State of the parser, with the elements read so far.
 struct Reading {
   XML_Parser parser;
   int depth;                          // levels of elements to keep; deeper elements are omitted

@@ -37,7 +37,7 @@ std::optional<Grid> find_grid(const Topology& topology);
 /// `rows` rows and `columns` columns of the grid represent all orbits.
 struct Orbits {
   int rows = 1, columns = 1;          ///< size of the corner with one processor per orbit
-  int all_rows = 1, all_columns = 1;  ///< size of the grid
+  int all_rows = 1, all_columns = 1;  ///< number of rows and columns of the grid
 
   int count() const { return rows * columns; }
   /// The orbit of a processor, from 0 to count() - 1.

@@ -40,7 +40,7 @@ Cuts merge_cuts(const Cuts& parent, const Cuts& child) {
   return result;
 }
 
-// True if cutting a single link divides the tree into halves.
+// True if the tree has a link whose removal leaves two halves.
 bool is_halved_by_a_link(const Search& search) {
   const int n = static_cast<int>(search.order.size());
   std::vector<int> below(n, 1);

@@ -93,7 +93,7 @@ namespace {
 
 using base::require;
 
-// First words of messages about a topology.
+// The start of messages about a topology.
 std::string place_of(const Topology& t) { return "topology " + t.name; }
 
 void check_ends(const Topology& t) {

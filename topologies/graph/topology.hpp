@@ -13,7 +13,7 @@ namespace topologies {
 
 constexpr int PORTS = 4;                          ///< number of links of a transputer
 constexpr int MAX_PROCESSORS = 65536;             ///< maximum size of a machine
-constexpr std::size_t MAX_FILE_BYTES = 16 << 20;  ///< limit for files of topologies and routes
+constexpr std::size_t MAX_FILE_BYTES = 16 << 20;  ///< largest file of a topology or of routes
 
 struct End {
   int processor;
@@ -26,7 +26,7 @@ struct Link {
   bool operator==(const Link&) const = default;
 };
 
-/// The regular arrangement of a generated topology, for drawings and tables.
+/// The regular arrangement of processors in a generated topology, for drawings and tables.
 struct Shape {
   enum class Form { unknown, line, ring, grid, hypercube, around_root };
   Form form = Form::unknown;
@@ -39,12 +39,12 @@ struct Topology {
   int root = 0;                        ///< the processor nearest to the host computer
   std::vector<Link> links;             ///< sorted by (a.processor, b.processor, a.port)
   std::optional<int> bisection_width;  ///< in links; set only by generators that know a formula
-  std::vector<std::string> labels;     ///< names by processor; may be empty
-  /// Number of C004 link switches on a link, keyed by its two processors, lower first. Links
-  /// without an entry have no switch.
+  std::vector<std::string> labels;     ///< names of the processors, by number; may be empty
+  /// Number of C004 link switches (crossbar chips) on a link, by the link's two processors, lower
+  /// number first. A link without an entry has no switch.
   std::map<std::pair<int, int>, int> switches = {};
-  Shape shape = {};             ///< unknown for a topology from a file
-  bool has_arrows = false;      ///< the file holds a directed graph
+  Shape shape = {};             ///< unknown for a topology that was read from a file
+  bool has_arrows = false;      ///< the topology was read from a file with a directed graph
   bool has_port_names = false;  ///< the file has port names that are not numbers; they are ignored
 };
 

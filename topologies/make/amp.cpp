@@ -24,7 +24,7 @@ void exchange(Peers& peers, int a, int b, int c, int d) {
   replace(peers, c, d, a), replace(peers, d, c, b);
 }
 
-// Links each processor to its successor and to the processor sqrt(n) places further on.
+// Links each processor to the next one and to the one sqrt(n) places further on, in a ring.
 Peers make_chordal_ring(int n) {
   Peers peers(n);
   int step = 2;

@@ -109,8 +109,8 @@ class Reader {
   std::vector<std::vector<Neighbour>> around_;
   base::CsvReader csv_;
   std::deque<Row> rows_;
-  std::set<std::pair<int, int>> given_;  // pairs of processors that have a row
-  std::map<int, Steps> steps_;           // by destination
+  std::set<std::pair<int, int>> given_;  // pairs (from, to) for which the file has a row
+  std::map<int, Steps> steps_;           // by destination of the paths
 };
 
 // Follows given paths to their destinations. All other pairs use the routes in `others`.

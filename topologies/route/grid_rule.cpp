@@ -31,7 +31,8 @@ int GridRule::next_port(int from, int to) const {
 
 int XyRule::next_port(int from, int to) const {
   const int columns = grid().along.size;
-  const bool along = from % columns != to % columns;  // the destination is in another column
+  // The destination is in another column: go along the row.
+  const bool along = from % columns != to % columns;
   return find_port(from, to, [&](int peer) { return !along || peer / columns == from / columns; });
 }
 

@@ -24,7 +24,7 @@ class TreeRule : public Rule {
   }
 
   std::vector<int> parent_, depth_;
-  std::vector<int> begin_, size_;  // the interval of numbers in each processor's subtree
+  std::vector<int> begin_, size_;  // the numbers in a processor's subtree: first one, and how many
 };
 
 }  // namespace topologies

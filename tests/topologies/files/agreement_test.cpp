@@ -36,7 +36,7 @@ Fields spell_edge(const std::string& a, const std::string& b, const std::string&
   return edge;
 }
 
-// Expects one link for each edge, and no others. If an edge names ports, its link must have them.
+// Expects exactly one link for each edge. If an edge names ports, its link must have these ports.
 void expect_edges(const Topology& topology, const std::vector<Fields>& edges) {
   const auto names = names_of(topology);
   std::vector<Fields> found, expected, with_ports;

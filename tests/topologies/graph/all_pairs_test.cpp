@@ -116,7 +116,7 @@ TEST(TopologyAllPairsOf, LargeNetworksAgreeWithTheirRoutes) {
   }
 }
 
-// Sums of distances have closed forms for lines, rings and their products.
+// Lines, rings and their Cartesian products have closed forms for the sums of distances.
 TEST(TopologyAllPairsOf, TheLargestMachinesAreKnown) {
   const std::int64_t n = 65536, side = 256;
   EXPECT_EQ(eval_all_pairs(make_line(65536)).distances.sum, n * (n * n - 1) / 3);

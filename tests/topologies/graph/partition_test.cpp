@@ -32,7 +32,7 @@ TEST(Partition, CutsFewLinksOfAMesh) {
   const auto cut = std::ranges::count_if(mesh.links, [&](const Link& link) {
     return part_of[link.a.processor] != part_of[link.b.processor];
   });
-  EXPECT_LE(cut, 80);  // the smallest possible cut is 64
+  EXPECT_LE(cut, 80);  // the smallest possible number of cut links is 64
   EXPECT_EQ(part_of, make_partition(mesh, 2));
 }
 
