@@ -36,7 +36,7 @@ std::optional<CornerWords> split_corner(std::string_view word) {
     if (slash == word.size()) return parts;
     word.remove_prefix(slash + 1);
   }
-  return {};  // a third slash is an error
+  return {};  // more than two slashes are an error
 }
 
 bool is_readable(const Vec& item) { return !std::isnan(item.x); }

@@ -66,7 +66,7 @@ class ItemReader {
     return length(normal) > 0 ? normal : Vec{UNREADABLE, 0, 0};
   }
 
-  // Takes a texture coordinate. A third number may follow.
+  // Takes a texture coordinate: one or two numbers. A third number may follow.
   Corner take_coordinate() {
     const auto take = [&] {
       return tokens_.take_number("a texture coordinate", -MAX_COORDINATE, MAX_COORDINATE);

@@ -1,5 +1,6 @@
 #pragma once
-// First pass over an OBJ file: vertices, normals, texture coordinates and libraries.
+// The first of two passes over an OBJ file. It reads vertices, normals, texture coordinates and the
+// names of libraries.
 
 #include <string>
 #include <string_view>

@@ -28,7 +28,7 @@ class ObjAsNff : public ObjTarget {
   void add_library(const std::string& path) override { target_.add_file(path); }
   void add_material(const MtlMaterial& material) override;
   void use_material(std::size_t material) override { material_ = material; }
-  /// Throws BadInput if no part of the face is a valid polygon.
+  /// Throws BadInput if neither the face nor any triangle of it is a valid polygon.
   void add_face(std::vector<Vec> corners, std::vector<Vec> normals,
                 std::vector<Corner> coordinates) override;
   void set_view(const View& view) override;

@@ -49,7 +49,7 @@ struct Range {
 };
 /// Extends the range so that it includes the colour.
 Range widen(const Range& range, const Rgb& colour);
-/// The range of all samples on the border of a cell.
+/// The range of the colours of all samples on the border of a cell.
 Range find_range(const Cell& cell, const Sampled& sampled);
 
 /// The contrast (max - min) / (max + min) of thesis Eq 4.7; 0 if both values are 0.

@@ -17,7 +17,7 @@ struct Step {
   Area area;            ///< area of interest; cells outside it stay unchanged
 };
 
-/// The quantity that grows from step to step.
+/// Which quantity grows from step to step.
 enum class StepKind : std::uint8_t {
   cells,  ///< cells are halved in each step; shading trees have full depth (figure 4.6)
   depth   ///< trees get one more level in each step; cells have full fineness (figure 4.5)

@@ -1,5 +1,5 @@
 #pragma once
-// Scan conversion of polygons for a z-buffer (thesis, 1.1.4).
+// Scan conversion of polygons (finding the pixels that they cover) for a z-buffer (thesis, 1.1.4).
 
 #include <array>
 #include <vector>

@@ -244,7 +244,8 @@ Vec pull_inside(const Polygon& polygon, const PolygonCorner* pool, const Vec& po
   if (ray.starts_on(p.tag)) return NO_HIT;
   const Vec &origin = ray.origin, &direction = ray.direction;
   const double along = dot(p.normal, direction);
-  const double distance = (p.offset - dot(p.normal, origin)) / along;  // may be NaN
+  // NaN or infinite if parallel.
+  const double distance = (p.offset - dot(p.normal, origin)) / along;
   const bool ahead = (distance > ray.epsilon) & (distance < NO_HIT);
   ray.edges += ahead;
   const double cosine = std::abs(along);

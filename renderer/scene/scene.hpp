@@ -1,5 +1,5 @@
 #pragma once
-// A scene: surfaces, lights, a view, primitives by kind, and a bounding-volume hierarchy.
+// A scene: surfaces, lights, a view, lists of primitives by kind, and a bounding-volume hierarchy.
 
 #include <cstdint>
 #include <vector>
@@ -92,7 +92,8 @@ struct Scene {
   Rgb background;
   View view;
   std::vector<Place> objects;  ///< where the objects are stored, in file order
-  // Primitives by kind. finish() sorts them in the order of the hierarchy's leaves.
+  // Lists of primitives, one for each kind. finish() sorts each list in the order of the
+  // hierarchy's leaves.
   std::vector<Sphere> spheres;
   std::vector<Polygon> polygons;
   std::vector<Patch> patches;

@@ -68,7 +68,7 @@ struct Mapping {
   enum class Kind : std::uint8_t {
     planar,     ///< by projection along a direction: the same on all parallel planes
     spherical,  ///< by longitude and latitude around a centre
-    mesh        ///< by coordinates at the corners of polygons (see Scene::coordinates)
+    mesh        ///< by texture coordinates at the corners of polygons (Scene::coordinates)
   };
   Kind kind = Kind::mesh;
   Vec origin{};  ///< planar: position of (u, v) = (0, 0); spherical: the centre

@@ -27,7 +27,7 @@ enum class Op : std::uint8_t {
   texel_mixed,      ///< a texel read and mixed with its neighbours
   sample_updated,   ///< a contribution added to a sample (Eq 4.26)
   pixel_drawn,      ///< a pixel of a cell written to the display memory
-  pixel_interpolated,  ///< a pixel interpolated between four samples
+  pixel_interpolated,  ///< a pixel interpolated between samples
   factor_begun,        ///< radiosity: test whether a vertex and a patch face each other
   delta_area,      ///< radiosity: a part of a patch evaluated: distance, cosines, quotient (Eq 3.8)
   light_mirrored,  ///< a point mirrored, or the point of a path on a mirror found (Eq 3.17)

@@ -21,7 +21,7 @@ struct Ray {
   Rgb influence;  ///< factor on this ray's intensity in its sample: f of Eq 4.15, fS of Eq 4.17
   /// Hits at or beyond this distance are ignored. For a shadow feeler, the distance to its light.
   double reach = std::numeric_limits<double>::infinity();
-  std::uint32_t sample = 0;        ///< pixel, as y * width + x
+  std::uint32_t sample = 0;        ///< number of the ray's pixel, y * width + x
   std::uint32_t from = NO_OBJECT;  ///< number of the object on which the ray starts
   /// Depth in the shading tree; 1 for the ray from the eye. A feeler is one deeper than its parent
   /// ray.
@@ -33,7 +33,7 @@ struct Ray {
   bool is_urgent = false;
   /// Number of the user's order that admitted this ray or one from which it descends; 0 if none.
   std::uint8_t order = 0;
-  std::uint16_t pass = 0;  ///< index of the ray's sample in the pixel, from 0
+  std::uint16_t pass = 0;  ///< number of the ray's sample in its pixel, from 0
   /// Position in the shading tree of the sample. The ray's random numbers depend on it.
   std::uint32_t path = 1;
   float time = 0;       ///< fraction of the shutter's time that has passed, 0..1

@@ -174,7 +174,7 @@ SquarePoint map_to_disc(const SquarePoint& at) {
   return {b * eval_sine(angle(a / b)), b * eval_cosine(angle(a / b))};
 }
 
-// Method of T. Duff et al., "Building an Orthonormal Basis, Revisited", 2017.
+// Implements the method of T. Duff et al., "Building an Orthonormal Basis, Revisited", 2017.
 Across make_across(const Vec& n) {
   const double sign = std::copysign(1.0, n.z);
   const double a = -1 / (sign + n.z), b = n.x * n.y * a;

@@ -63,7 +63,7 @@ bool is_met_closely(const Scene& scene, const Polygon& p, const ShadowRays& rays
   const Lanes height = p.offset - dot(rays.origin, p.normal);
   const Lanes along = dot(rays.direction, p.normal), distance = height / along;
   const Lanes cosine = abs(along);
-  const Lanes error = p.slack + EDGE_MARGIN * epsilon;  // eval_closeness()
+  const Lanes error = p.slack + EDGE_MARGIN * epsilon;  // as Polygon::slack + eval_closeness()
   const Mask other = here & (rays.from != static_cast<std::int64_t>(p.tag.object));
   const Mask ahead = other & (distance > epsilon) & (distance < NO_HIT);
   counts.edges += ahead;

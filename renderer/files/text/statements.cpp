@@ -26,7 +26,7 @@ bool looks_like_number(std::string_view word) {
   if (word.starts_with('+') || word.starts_with('-')) word.remove_prefix(1);
   const auto first = word.find_first_not_of(".,");
   if (first <= 1 && word[first] >= '0' && word[first] <= '9') return true;
-  double ignored = 0;  // "nan", "infinity"
+  double ignored = 0;  // receives the value; also parses "nan" and "infinity"
   const auto* end = word.data() + word.size();
   return !word.empty() && std::from_chars(word.data(), end, ignored).ptr == end;
 }

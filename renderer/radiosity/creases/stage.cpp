@@ -168,7 +168,7 @@ void add_wedge(Wedge wedge, const Shadow& shadow, std::vector<Crease>& creases) 
            stage.tolerance, creases);
 }
 
-// True if the polygon has corners on both sides of the plane.
+// True if the polygon has corners on both sides of the plane, farther from it than the tolerance.
 bool cuts(const Plane& plane, std::span<const Vec> polygon, double tolerance) {
   bool above = false, below = false;
   for (const Vec& corner : polygon) {

@@ -38,7 +38,7 @@ struct Quad {
   }
   Vec p, a, b, c, normal;
   double along, across;        // squared length of the longer one of two opposite sides
-  double density, by_s, by_t;  // eval_density() at (0, 0), and its derivatives
+  double density, by_s, by_t;  // eval_density() at (0, 0), and its derivatives by s and t
   double aa, ac, bb, bc, cc;   // dot products of a, b and c
 };
 

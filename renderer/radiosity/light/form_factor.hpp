@@ -80,7 +80,7 @@ struct Glow {
   [[gnu::always_inline]] auto eval(const Number& s, const Number& t) const {
     return at + s * along + t * (across + s * twist);
   }
-  /// True if the radiosity is constant over the patch.
+  /// True if all corners have the same radiosity.
   bool is_even() const { return along == Rgb{} && across == Rgb{} && twist == Rgb{}; }
   Rgb at, along, across, twist;
 };
@@ -95,7 +95,7 @@ struct EvenGlow {
   Rgb at;
 };
 
-/// A patch that sends light.
+/// A patch that sends light, with the radiosity that it sends.
 struct Sender {
   Sender(const Patch& patch, const Glow& glow)
       : patch(patch), quad(patch), glow(glow), is_even(glow.is_even()) {}

@@ -140,8 +140,8 @@ void add_corners(Quads& quads, std::span<const std::uint32_t> loop, const Vec& n
   }
 }
 
-// The cells of a face. If only one of two neighbouring cells is cut at their common edge, the other
-// cell gets a straight corner there.
+// Cells of a face, each a convex polygon. If only one of two neighbouring cells is cut at a point
+// of their common edge, this point becomes a straight corner of the other cell.
 class Cells {
  public:
   // Starts with the quads of a division as cells. Merges equal points, but keeps the order of

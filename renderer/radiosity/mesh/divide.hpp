@@ -1,5 +1,5 @@
 #pragma once
-// Subdivision of a face into convex quads.
+// Division of a face into convex quads, which become the patches of a mesh.
 
 #include <array>
 

@@ -1,5 +1,5 @@
 #pragma once
-// Conversion of radiosity to the bytes of pictures.
+// Conversion of radiosity to the displayed values of picture files.
 
 #include "renderer/radiosity/show/picture.hpp"
 

@@ -37,7 +37,7 @@ using Sides = std::vector<Side>;  ///< front of object 0, its back, front of obj
 
 Sides make_sides(const Mesh& mesh);
 
-/// The front or back of an object.
+/// The side of an object that a ray meets: its back if `back`, otherwise its front.
 inline const Side& get_side(const Sides& sides, std::uint32_t object, bool back) {
   return sides[2 * object + (back ? 1 : 0)];
 }

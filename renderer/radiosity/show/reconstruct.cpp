@@ -147,7 +147,7 @@ class Bicubic {
   std::map<std::pair<std::uint32_t, std::uint32_t>, Rgb> fixed_;
 };
 
-// Makes the illumination at the vertices linear along seams.
+// Changes the illumination at the vertices on seams so that it is linear along each seam.
 std::vector<Rgb> close_seams(const Mesh& mesh, std::span<const Rgb> vertices) {
   std::vector<Rgb> closed(vertices.begin(), vertices.end());
   const auto twins = find_twins(mesh);

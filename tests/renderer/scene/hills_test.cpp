@@ -34,7 +34,8 @@ std::array<std::int64_t, 3> round_point(const Vec& p) {
   return {std::llround(p.x * 1e8), std::llround(p.y * 1e8), std::llround(p.z * 1e8)};
 }
 
-constexpr double FRONT = -0.2, BACK = 41.7, SLOPE = 0.6;  // the sides are |x| = SLOPE * (y + 1.4)
+// The sides of the ground are at |x| = SLOPE * (y + 1.4).
+constexpr double FRONT = -0.2, BACK = 41.7, SLOPE = 0.6;
 
 bool is_on_outline(const Vec& p) {
   return std::abs(p.y - FRONT) < 1e-9 || p.y > BACK ||

@@ -173,9 +173,9 @@ TEST_F(ObjRoom, FacesThatRoomsDoNotHaveBecomeTriangles) {
     std::size_t normals;
   };
   const Case cases[] = {
-      {"f 1 2 4 5", 1, 4, 0},                            // a square
-      {"f 1 2 3 4 5", 3, 3, 0},                          // not convex
-      {"f 1 6 2 4 5", 3, 4, 0},                          // a corner in the middle of an edge
+      {"f 1 2 4 5", 1, 4, 0},    // a square
+      {"f 1 2 3 4 5", 3, 3, 0},  // not convex
+      {"f 1 6 2 4 5", 3, 4, 0},  // a corner in the middle of a straight edge
       {"f 1 2 7 5", 2, std::sqrt(5) + std::sqrt(5), 0},  // bent
       {"f 1//1 2//1 4//1 5//1", 1, 4, 1},
       {"f 1//2 2//2 4//2 5//2", 1, 4, 0},  // normals that point to the back are ignored

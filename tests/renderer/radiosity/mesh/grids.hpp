@@ -11,7 +11,7 @@ namespace radiosity::grids {
 
 using renderer::test::Random;
 
-/// Parameters for bicubic surfaces without limits.
+/// Parameters for bicubic surfaces that are not limited to the range of the values around them.
 
 inline constexpr ReconstructionParams make_unlimited(Twist twist) {
   return {Reconstruction::bicubic, twist, false};
