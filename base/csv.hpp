@@ -48,7 +48,7 @@ class CsvReader {
 /// True if the record is a blank line, for which take() returns one empty unquoted cell.
 bool is_blank(const std::vector<CsvCell>& record);
 
-/// Writes a text as one cell, quoted only if necessary. CsvReader reads the cell as the same text.
+/// Writes a text as one cell, quoted only if necessary. CsvReader restores the text.
 std::string quote_csv(std::string_view text);
 
 /// Joins cells with commas into one line, and adds a line end. Does not quote the cells.

@@ -9,7 +9,7 @@ Order sort_by_needs(const std::vector<std::vector<std::size_t>>& needs) {
   Order order;
   std::vector<State> states(needs.size(), State::untouched);
   std::vector<std::size_t> next(needs.size(), 0);  // by index: number of its needs already visited
-  std::vector<std::size_t> way;                    // the depth-first stack
+  std::vector<std::size_t> way;                    // stack of the depth-first search
   for (std::size_t first = 0; first < needs.size(); ++first) {
     if (states[first] == State::untouched) way.push_back(first);
     while (!way.empty()) {

@@ -16,8 +16,7 @@ constexpr int MAX_KEY_PARTS = 16;
 /// line end, and the smallest 64-bit integer.
 toml::table parse_toml(std::string_view text, std::string_view origin);
 
-/// Writes a value as TOML, with integers in decimal. parse_toml reads the text of a table as the
-/// same table.
+/// Writes a value as TOML, with integers in decimal. parse_toml restores a table from its text.
 std::string to_toml(const toml::node& node);
 
 }  // namespace base
