@@ -14,7 +14,7 @@ namespace topologies {
 /// 2x, which Graphviz splits.
 Topology read_dot(const std::string& text, const std::string& name);
 
-/// Writes DOT that read_dot reads as the same processors, root, ports and labels. Throws BadInput
+/// Writes DOT from which read_dot restores the processors, root, ports and labels. Throws BadInput
 /// for a label that DOT cannot hold: one with an odd number of backslashes at its end, before a
 /// quote or before a line end.
 std::string to_dot(const Topology& topology);

@@ -13,7 +13,7 @@ namespace topologies {
 /// files), and data without a key.
 Topology read_graphml(const std::string& text, const std::string& name);
 
-/// Writes GraphML that read_graphml reads as the same processors, root, ports and labels.
+/// Writes GraphML from which read_graphml restores the processors, root, ports and labels.
 std::string to_graphml(const Topology& topology);
 
 }  // namespace topologies
