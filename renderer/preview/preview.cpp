@@ -126,7 +126,7 @@ class Previewer {
   }
   Fragment& at(int x, int y) { return pixels_[index(x, y)]; }
 
-  // Writes a fragment to the z-buffer if it is nearer than the previous one. Of two fragments that
+  // Writes a fragment to the z-buffer if it is nearer than the previous one. If two fragments
   // are equally near up to rounding, the first one remains.
   void put(int x, int y, const Fragment& fragment) {
     constexpr double EQUAL = 1 + 1e-12;

@@ -1,6 +1,6 @@
 #pragma once
-// Cells of the image (thesis, 4.2.2): rectangles with samples at their four corners. Where a cell
-// borders on smaller cells, there are more samples on the border.
+// Cells of the image (thesis, 4.2.2): rectangles with samples at their four corners. On a border
+// with smaller cells there are further samples.
 
 #include <vector>
 

@@ -1,6 +1,6 @@
 #pragma once
-// Picture quality: similarity of two pictures, and visibility of the cells of which a picture is
-// made.
+// Picture quality: similarity of two pictures, and visibility of the cells in an interpolated
+// picture.
 
 #include "renderer/image/image.hpp"
 

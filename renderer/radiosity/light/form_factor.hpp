@@ -126,7 +126,7 @@ inline bool has_mirrors(const Eye& eye) {
   return !eye.mesh.mirrors.empty() && eye.params.reflections > 0;
 }
 
-/// The light from a patch that arrives at a vertex, directly and over mirrors. Mirrors multiply
+/// The light from a patch that arrives at a vertex, directly and via mirrors. Mirrors multiply
 /// each colour by their reflectance. For a constant radiosity and no mirrors, the result is the
 /// form factor multiplied by the radiosity. Counts the work in `work`.
 Rgb eval_light(const Eye& eye, const Vertex& vertex, const Sender& sender, renderer::Work& work);

@@ -90,7 +90,7 @@ Chain Chain::extend(const Mirror& mirror, const Rgb& by) const {
   return longer;
 }
 
-// The path from the vertex over the chain to a point; none if it would pass beside a mirror.
+// The path from the vertex via the chain to a point; none if it would pass beside a mirror.
 std::optional<Path> find_path(const Chain& chain, const Vec& to) {
   Path points;
   Vec from = to;
@@ -132,7 +132,7 @@ bool surely_misses(const Chain& chain, const Vec& to, double radius) {
   return false;
 }
 
-// The `sight` of sum_deltas() for light from a patch that reaches a vertex over a chain of mirrors.
+// The `sight` of sum_deltas() for light from a patch that reaches a vertex via a chain of mirrors.
 struct MirroredSight {
   const Eye& eye;
   const Vertex& vertex;
@@ -195,7 +195,7 @@ struct Least {
   std::size_t mirror = 0;
 };
 
-// A path from the vertex over all mirrors of a chain to the plane of the patch.
+// A path from the vertex via all mirrors of a chain to the plane of the patch.
 struct Way {
   Path path;
   Vec end;
@@ -263,7 +263,7 @@ class PieceSum {
     return eval_delta(h * area, dot(line, line), here, there);
   }
 
-  // The path from the vertex over the chain that passes the centre of a piece of mirror number k;
+  // The path from the vertex via the chain that passes the centre of a piece of mirror number k;
   // none if it ends outside the delta area.
   std::optional<Way> follow(std::size_t k, const Vec& centre) const {
     const auto& chain = seen_.chain;
@@ -284,7 +284,7 @@ class PieceSum {
     return Way{*path, end, least_angle(*path)};
   }
 
-  // The solid angle of an area at `point` as seen from the vertex over the chain.
+  // The solid angle of an area at `point` as seen from the vertex via the chain.
   double solid_angle(double area, const Vec& point) const {
     const Vec line = point - seen_.chain.last().at;
     const double square = dot(line, line);
@@ -314,7 +314,7 @@ class PieceSum {
   std::array<Vec, 4> corners_;  // of the current delta area
 };
 
-// The light that arrives over one chain, before multiplication by the mirrors' reflectances.
+// The light that arrives via one chain, before multiplication by the mirrors' reflectances.
 template <class Source>
 auto eval_chain(const MirroredSight& sight, const Source& source) {
   const FactorParams& params = sight.eye.params;

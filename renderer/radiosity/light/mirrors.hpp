@@ -1,5 +1,5 @@
 #pragma once
-// Form factors for light that arrives over mirrors (thesis, 3.2.2 and 3.2.3).
+// Form factors for light that arrives via mirrors (thesis, 3.2.2 and 3.2.3).
 //
 // The light of a delta area reaches a vertex through one piece of each mirror on its path. The
 // piece with the smallest solid angle determines the light (Eq 3.17, 3.18). There are two ways to
@@ -24,7 +24,7 @@
 
 namespace radiosity {
 
-/// The light from a patch that arrives at the vertex over 1 to FactorParams::reflections mirrors,
+/// The light from a patch that arrives at the vertex via 1 to FactorParams::reflections mirrors,
 /// summed over all chains of mirrors. Each colour is multiplied by the reflectances of the chain's
 /// mirrors.
 Rgb eval_mirrored_light(const Eye& eye, const Vertex& vertex, const Sender& sender,

@@ -107,7 +107,7 @@ struct Solution {
   State state;  ///< final state of the mesh that sent the light, for solve_further()
 };
 
-/// Makes the fields of the form factors, and the fields mean, sends, max_shots and tolerance.
+/// Makes the fields of FactorParams, and the fields mean, sends, max_shots and tolerance.
 base::Fields<SolveParams> solve_fields();
 
 /// A function that is called after every shot with the number of shots and the unsent fraction of

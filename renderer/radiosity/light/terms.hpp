@@ -15,8 +15,8 @@ struct Term {
   double share, s, t;
 };
 
-/// A chain of mirrors over which light arrives. Its terms are those from `begin` to the `begin` of
-/// the next chain.
+/// A chain of mirrors that light takes to the point. Its terms are those from `begin` to the
+/// `begin` of the next chain.
 struct ChainTerms {
   std::uint32_t begin;   ///< index of its first Term
   std::uint32_t length;  ///< number of mirrors, at least 1
@@ -24,7 +24,7 @@ struct ChainTerms {
 };
 
 /// The terms of the light that a patch sends to one point. They do not depend on the patch's
-/// radiosity. Terms of direct light come first, then those over mirrors. Each chain of mirrors is
+/// radiosity. Terms of direct light come first, then those via mirrors. Each chain of mirrors is
 /// followed by the longer chains that begin with it.
 struct Terms {
   std::vector<Term> terms;

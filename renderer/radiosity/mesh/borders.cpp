@@ -196,7 +196,7 @@ void inset_borders(Mesh& mesh, const std::vector<bool>& is_border, double inset,
           at + find_inset(at, way, first.normal, fringes[first.face], inset) * way;
     };
     move_to(centre);
-    // Where an object stands on the floor, the mean of the patches' centres may lie under the
+    // If an object stands on the floor, the mean of the patches' centres may lie under the
     // object. Then move towards the largest patch.
     const auto holds = [&](std::uint32_t p) {
       return is_on(mesh.patches[p], mesh.vertices[v].lit);

@@ -42,7 +42,7 @@ inline constexpr std::size_t MOST_STRIPS = 96;
 
 /// Finds, for each face, the segments where other faces touch its front, within 1e-6 of the larger
 /// face's size, or overlap with it in its plane. Overlapping faces that it covers do not count.
-/// Two-sided faces can be touched on both sides. Where only the borders of two faces touch, as with
+/// Two-sided faces can be touched on both sides. If only the borders of two faces touch, as with
 /// walls, there is no contact, unless a third face continues the surface of one of them.
 ///
 /// A face hangs over another if it is at most a patch's width above it, roughly parallel to it, and

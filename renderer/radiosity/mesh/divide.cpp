@@ -91,7 +91,7 @@ std::vector<double> make_lines(const std::vector<double>& given, Row row) {
 struct Cutting {
   const Face& face;
   int along, across;  // number of patches along and across the face
-  std::size_t most;   // limit on the number of patches from which on creases are omitted
+  std::size_t most;   // creases are omitted beyond this number of patches
   Vec normal;
   double width;                // of a patch
   std::vector<Line> contacts;  // in the face's plane, inside the face or on its border

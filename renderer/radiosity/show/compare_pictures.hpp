@@ -14,7 +14,7 @@ struct PictureError {
   int peak_shift = 0;  ///< distance of the picture's peak from the reference's, in pixels
 };
 
-/// Which pixels are compared.
+/// The pixels to be compared.
 struct Compared {
   std::vector<bool> left_out;  ///< by pixel: true if it shows an emitter
   int line = 0;                ///< row of the line, counted from the top

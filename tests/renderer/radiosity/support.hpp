@@ -113,7 +113,7 @@ double eval_mean(const Mesh&, const Patch& patch, int n, const auto& f) {
   return total / area;
 }
 
-/// The form factor of eval_factor(), plus that over mirrors. Each colour is multiplied by the
+/// The form factor of eval_factor(), plus that via mirrors. Each colour is multiplied by the
 /// reflectance of the mirrors.
 inline Rgb eval_factors(const Eye& eye, const Vertex& vertex, const Patch& patch, Work& work) {
   return eval_light(eye, vertex, {patch, Glow(grey(1))}, work);

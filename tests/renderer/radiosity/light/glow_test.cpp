@@ -66,7 +66,7 @@ TEST(Glow, OfCornersIsTheirsThere) {
   }
 }
 
-// The lit point may be near the patch or far from it, and may also see it over mirrors. If the
+// The lit point may be near the patch or far from it, and may also see it via mirrors. If the
 // radiosity is constant, the light is the form factor multiplied by the radiosity.
 TEST(Glow, IsWhatManyEvenPiecesGive) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {

@@ -1,5 +1,5 @@
 // Tests that a mirror shows what a window into the unfolded room would show. With
-// FactorParams::mirror_pieces = 0, the light over mirrors must equal that of the unfolded room to a
+// FactorParams::mirror_pieces = 0, the light via mirrors must equal that of the unfolded room to a
 // millionth for any patch size, if mirror_share has no effect and delta areas are therefore halved
 // as in direct view. The only exceptions are delta areas whose centre lies on the edge of a mirror
 // or an object.
@@ -59,7 +59,7 @@ TEST(MirrorImages, OfAPartOfAWall) {
 }
 
 // Two mirrors give three images. The image in both mirrors is behind their common edge, and each
-// half of it is seen over a different mirror first. (Light exactly behind the edge is lost, because
+// half of it is seen via a different mirror first. (Light exactly behind the edge is lost, because
 // its path meets no mirror there. Points on the diagonal of this room do see such delta areas.)
 TEST(MirrorImages, OfTwoAtRightAngles) {
   Room room = make_cube("xyzZ", true, 2);

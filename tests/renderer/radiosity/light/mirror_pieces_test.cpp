@@ -35,7 +35,7 @@ class Pieces : public testing::Test {
   }
 };
 
-// A receiver sees a delta area over a mirror of varying size. While the mirror shows only a part of
+// A receiver sees a delta area via a mirror of varying size. While the mirror shows only a part of
 // it, thesis Eq 3.16 must be satisfied with h = omega_S / omega, afterwards Eq 3.12.
 TEST_F(Pieces, OneAloneFollowsEquations312And316) {
   constexpr double SIDE = 0.2, AREA = SIDE * SIDE;

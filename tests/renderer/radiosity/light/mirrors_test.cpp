@@ -8,7 +8,7 @@
 namespace radiosity::test {
 namespace {
 
-// The sum of the form factors of all patches, including paths over mirrors, for one colour.
+// The sum of the form factors of all patches, including paths via mirrors, for one colour.
 double sum_by_mirrors(const Mesh& mesh, const Vertex& vertex, const FactorParams& params) {
   double total = 0;
   Work work;
@@ -94,7 +94,7 @@ TEST(Mirrors, DoNotChangeAFurnace) {
 }
 
 // A parabolic trough of flat mirrors. At its focal line, z = 1, a point that looks down sees far
-// more of a distant lamp than over one flat mirror, but its total light is not greater. Without
+// more of a distant lamp than via one flat mirror, but its total light is not greater. Without
 // mirror_share, a delta area wider than the view of a facet would count completely or not at all.
 TEST(Mirrors, BentOnesFocusLight) {
   constexpr int FACETS = 16;

@@ -81,7 +81,7 @@ TEST(ShadowRays, AreBlockedAsEachIsAlone) {
   EXPECT_GT(free, 5000u);
 }
 
-// Patches are near and far, and are also seen over mirrors. All ways to divide patches are tested.
+// Patches are near and far, and are also seen via mirrors. All ways to divide patches are tested.
 TEST(Receivers, GetWhatEachGetsAlone) {
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

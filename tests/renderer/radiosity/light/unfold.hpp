@@ -37,7 +37,7 @@ inline Room unfold(const Room& room, const std::vector<std::vector<MirrorPlane>>
   return unfolded;
 }
 
-/// The form factor of each face of the room at a vertex, directly and over mirrors.
+/// The form factor of each face of the room at a vertex, directly and via mirrors.
 inline std::vector<double> eval_by_mirrors(const Eye& eye, const Vertex& vertex,
                                            std::size_t faces) {
   std::vector<double> shares(faces);
