@@ -36,9 +36,9 @@ class DotGraph {
   /// Returns the number of the node with this name, counted from 0. If the name is new, makes a
   /// node with the default attributes of the group.
   int add_node(int group, const std::string& name, int line);
-  /// Adds an edge with the default attributes of the group. If the graph is strict and already has
-  /// an edge between the two nodes, or if such an edge has the same attribute `key`, changes that
-  /// edge instead.
+  /// Adds an edge with the default attributes of the group. If an edge between the two nodes has
+  /// the same attribute `key`, or the graph is strict and this edge has no `key`, changes the
+  /// existing edge instead. A strict graph never gets a second edge between two nodes.
   void add_edge(int group, DotEnd tail, DotEnd head, const DotAttributes& attributes, int line);
 
   void set_attributes(int node, const DotAttributes& attributes);
