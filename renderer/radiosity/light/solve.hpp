@@ -27,7 +27,7 @@ enum class Sends : std::uint8_t {
 /// updates the light of the patch and of its vertices.
 struct State {
   std::vector<Rgb> radiosity;  ///< radiosity of each vertex
-  std::vector<Rgb> unshot;     ///< mean radiosity of each patch that has not yet been sent
+  std::vector<Rgb> unshot;     ///< mean unsent radiosity of each patch
   /// Area of each patch, copied from the mesh. Every shot reads all areas; contiguous reads are
   /// faster.
   std::vector<double> areas;

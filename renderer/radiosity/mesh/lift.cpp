@@ -9,9 +9,9 @@ namespace radiosity {
 
 namespace {
 
-// The distance by which a face is lifted above another is the sum of two fractions: of the larger
-// face's size, and of its largest coordinate. It exceeds the distance that a ray ignores at its
-// start.
+// The distance by which a face is lifted above another is the sum of two parts: LIFT of the larger
+// face's size, and LIFT_OF_PLACE of the lifted face's largest coordinate. It exceeds the distance
+// that a ray ignores at its start.
 constexpr double LIFT = 1e-7, LIFT_OF_PLACE = 1e-9;
 constexpr double LEAST_LIFT = 2 * renderer::SELF_RELATIVE;  // fraction of the largest coordinate
 
