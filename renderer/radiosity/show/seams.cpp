@@ -51,7 +51,7 @@ class SeamFinder {
     std::ranges::stable_sort(seams, std::greater{}, [&](const Seam& seam) {
       return length(mesh_.vertices[seam.to].at - mesh_.vertices[seam.from].at);
     });
-    // By vertex that is a stop: the seams on which it lies.
+    // By vertex: the seams that have this vertex as a stop.
     std::multimap<std::uint32_t, std::size_t> on;
     for (std::size_t i = 0; i < seams.size(); ++i)
       for (const auto& stop : seams[i].stops) on.emplace(stop.vertex, i);

@@ -92,7 +92,8 @@ TEST(Distributed, WhatIsInFocusIsSharp) {
   EXPECT_NEAR(lens.up, pinhole.up, 0.02 * pinhole.up);
 }
 
-// Motion blur must be as long as the movement while the shutter is open, as seen from the eye's
+// The length of motion blur in the image must be the length of the movement while the shutter is
+// open, divided by its distance from the eye.
 // distance.
 TEST(Distributed, BlurIsSpeedTimesShutter) {
   constexpr double DEPTH = 10, RADIUS = 0.3, SPEED = 3;
