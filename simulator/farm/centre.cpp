@@ -10,8 +10,8 @@ using occam::case_of, occam::this_process, occam::turn;
 void interaction(ray_tracing::Orders<Limits>& orders, const Progress& progress,
                  Channel<Command>& into_coordination) {
   out(into_coordination, Command{Begin{}});
-  // A second Begin has no effect, but waits until the coordination process has stored the initial
-  // rays and set the start of the user's time.
+  // Coordination ignores a second Begin. It receives the second one only after it has stored the
+  // initial rays and recorded when the user's time starts, from which orders are timed.
   if (orders.has_any()) out(into_coordination, Command{Begin{}});
   for (bool has_left = false; !has_left;) {
     const auto what = orders[orders.next(progress.begun)].what;
@@ -20,7 +20,7 @@ void interaction(ray_tracing::Orders<Limits>& orders, const Progress& progress,
   }
 }
 
-// The process "ray database" of figure 4.16.
+// Process "ray database" of figure 4.16 of the thesis.
 void RayDatabase::run(Channel<DatabaseRequest>& from_coord, Channel<DatabaseReply>& into_coord) {
   machine::Memory& memory = this_process().processor().memory();
   DatabaseRequest request;
@@ -57,7 +57,7 @@ void RayDatabase::run(Channel<DatabaseRequest>& from_coord, Channel<DatabaseRepl
   }
 }
 
-// The process "visualisation" of figure 4.17.
+// Process "visualisation" of figure 4.17 of the thesis.
 void Visualisation::run(Channel<Answer>& inp) {
   Answer answer;
   for (bool active = true; turn(active);) {

@@ -15,8 +15,8 @@ void check_area(renderer::Params image, const renderer::Area& area) {
   check(image);
 }
 
-// Stages and orders select rays in the ray database. With blocks, no rays are stored there, so both
-// are refused.
+// Stages and orders of the user select rays in the ray database. If tasks are blocks of pixels, the
+// database holds no rays. This function therefore refuses blocks with stages or orders.
 void check_block(const Params& params) {
   if (!params.block) return;
   const Block& block = *params.block;
@@ -28,8 +28,8 @@ void check_block(const Params& params) {
                  "found a block, expected \"ray\": stages and orders apply to single rays only");
 }
 
-// With image.order "quadrants" or "scan", all cells have one size. Refuses parameters that need
-// cells of different sizes.
+// With image.order "quadrants" or "scan", all image cells have one size. Refuses parameters that
+// need cells of several sizes.
 void check_order(const Params& params) {
   if (params.pixels == PixelOrder::cells) return;
   constexpr auto EXPECTED = "found {}, expected {} unless image.order is \"cells\"";

@@ -23,7 +23,7 @@ void wait_for(Channel<Command>& from_interaction) {
 }
 
 // Sends the scene to all workers and waits for their acknowledgements. Must be called before the
-// first task and before a signal of the sender has been read.
+// first task and before the first signal "free" from the sender process has been read.
 void send_scene(CoordinationChannels to, SceneMessages load) {
   if (load.bytes == 0) return;
   for (std::uint64_t sent = 0; sent < load.bytes; sent += load.message) {
@@ -40,7 +40,7 @@ void send_scene(CoordinationChannels to, SceneMessages load) {
   for (std::size_t i = 0; i < load.workers; ++i) in(to.from_workers, acknowledgement);
 }
 
-// Stops all processes of the farm in the order of the channels. No task may be in the farm.
+// Sends Stop to the farm's processes, one after another. No task may be in the farm.
 void stop_all(CoordinationChannels to, bool sender_is_ready) {
   if (!sender_is_ready) in(to.from_sender);
   out(to.into_sender, Task{});
@@ -52,7 +52,8 @@ void stop_all(CoordinationChannels to, bool sender_is_ready) {
 
 enum class Mode { null, interactive, non_interactive, aborted, ended };
 
-// State and guards of the coordination process. Names of variables follow figure 4.15.
+// State and guards of the coordination process. Variables are named as in figure 4.15 of the
+// thesis.
 class Coordinator {
  public:
   Coordinator(const CoordinationSetup& setup, CoordinationChannels channels, Progress& progress)
@@ -79,9 +80,9 @@ class Coordinator {
   }
 
  private:
-  // The loop of figure 4.15 for one mode; returns when the mode changes. The figure omits two
-  // modes. In null mode, no ray within the limits is left and the process waits for an order. In
-  // aborted mode, it takes no new rays.
+  // Runs the loop of figure 4.15 in one mode and returns when the mode changes. Two of the modes
+  // are not in the figure. In null mode, no ray within the limits is left and the process waits for
+  // an order of the user. In aborted mode, the process sends no further rays.
   void serve(Mode mode) {
     rays_db_is_empty_ = mode == Mode::aborted;
     Command user_message;
@@ -111,7 +112,7 @@ class Coordinator {
     }
   }
 
-  // Executes an order. If the order has an effect, saves the present picture first.
+  // Executes an order of the user. If the order has an effect, first saves the picture as it is.
   void obey(const Command& command) {
     const auto heed = [&](const std::string& why_without_effect, auto action) {
       const bool is_over = mode_ == Mode::aborted;
@@ -155,7 +156,8 @@ class Coordinator {
         [&](Leave) { quitting_ = true; });
   }
 
-  // The order's number as stored in a ray, in 8 bits: 1 to 255, or 0 for later orders and for none.
+  // Number of the latest order, as stored in the 8 bits that a ray has for it: 1 to 255. Returns 0
+  // if there was no order or if the number does not fit.
   std::uint8_t number_of_order() const {
     const bool fits = progress_.orders <= std::numeric_limits<std::uint8_t>::max();
     return fits ? static_cast<std::uint8_t>(progress_.orders) : std::uint8_t{0};
@@ -208,7 +210,8 @@ class Coordinator {
       for (const auto& child : shaded_.rays) deposit(child);
   }
 
-  // Makes the child rays at the hit point. With adaptive sampling, also evaluates the contribution.
+  // Makes the child rays at the hit point. With adaptive sampling, also evaluates the ray's
+  // contribution to its pixel.
   void shade(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
     setup_.cost(shaded_, scratch_,
                 [&setup = setup_, is_adaptive = ledger_.has_value(), ray, hit](
@@ -220,7 +223,7 @@ class Coordinator {
                 });
   }
 
-  // Stores the primary ray of another sample of the pixel that `ray` belongs to.
+  // Stores the primary ray of sample number `pass` of the pixel to which `ray` belongs.
   void deposit_sample(const renderer::Ray& ray, int pass) {
     auto primary = make_primary_of(ray.sample, pass);
     primary.is_urgent = ray.is_urgent;
@@ -234,15 +237,16 @@ class Coordinator {
                         static_cast<int>(pixel / width), pass);
   }
 
-  // Adaptive sampling: after a pixel's first sample, requests probes at its corners.
+  // Only for adaptive sampling: records a sample. If it is the pixel's first, requests probe rays
+  // at the pixel's corners.
   void note_sample(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
     const std::size_t held = ledger_->samples_held();
     ledger_->note(ray, hit, shaded_.contribution, shaded_.rays.size());
     if (ray.level == 1 && ray.pass == 0)
       for (const auto& [x, y] : ledger_->ask_corners(ray.sample)) {
         auto probe = make_probe(setup_.scene.view, setup_.params, x, y);
-        probe.pass = 1;             // rays of pass 1 come after all first samples
-        probe.sample = ray.sample;  // determines the probe's cell and limits
+        probe.pass = 1;             // stored behind the first samples (pass 0) of all pixels
+        probe.sample = ray.sample;  // the pixel whose cell and limits apply to the probe
         probe.order = ray.order;
         deposit(probe);
       }
@@ -264,8 +268,8 @@ class Coordinator {
     send_finished();
   }
 
-  // Sends the final sums of pixels to the display. Without them, it would give all samples of a
-  // pixel equal weights.
+  // Sends the final sums of finished adaptive pixels to the display, which would otherwise give all
+  // samples of a pixel equal weights.
   void send_finished() {
     for (const FinishedPixel& finished : ledger_->take_finished()) {
       this_process().charge(setup_.message.made);
@@ -273,7 +277,8 @@ class Coordinator {
     }
   }
 
-  // Adjusts the allocated memory after a change of the ledger, which held `before` samples.
+  // Allocates or releases memory after a change of the ledger. `before` is the number of samples
+  // that the ledger held before the change.
   void account(std::size_t before) {
     auto& memory = this_process().processor().memory();
     const std::size_t now = ledger_->samples_held();
@@ -290,8 +295,9 @@ class Coordinator {
     rays_db_is_empty_ = false;
   }
 
-  // For CellOrder::adaptive: compares the object hit by a sample with those of known samples one
-  // cell away. Then stores primary rays for the smaller cells within the sample's cell.
+  // For CellOrder::adaptive: compares the object hit by a sample with the objects hit by the
+  // neighbouring samples one cell away. If they differ, the smaller cells within this cell are
+  // urgent. Then stores the primary rays of these smaller cells.
   void divide(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
     const auto object = hit ? hit->object : renderer::NO_OBJECT;
     seen_[ray.sample] = object;
@@ -318,7 +324,8 @@ class Coordinator {
     rays_db_is_empty_ = false;
   }
 
-  // Called when the phase has no rays left. Sets the next limits or ends the phase.
+  // Called when the present phase has no rays left. Sets the limits of the next stage or ends the
+  // phase.
   void next_stage() {
     if (mode_ == Mode::interactive && stage_ + 1 < setup_.stages.size()) {
       ++stage_;
@@ -339,10 +346,11 @@ class Coordinator {
     renderer::Rgb contribution;
   };
   Shaded shaded_, scratch_;
-  std::optional<Ledger> ledger_;  // set for adaptive sampling
+  std::optional<Ledger> ledger_;  // only for adaptive sampling
   Progress& progress_;
-  Limits limits_;                                          // present limits
-  std::unordered_map<std::uint32_t, std::uint32_t> seen_;  // object hit, by sample number
+  Limits limits_;  // limits now in force
+  // Number of the object hit, by sample number.
+  std::unordered_map<std::uint32_t, std::uint32_t> seen_;
 };
 
 }  // namespace

@@ -13,8 +13,7 @@ using ray_tracing::PixelOrder;
 
 namespace {
 
-// Processors of the coordinator, the ray database and the display. The coordinator has a link to
-// each of the other two.
+// The processors at the farm's centre. The coordinator has a link to each of the other two.
 struct CentralProcessors {
   machine::Processor &coordinator, &database, &display;
 };
@@ -32,7 +31,7 @@ CentralProcessors add_central_processors(machine::Machine& machine, const Params
   return on;
 }
 
-// Makes the cells, which start at the first rendered pixel.
+// Makes the tiling of the image by cells. The first cell starts at the first rendered pixel.
 Cells make_cells(const Params& params) {
   const renderer::Area area = get_area(params.image);
   Cells cells{params.image.width, params.max_cell, area.x, area.y, params.order};
@@ -51,13 +50,13 @@ FrameBuffer make_picture(const Params& params) {
           get_area(params.image), params.block ? renderer::Sampling() : params.image.sampling};
 }
 
-// Cost of a kernel that runs on the coordinator or the display.
+// Cost of the kernel `name`, which runs on the coordinator or on the display.
 kernels::KernelCost central_cost(const char* name, const Setup& setup) {
   return {name, {setup.model, &kernels::central_costs}, setup.cycles_per_host_s};
 }
 
-// Bytes of scene data on the display: surfaces with textures, and lights (4.3.6.6). A preview needs
-// the whole scene.
+// Bytes of scene data on the display: surfaces with their textures, and lights (thesis, 4.3.6.6).
+// To draw a preview, the display needs the whole scene.
 std::uint64_t display_bytes(const machine::Model& model, const renderer::Scene& scene,
                             const Params& params) {
   return scene.surfaces.size() * get_bytes(model, "surface") +
@@ -73,8 +72,8 @@ machine::Cycles cost_of_preview(const machine::Model& model, const renderer::Pre
              std::array{counts.vertices, counts.pixels_tested, counts.pixels_drawn});
 }
 
-// Refuses a ray database whose memory is too small for all initial rays. The coordination process
-// stores all of them before it takes the first.
+// Refuses a ray database with too little memory for all initial rays. The coordination process
+// stores all of them before it sends the first.
 void check_initial_rays(Processor& database, const Params& params, std::uint64_t ray) {
   const renderer::Area area = get_area(params.image);
   const bool is_adaptive =
@@ -102,7 +101,8 @@ std::string describe_phase(const Progress& progress) {
   return "";
 }
 
-// The three central processors with their processes, data and channels (figures 4.9 to 4.11).
+// The three central processors with their processes, data and channels (thesis, figures 4.9 to
+// 4.11).
 class Centre {
  public:
   /// `tasks` is the cost of the workers' tasks.
@@ -111,7 +111,7 @@ class Centre {
   Centre(const Centre&) = delete;
 
   machine::Processor& coordinator() { return on_.coordinator; }
-  // Starts the processes; coordination distributes rays or blocks.
+  // Starts the central processes. The coordination process distributes rays or blocks of pixels.
   void start(Wires& wires, const Workers& workers) {
     const Way first = start_sender(wires, on_.coordinator, *workers.from_left[workers.root]);
     const CoordinationChannels channels{
@@ -128,7 +128,7 @@ class Centre {
         coordination(make_ray_setup(n), channels, progress_);
     };
     coordination_ = kernels::start(on_.coordinator, "coordination", Priority::low, coordinate).id();
-    // Each process has a processor of its own, so priority is irrelevant.
+    // Each of these processes has a processor of its own, so its priority is irrelevant.
     kernels::start(on_.database, "ray.database", Priority::high,
                    [this] { rays_.run(into_database_, from_database_); });
     kernels::start(on_.display, "visualisation", Priority::high, [this] {
@@ -140,12 +140,12 @@ class Centre {
   // The live view of the run, which also accepts the user's orders.
   observe::ControlPanel make_view();
 
-  // Costs of the central kernels: shading and display.
+  // The cost objects of the two central kernels: shading and display.
   std::pair<const kernels::KernelCost*, const kernels::KernelCost*> kernels() const {
     return {&shading_, &visualisation_.cost};
   }
 
-  // The result of the central processes; the workers' part is added later.
+  // The result of the central processes, still without the data of the workers.
   Result take_result(machine::End end) {
     if (end == machine::End::done && !progress_.is_aborted)
       base::check_equal("rays left in the database", rays_.stores.size(), std::size_t{0});
@@ -280,7 +280,7 @@ observe::ControlPanel make_view(Centre& centre, const Workers& workers) {
   return view;
 }
 
-// Allocates the worker's copy of the scene. Workers that shade also hold textures.
+// Allocates the worker's copy of the scene. The copy includes textures if the worker shades.
 void load_scene(Processor& worker, const renderer::Scene& scene, bool shades) {
   const auto& model = worker.model();
   auto& memory = worker.memory();

@@ -7,15 +7,15 @@ namespace farm {
 
 using programs::Load;
 
-/// Possible bottlenecks of the farm with their loads, busiest first:
+/// Possible bottlenecks of the farm with their loads (fractions from 0 to 1), busiest first:
 /// - "workers": mean load of their CPUs, with the fraction spent on routing;
-/// - "workerN (routing)": high-priority routers of the worker with the most routing;
+/// - "workerN (routing)": load by high-priority routers, for the worker that routes most;
 /// - "coordination": fraction of time in which this process did not wait for workers. While it
 ///   waits for the ray database or the display, it is a bottleneck even though its CPU is idle;
-/// - "database", "display": their CPUs, if they have processors of their own;
+/// - "database", "display": load of their CPUs, if they have processors of their own;
 /// - "link A>B": the busiest direction of a link;
 /// - "tasks": fraction of time after the last task was sent, when workers become idle.
-/// Empty for a run that was cut short before its first task.
+/// The list is empty for a run that was cut short before its first task.
 std::vector<Load> find_loads(const Result& result);
 
 using Measured = ray_tracing::Measured<Result>;

@@ -1,5 +1,5 @@
 #pragma once
-// Messages between the farm's processes: the protocols of the channels in figure 4.9.
+// Messages between the farm's processes: the protocols of the channels in figure 4.9 of the thesis.
 #include <memory>
 #include <optional>
 #include <variant>
@@ -20,24 +20,25 @@ using ray_tracing::NonInteractive;
 using ray_tracing::Save;
 
 constexpr std::uint32_t TAG_BYTES = 4;      ///< a message without contents: one word
-constexpr std::uint32_t LIMITS_BYTES = 32;  ///< parameters of increasing realism: 8 words
+constexpr std::uint32_t LIMITS_BYTES = 32;  ///< parameters of increasing realism (Limits): 8 words
 constexpr std::uint32_t BLOCK_BYTES = TAG_BYTES + 4 * 4;  ///< position and size of a block
 
-constexpr std::uint32_t FINISHED_BYTES = TAG_BYTES + 4 + 3 * 8;  ///< a pixel and three sums
+/// Pixel number and three sums of 8 bytes.
+constexpr std::uint32_t FINISHED_BYTES = TAG_BYTES + 4 + 3 * 8;
 
-constexpr std::uint32_t WEIGHTS_BYTES = 12;  ///< added if the limits have weights
+constexpr std::uint32_t WEIGHTS_BYTES = 12;  ///< added to LIMITS_BYTES if the limits have weights
 inline std::uint32_t bytes_of(const Limits& limits) {
   return LIMITS_BYTES + (limits.weights ? WEIGHTS_BYTES : 0);
 }
 
-/// Ends the process that receives it. That process forwards the message first.
+/// Ends the receiving process, which first forwards the message.
 struct Stop {
   bool operator==(const Stop&) const = default;
 };
 
-/// Part of the scene for every worker, or part of surfaces and lights for the display.
+/// Message with a part of the scene for every worker, or of surfaces and lights for the display.
 struct SceneData {
-  bool is_last = false;  ///< the receiver must acknowledge it
+  bool is_last = false;  ///< true for the last part, which the receiver must acknowledge
 };
 
 /// The size of a block of pixels, if tasks are blocks.
@@ -45,8 +46,8 @@ struct Block {
   int width = 0, height = 0;  ///< in pixels
 };
 
-/// Coordination -> workers: a ray or a block of pixels. Messages for all workers are copied to
-/// every branch of the tree.
+/// Coordination -> workers: a ray or a block of pixels. Messages for all workers (Stop, SceneData)
+/// are copied to every branch of the spanning tree.
 struct Task {
   std::variant<Stop, SceneData, renderer::Ray, renderer::Area> content;
   std::uint32_t size = TAG_BYTES;
@@ -62,8 +63,8 @@ struct Intersection {
 };
 using RenderedBlock = std::shared_ptr<const renderer::Block>;
 struct SceneReceived {};
-struct KeepImage {   ///< to visualisation only: saves the present picture
-  std::string name;  ///< file name; counts as one word of the message
+struct KeepImage {   ///< to the visualisation process only: saves the picture as it is now
+  std::string name;  ///< file name; its simulated length is one word
 };
 
 /// Message from workers to coordination, and from there to visualisation.
@@ -76,14 +77,14 @@ struct Answer {
   bool stop() const { return std::holds_alternative<Stop>(content); }
 };
 
-// Messages to and from the ray database, and to the display, use occam's variant protocols (figures
-// 4.16 and 4.17: `add.ray; ray.mess`). Their sizes therefore exclude the tag. Stop and KeepImage
-// count as one word.
+// Messages to and from the ray database, and to the display, use occam's variant protocols (thesis,
+// figures 4.16 and 4.17: `add.ray; ray.mess`). In these protocols the tag is a separate word, so
+// the sizes exclude it. Stop and KeepImage count as one word.
 
-struct AskInteractive {};  ///< requests a ray in interactive mode (ask.interact.mode.ray)
-struct AskAny {};          ///< requests any ray (ask.any.ray)
+struct AskInteractive {};  ///< requests a ray within the limits (ask.interact.mode.ray)
+struct AskAny {};          ///< requests any stored ray (ask.any.ray)
 
-/// New limits, and the number of the user's order that set them (0 for none).
+/// Sets new limits. `order` is the number of the user's order that set them, or 0.
 struct SetLimits {
   Limits limits;
   std::uint8_t order = 0;
@@ -104,8 +105,8 @@ struct DatabaseReply {
   std::uint64_t bytes() const { return size; }
 };
 
-struct Begin {};           ///< store the initial rays and start the interactive phase
-using ray_tracing::Leave;  ///< end when the image is complete
+struct Begin {};           ///< stores the initial rays and starts the interactive phase
+using ray_tracing::Leave;  ///< ends the farm when the image is complete
 
 /// Interaction -> coordination: an order of the user.
 struct Command {

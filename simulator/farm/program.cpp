@@ -10,7 +10,7 @@ using programs::Setup;
 
 namespace {
 
-// Parses a task: `ray`, or `block:WxH` for a block of pixels.
+// Parses the kind of task: `ray`, or `block:WxH` for a block of W x H pixels.
 bool set_task(std::optional<Block>& task, const base::Scalar& value) {
   const auto& text = std::get<std::string>(value);
   if (text == "ray") {

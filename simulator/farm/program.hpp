@@ -1,5 +1,5 @@
 #pragma once
-// Declaration of the farm as a program for experiments.
+// Declares the farm as a program that experiments can run.
 #include "simulator/farm/shared_farm.hpp"
 #include "simulator/ray_tracing/program.hpp"
 
@@ -7,7 +7,8 @@ namespace farm {
 
 using ProgramParams = ray_tracing::ProgramParams<Params>;
 
-/// Makes the program "farm". With Setup::cycles_per_host_s, costs are timed, even during checks.
+/// Makes the program "farm". If Setup::cycles_per_host_s is set, costs come from host timings, also
+/// while the experiment is only checked.
 programs::Program make_farm();
 
 }  // namespace farm

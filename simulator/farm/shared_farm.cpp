@@ -15,18 +15,18 @@ using shared_memory::DataManager;
 
 namespace {
 
-// Number of the farm's processes in addresses, and the contents of their messages.
+// Number of the farm's processes in network addresses, and the contents of their messages.
 constexpr int FARM_PROCESS = shared_memory::FIRST_FREE_PROCESS;
 using FarmMessage = std::variant<Stop, renderer::Area, renderer::Block>;
 
-// Number of blocks assigned to a worker at a time: one to render and one in advance.
+// Number of blocks that a worker has at a time: one being rendered and one waiting.
 constexpr int BLOCKS_OF_WORKER = 2;
 
 void send(DataManager& manager, Address to, FarmMessage content, std::uint64_t bytes) {
   manager.client().send(network::make_message(FARM_PROCESS, to, bytes, std::move(content)));
 }
 
-// Length of the message with a rendered block, in bytes.
+// Length in bytes of the message that carries a rendered block.
 std::uint64_t block_bytes(std::uint32_t pixel_bytes, const renderer::Area& area) {
   return BLOCK_BYTES + std::uint64_t{pixel_bytes} * static_cast<std::uint64_t>(area.width) *
                            static_cast<std::uint64_t>(area.height);
@@ -41,7 +41,7 @@ void check_farm(const Params& params) {
                  params.scene_message);
 }
 
-// Adds the coordinator as processor 0. Workers' numbers increase by one.
+// Adds the coordinator as processor 0. The numbers of the workers increase by one.
 topologies::Topology join_coordinator(const topologies::Topology& workers) {
   topologies::Topology joined;
   joined.name = workers.name;
@@ -58,8 +58,8 @@ topologies::Topology join_coordinator(const topologies::Topology& workers) {
   return joined;
 }
 
-// Parameters of the network. Buffers suffice for all messages in transit: for each worker a request
-// or its reply, and its blocks.
+// Parameters of the network. The routers' buffers hold all messages that can be in transit: for
+// each worker, one request or its reply, and its blocks.
 network::Params make_network_params(const machine::Model& model, const Params& farm,
                                     const SharedParams& data,
                                     const shared_memory::Catalogue& catalogue,
@@ -132,8 +132,8 @@ class SharedFarm {
     }
   }
 
-  // Distributes blocks, adds results to the image, and serves data in between. Without work, waits
-  // for a message instead of polling every idle_period.
+  // Distributes blocks, adds results to the image, and meanwhile serves scene data. If there is no
+  // work, waits for a message instead of polling every idle_period.
   void coordinate(DataManager& manager) {
     progress_.begin();
     const auto blocks = make_blocks(params_.image, *params_.block);
@@ -180,7 +180,7 @@ class SharedFarm {
     }
   }
 
-  // Renders a block, whose sums occupy the worker's memory meanwhile.
+  // Renders a block, whose sums occupy the worker's memory while it is rendered.
   renderer::Block render(DataManager& manager, const renderer::Area& area) {
     return kernels::with_memory(block_bytes(pixel_bytes_, area), "a block of pixels", [&] {
       const double scale = block_cost_.eval_scale(

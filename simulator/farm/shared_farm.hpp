@@ -1,7 +1,8 @@
 #pragma once
-// Farm of blocks of pixels with a distributed scene. Routers carry all messages, and data managers
-// fetch scene data (5.1.2). Processor 0 coordinates, displays and serves data. It is linked to the
-// root of the workers' topology; the workers have the numbers 1 to n.
+// A farm that renders blocks of pixels while the scene is distributed over the processors. Routers
+// carry all messages, and data managers fetch scene data (thesis, 5.1.2). Processor 0 coordinates,
+// displays and serves data; it is linked to the root of the workers' topology. The workers are
+// processors 1 to n.
 #include "simulator/farm/farm.hpp"
 #include "simulator/ray_tracing/data.hpp"
 
@@ -14,16 +15,16 @@ struct SharedResult {
   ray_tracing::SharedUse shared;
 };
 
-/// Throws base::BadInput that names the field, the value found and the values expected. Refuses
-/// parameters of the farm that have no meaning here.
+/// Throws base::BadInput that names the field, the value found and the values expected. Also
+/// refuses parameters of the ordinary farm that have no meaning here.
 void check(const machine::Model& model, const ray_tracing::SceneSize& scene, const Params& farm,
            const SharedParams& data);
-/// Checks only that tasks are blocks.
+/// Checks only that tasks are blocks, not single rays.
 void check_task(const Params& farm);
 
-/// Runs the farm. Workers have farm.worker_memory bytes; processor 0 has farm.database_memory. The
-/// result has no processors "database" and "display". Throws base::BadInput as `check` and run_farm
-/// do, or if caches and buffers exceed the memory. Also throws machine::Fault.
+/// Runs the farm. Each worker has farm.worker_memory bytes; processor 0 has farm.database_memory.
+/// The result has no processors "database" and "display". Throws base::BadInput if check() or
+/// run_farm() would, or if caches and buffers exceed the memory. Also throws machine::Fault.
 SharedResult run_shared_farm(const Setup& setup, const renderer::Scene& scene, const Params& farm,
                              const SharedParams& data);
 

@@ -1,5 +1,5 @@
 #pragma once
-// Placement of the farm's processes and the channels between them (figures 4.10, 4.11).
+// Placement of the farm's processes and the channels between them (thesis, figures 4.10 and 4.11).
 #include <deque>
 #include <vector>
 
@@ -12,26 +12,28 @@ namespace farm {
 struct Kernel;
 struct Params;
 
-/// The farm's channels by message type, in deques so that references stay valid.
+/// The farm's channels by message type. They are in deques so that references to them stay valid.
 struct Wires {
   std::deque<Channel<Signal>> signals;
   std::deque<Channel<Task>> tasks;
   std::deque<Channel<Answer>> results;
 };
 
-/// A way out of a data router. The way's sender process signals that it is free, then takes a
-/// message.
+/// Connection from a data router to the sender process of one way out. The sender signals on `free`
+/// that it can take a message, then takes it from `into`.
 struct Way {
   Channel<Signal>& free;
   Channel<Task>& into;
 };
 
-/// Starts a sender process for `destination`.
+/// Starts a sender process on `on`, which forwards tasks to `destination`.
 Way start_sender(Wires& wires, machine::Processor& on, Channel<Task>& destination);
 
-/// The workers' processors, joined by the topology, and the channels along its spanning tree.
+/// The workers' processors, joined by the topology, and the channels along the topology's spanning
+/// tree.
 struct Workers {
-  topologies::Topology topology;  ///< the topology as wired
+  /// The topology without the link that was removed for the coordinator.
+  topologies::Topology topology;
   std::size_t root = 0;
   double mean_depth = 0;  ///< mean distance from the coordinator in links
   std::vector<machine::Processor*> processors;
@@ -40,12 +42,13 @@ struct Workers {
   std::vector<Channel<Answer>*> results;  ///< results out of each worker, by worker
 };
 
-/// Frees a port of the root for the coordinator. If the root has four links (as in a torus),
-/// removes one. Prefers a link parallel to another, then the one on the highest port that is not a
-/// bridge. Throws base::BadInput if all links are bridges.
+/// Frees a port of the root for the coordinator. If all four links of the root are used (as in a
+/// torus), removes one of them: preferably one with a parallel link, otherwise the one on the
+/// highest port that is not a bridge (the only connection between two parts). Throws base::BadInput
+/// if all links are bridges.
 topologies::Topology free_root_port(topologies::Topology topology);
 
-/// Adds and links the workers' processors and loads their programs. The coordinator is linked to
+/// Adds the workers' processors and their links, and loads their programs. Links the coordinator to
 /// the root's free port.
 Workers wire_workers(Wires& wires, machine::Machine& machine, machine::Processor& coordinator,
                      const programs::Setup& setup, const Params& params);

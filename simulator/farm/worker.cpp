@@ -8,7 +8,7 @@ namespace farm {
 
 using occam::turn;
 
-// The process "sender" of figure 4.13.
+// Process "sender" of figure 4.13 of the thesis.
 void sender(Channel<Signal>& sender_to_main, Channel<Task>& from_main, Channel<Task>& destination) {
   Task message;
   for (bool active = true; turn(active); active = !message.stop()) {
@@ -18,7 +18,7 @@ void sender(Channel<Signal>& sender_to_main, Channel<Task>& from_main, Channel<T
   }
 }
 
-// The process "data router" of figure 4.14.
+// Process "data router" of figure 4.14 of the thesis.
 void data_router(Channel<Task>& from_left, std::span<Channel<Signal>* const> from_sender,
                  std::span<Channel<Task>* const> into_sender) {
   const std::size_t n_ways_out = from_sender.size();
@@ -39,7 +39,7 @@ void data_router(Channel<Task>& from_left, std::span<Channel<Signal>* const> fro
   }
 }
 
-// The process "results router" of figure 4.12.
+// Process "results router" of figure 4.12 of the thesis.
 void results_router(std::span<Channel<Answer>* const> inputs, Channel<Answer>& output) {
   const std::size_t n_ways_in = inputs.size();
   std::size_t favourite = 0, active = n_ways_in;
@@ -61,7 +61,7 @@ Answer find_intersection(Kernel& kernel, const renderer::Ray& ray) {
   return {Intersection{ray, hit}, kernel.bytes.ray + (hit ? kernel.bytes.hit : 0)};
 }
 
-// Renders a block, whose sums occupy the worker's memory meanwhile.
+// Renders a block, whose sums occupy the worker's memory while it is rendered.
 Answer find_block(Kernel& kernel, const renderer::Area& area) {
   const std::uint64_t bytes =
       kernel.bytes.pixel * static_cast<std::uint64_t>(area.width) * area.height;

@@ -1,6 +1,7 @@
 #pragma once
-// Processes of a worker (thesis, 4.3.6.2). High priority: a data router with a sender for each way
-// out, and a results router ("gatherer"). Low priority: the application.
+// Processes of a worker (thesis, 4.3.6.2). At high priority run a data router with one sender
+// process for each way out, and a results router (which collects results). At low priority runs the
+// application.
 #include <span>
 #include <vector>
 
@@ -8,17 +9,17 @@
 
 namespace farm {
 
-/// Buffers one message for a way out, so that the router does not block. Signals the router when
-/// the buffer is empty, takes a message and forwards it (figure 4.13).
+/// Buffers one message for a way out of the data router, so that the router never blocks. Signals
+/// the router when the buffer is empty, takes a message and forwards it (thesis, figure 4.13).
 void sender(Channel<Signal>& sender_to_main, Channel<Task>& from_main, Channel<Task>& destination);
 
-/// Forwards each task to a free sender, chosen in rotation (figure 4.14). Sends messages for all
-/// workers to every sender.
+/// Forwards each task to a free sender, chosen in rotation (thesis, figure 4.14). Forwards messages
+/// for all workers to every sender.
 void data_router(Channel<Task>& from_left, std::span<Channel<Signal>* const> from_sender,
                  std::span<Channel<Task>* const> into_sender);
 
-/// Merges the results of the application and of the child workers into one channel towards the
-/// coordinator (figure 4.12).
+/// Merges the results of the worker's own application and of its children in the tree into one
+/// channel towards the coordinator (thesis, figure 4.12).
 void results_router(std::span<Channel<Answer>* const> inputs, Channel<Answer>& output);
 
 /// Scene, parameters and costs of a worker's tasks.
@@ -28,12 +29,12 @@ struct Kernel {
   kernels::KernelCost ray, block;
   kernels::RecordBytes bytes;
   kernels::ByModel<kernels::MessageCosts> message;
-  std::map<int, std::uint64_t> done = {};  ///< number of tasks, by id of the processor
+  std::map<int, std::uint64_t> done = {};  ///< number of tasks done, by processor id
   renderer::BlockBuffer scratch = {};
 };
 
-/// Finds the first intersection of each ray, or renders blocks of pixels. Executes the kernel on
-/// the host, and charges its work to the processor.
+/// Process that finds the first intersection of each ray, or renders blocks of pixels. The kernel
+/// is executed on the host; its counted work is charged to the simulated processor.
 void application(Kernel& kernel, Channel<Task>& from_router, Channel<Answer>& results);
 
 }  // namespace farm

@@ -56,7 +56,7 @@ std::uint64_t Cells::place_of(std::uint32_t sample) const {
   if (order == CellOrder::sequential) return sample;
   if (order != CellOrder::recursive) return 0;
   const auto p = pixel_of(sample, width);
-  std::uint64_t place = 0;  // interleaves the bits of x and y
+  std::uint64_t place = 0;  // interleaves the bits of x and y (Z-order curve)
   for (int bit = 0; bit < 17; ++bit) {
     place |= static_cast<std::uint64_t>((p.x - x) >> bit & 1) << (2 * bit);
     place |= static_cast<std::uint64_t>((p.y - y) >> bit & 1) << (2 * bit + 1);
@@ -161,12 +161,13 @@ void FrameBuffer::add(const renderer::Block& block, renderer::Work& work) {
     }
 }
 
-// True if the sample's pixel shows its own cell or a smaller one.
+// True if the sample's pixel shows the sample's own cell or a smaller one.
 bool FrameBuffer::is_sampled(std::uint32_t sample) const {
   return owner_[sample] <= cells_.fineness_of(sample);
 }
 
-// Size of the sample's cell after the divisions so far.
+// Side in pixels of the part of the sample's cell that no smaller sampled cell has taken over. A
+// cell halves when the samples of its other three quarters have arrived.
 int FrameBuffer::size_now(std::uint32_t sample) const {
   const auto p = pixel_of(sample, width_);
   const auto is_done = [&](int x, int y) {
@@ -180,7 +181,7 @@ int FrameBuffer::size_now(std::uint32_t sample) const {
   return size;
 }
 
-// Assigns the pixels of the sample's cell to this cell, except those that a smaller cell owns.
+// Makes the sample's cell the owner of its pixels, except of pixels owned by a smaller cell.
 void FrameBuffer::own(std::uint32_t sample) {
   if (is_sampled(sample)) return;
   const auto fineness = cells_.fineness_of(sample);
@@ -192,8 +193,8 @@ void FrameBuffer::own(std::uint32_t sample) {
     }
 }
 
-// Paints the sample's cell. Cells of one size do not overlap, so pixels with this cell's fineness
-// belong to it.
+// Paints the pixels that the sample's cell owns. They are the pixels in its square that have its
+// fineness, because cells of equal size do not overlap.
 bool FrameBuffer::paint(std::uint32_t sample, renderer::Work& work) {
   bool changed = false;
   const auto colour = renderer::make_rgb8(colour_of(sample));
@@ -219,7 +220,7 @@ bool FrameBuffer::paint(std::uint32_t sample, renderer::Work& work) {
   return changed;
 }
 
-// Repaints the cells that have this sample at a corner other than the upper left.
+// Repaints the cells that have this sample at their upper right, lower left or lower right corner.
 bool FrameBuffer::paint_neighbours(std::uint32_t sample, renderer::Work& work) {
   bool changed = false;
   const auto p = pixel_of(sample, width_);

@@ -1,7 +1,7 @@
 #pragma once
-// Increasing realism: selection and order of rays (thesis, 4.3.2, 4.3.4). The ray database has
-// three stores: shadow feelers (BDIss, unordered), reflected and transmitted rays within the limits
-// (BDIrt, a priority queue), and all other rays (BDNI).
+// Selection and order of rays for increasing realism (thesis, 4.3.2, 4.3.4). The ray database has
+// three stores: shadow feelers (BDIss, unordered), reflected and transmitted rays within the user's
+// limits (BDIrt, a priority queue), and all other rays (BDNI).
 #include <array>
 #include <optional>
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace farm {
 
-/// Weights of the keys in a ray's priority, set by the user, at least 0 (thesis, 4.3.4). If all are
-/// 0, keys are compared lexicographically.
+/// Weights of three criteria in a ray's priority, set by the user, each at least 0 (thesis, 4.3.4).
+/// If all are 0, the criteria are compared one after another instead of being added.
 struct Weights {
   double influence = 0;  ///< weight of the ray's largest influence factor
   double level = 0;      ///< weight of 1 / level
@@ -19,32 +19,32 @@ struct Weights {
   bool operator==(const Weights&) const = default;
 };
 
-/// The user's parameters of increasing realism. A ray within all limits is "in interactive mode"
-/// (RMI). Any other ray waits for the non-interactive phase (RMNI).
+/// Limits set by the user. A ray within all limits is "in interactive mode" (RMI) and is traced
+/// first. Any other ray waits for the non-interactive phase (RMNI).
 struct Limits {
   double min_influence = 0.0;      ///< minimum influence factor
   int depth_reflected = 1000;      ///< maximum level of rays that follow only reflections
   int depth_transmitted = 1000;    ///< maximum level of transmitted rays and their descendants
-  int min_cell = 1;                ///< minimum size of image cells in pixels
+  int min_cell = 1;                ///< minimum side of image cells in pixels
   renderer::Area area;             ///< pixels that a ray's cell must overlap; 0 x 0 for all
-  std::optional<Weights> weights;  ///< if absent, those of the farm
+  std::optional<Weights> weights;  ///< if absent, the weights in the farm's parameters apply
   bool operator==(const Limits&) const = default;
 };
 
 bool is_interactive(const renderer::Ray& ray, const Limits& limits, const Cells& cells);
 
-/// True if `a` precedes `b`. Earlier samples of a pixel come first. Without weights, the next keys
-/// are: larger influence factor, lower level, larger cell. With weights, a weighted sum
-/// replaces these keys. Ties are resolved by the order of cells. The cell of an urgent ray counts
-/// as four times as large.
+/// True if ray `a` must be traced before ray `b`. Earlier samples of a pixel come first. Then,
+/// without weights, the larger influence factor decides, then the lower level, then the larger
+/// cell; with weights, the larger weighted sum of these criteria decides. Ties are resolved by the
+/// order of cells. The cell of an urgent ray counts as four times as large.
 bool goes_before(const renderer::Ray& a, const renderer::Ray& b, const Cells& cells,
                  const Weights& weights = {});
 
-/// Counts of the database's operations, with the names used in model files.
+/// Numbers of operations of the database, with the names used in model files.
 struct DatabaseWork {
   std::uint64_t heap_step = 0;       ///< exchanges of two rays in the heap
   std::uint64_t record_stored = 0;   ///< rays moved into or out of a store
-  std::uint64_t ray_classified = 0;  ///< rays compared with the limits
+  std::uint64_t ray_classified = 0;  ///< comparisons of a ray with the limits
   static constexpr std::array<std::string_view, 3> NAMES = {"heap_step", "record_stored",
                                                             "ray_classified"};
   std::array<std::uint64_t, 3> counts() const { return {heap_step, record_stored, ray_classified}; }
@@ -52,16 +52,18 @@ struct DatabaseWork {
 
 class RayStores {
  public:
-  /// `weights` apply if the limits have none.
+  /// `weights` apply whenever the limits have no weights.
   RayStores(Cells cells, Limits limits, Weights weights = {})
       : cells_(cells), weights_(weights), limits_(limits) {}
 
   void add(const renderer::Ray& ray, DatabaseWork& work);
-  /// Takes a feeler if there is one, otherwise the first ray of the heap. If both are empty and
-  /// `any` is true, takes a ray beyond the limits. Returns none if there is no such ray.
+  /// Removes and returns a shadow feeler if there is one, otherwise the first ray of the priority
+  /// queue. If both stores are empty and `any` is true, takes a ray beyond the limits. Returns
+  /// nothing if no such ray is stored.
   std::optional<renderer::Ray> take(bool any, DatabaseWork& work);
-  /// Reclassifies all rays, moves them between stores and rebuilds the heap. Rays that the new
-  /// limits admit are assigned to the user's order number `order`.
+  /// Compares all rays except feelers with the new limits, moves them between stores and rebuilds
+  /// the heap. Marks each ray that the new limits admit with `order`, the number of the user's
+  /// order.
   void set_limits(const Limits& limits, DatabaseWork& work, std::uint8_t order = 0);
 
   std::size_t size() const { return feelers_.size() + heap_.size() + later_.size(); }
@@ -70,7 +72,7 @@ class RayStores {
     std::size_t feelers = 0, heap = 0, later = 0;
   };
   Lengths lengths() const { return {feelers_.size(), heap_.size(), later_.size()}; }
-  const Lengths& peaks() const { return peaks_; }  ///< maximum since the start, by store
+  const Lengths& peaks() const { return peaks_; }  ///< maximum length of each store since the start
 
  private:
   auto before() const {
