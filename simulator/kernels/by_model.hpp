@@ -1,5 +1,5 @@
 #pragma once
-// Costs on a machine with processors of different models.
+// Costs on a machine whose processors have different models.
 #include <deque>
 #include <functional>
 #include <utility>
@@ -8,15 +8,16 @@
 
 namespace kernels {
 
-/// A cost, or a set of costs, for each processor model. Each is made once, on first use.
+/// A cost or set of costs of type T for each processor model. Made once per model, at first use.
 template <class T>
 class ByModel {
  public:
   using Make = std::function<T(const machine::Model&)>;
-  /// Calls `make` for `model` immediately, so that missing entries throw BadInput here.
+  /// Also calls `make` for `model` at once, so that missing entries of the model throw BadInput
+  /// here.
   ByModel(const machine::Model& model, Make make) : make_(std::move(make)) { make_(model); }
 
-  /// The cost on the processor of this_process(). The reference stays valid.
+  /// Returns the cost on the processor of this_process(). The reference stays valid.
   const T& here() const {
     const auto& model = machine::this_process().processor().model();
     for (const auto& [known, cost] : known_)

@@ -1,5 +1,6 @@
 #pragma once
-// A binary heap that counts exchanges, because the simulated program pays for each of them.
+// A binary heap that counts exchanges of elements, because each is charged to the simulated
+// program.
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -7,7 +8,7 @@
 namespace kernels {
 
 /// Move element i up, or down, until the heap property holds. `before(a, b)` is true if a precedes
-/// b; the first element precedes all others. Both functions return the number of exchanges.
+/// b. Element 0 of a heap precedes all others. Both functions return the number of exchanges.
 template <class T, class Before>
 std::uint64_t sift_up(std::vector<T>& heap, std::size_t i, Before before) {
   std::uint64_t steps = 0;

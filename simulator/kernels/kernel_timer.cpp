@@ -18,7 +18,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-// Median time of `run`, including the time for reading the clock.
+// Median time of `times` calls of `run` in seconds. Includes the time of reading the clock.
 template <class Run>
 double time_often(int times, Run run) {
   std::vector<double> all;
@@ -30,7 +30,7 @@ double time_often(int times, Run run) {
   return median(std::move(all));
 }
 
-// Makes the yardstick, which traces 1000 rays through 800 spheres.
+// Makes the yardstick: a function that traces 1000 primary rays through 800 spheres.
 std::function<void()> make_yardstick() {
   const auto scene = std::make_shared<const renderer::Scene>(renderer::make_spheres(800));
   renderer::Params params;
@@ -43,7 +43,8 @@ std::function<void()> make_yardstick() {
   };
 }
 
-// Time of calling a replay that only reads its data, whose size is that of a ray with its hit.
+// Mean time in seconds of calling one stored function (replay) that only reads its data. Its data
+// is as large as that of a ray with its hit. `interval_s` is the time of reading the clock.
 double measure_call(double interval_s) {
   Replays batch;
   double sum = 0;
@@ -92,7 +93,7 @@ void KernelTimer::measure() {
 
 double KernelTimer::charge(double about_s) {
   if (batch_.size() == 0)
-    owed_s_ -= about_s;  // this call completed a batch, which has been measured
+    owed_s_ -= about_s;  // the call completed a batch, whose measured time includes this call
   else
     batch_about_s_ += about_s;
   const double part_s = std::clamp(owed_s_, -0.2 * about_s, 0.2 * about_s);
@@ -100,7 +101,8 @@ double KernelTimer::charge(double about_s) {
   return about_s + part_s;
 }
 
-// Time of one pass of the batch. `once_s` is a rough estimate of it.
+// Returns the time of calling all functions of the batch once, in seconds. `once_s` is a rough
+// estimate of this time.
 double KernelTimer::eval_batch_s(double once_s) const {
   const int passes = static_cast<int>(std::clamp(std::ceil(least_s() / once_s), 1.0, 1e6));
   std::vector<double> in_yardsticks;
@@ -130,8 +132,8 @@ double KernelTimer::time_batch(int passes) const {
   return time([&] { run_batch(passes); });
 }
 
-// Runs the yardstick twice and times the second run, as is done for batches. Caches and branch
-// predictors are then in the state left by the first run.
+// Runs the yardstick twice and times the second run. Batches are treated alike. The first run
+// brings caches and branch predictors into a known state.
 double KernelTimer::time_yardstick() const {
   host_.yardstick();
   return time(host_.yardstick);

@@ -74,9 +74,9 @@ machine::Cycles KernelCost::note(machine::Cycles counted, machine::Cycles charge
   return charged;
 }
 
-// Records the host time of a sampled call, which represents all calls since the previous sample. If
-// calls are short compared with reading the clock, one in 17 is sampled. This period is prime, so
-// that samples do not always meet the same kind of ray.
+// Records the host time of one measured call, which stands for all calls since the previous
+// measured one. If calls are short compared with reading the clock, only one in 17 is measured. The
+// period is a prime number, so that a pattern in the kinds of rays is unlikely to repeat with it.
 void KernelCost::note_profile(double start_s) {
   constexpr std::uint64_t SAMPLED = 17;
   const double interval_s = clock_interval_s();

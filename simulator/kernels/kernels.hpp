@@ -1,7 +1,7 @@
 #pragma once
-// Common parts of the programs that use kernels of the renderer: memory of the program, sizes of
-// records, and costs of kernel calls. A cost is either counted operations in cycles or scaled host
-// time.
+// Parts shared by the programs that call kernels (numerical functions) of the renderer: memory of
+// the program, sizes of records, and costs of kernel calls. A cost is either the cycles of counted
+// operations or the scaled host time.
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -17,14 +17,15 @@ namespace kernels {
 
 using observe::KernelUse;
 
-/// Allocates the memory of the program itself on a processor.
+/// Allocates the memory that the program itself (its code) needs on a processor.
 void load_program(machine::Processor& processor);
 
 /// Starts a process named "PROCESSOR.NAME".
 machine::Process& start(machine::Processor& on, const char* name, machine::Priority priority,
                         machine::Process::Body body);
 
-/// Calls `body` while `bytes` of the current processor's memory are allocated.
+/// Allocates `bytes` of the current processor's memory, calls `body`, and releases the memory.
+/// Returns the result of `body`. If too little memory is left, the error names `what`.
 template <class Body>
 auto with_memory(std::uint64_t bytes, const char* what, Body body) {
   auto& self = machine::this_process();
@@ -46,21 +47,22 @@ struct MessageCosts {
 };
 MessageCosts message_costs(const machine::Model& model);
 
-/// Size of a copy of the scene in bytes: objects and their hierarchy.
+/// Size in bytes of one copy of the scene: its objects and their bounding hierarchy.
 std::uint64_t scene_bytes(const machine::Model& model, const renderer::Scene& scene);
-/// Size in bytes of the scene's texture pyramids, which every processor that shades must hold.
+/// Size in bytes of the scene's texture pyramids. Every processor that shades must hold them.
 std::uint64_t texture_bytes(const machine::Model& model, const renderer::Scene& scene);
 
-/// Makes a sentence for each kernel that was too short for the host's clock.
+/// Returns a sentence for each kernel that was too short to be measured with the host's clock.
 std::vector<std::string> note_short(const std::vector<KernelUse>& uses);
 
-/// Cost of the calls of one kernel: cycles of its counted operations, or scaled host time. Several
-/// processes may share a KernelCost.
+/// Cost of the calls of one kernel: the cycles of its counted operations, or the scaled host time.
+/// Several processes may share a KernelCost.
 class KernelCost {
  public:
-  /// With `cycles_per_host_s`, charges host time instead of counts. With `profile`, also estimates
-  /// the host time. Only a sample of short calls is measured, because reading the clock may take
-  /// longer than a call.
+  /// If `cycles_per_host_s` is set, charges host time, converted with this factor, instead of
+  /// counted operations. If `profile` is true, also estimates the host time of all calls. For this
+  /// estimate only some of the short calls are measured, because reading the clock may take longer
+  /// than a call.
   KernelCost(std::string name, ByModel<machine::OperationCosts> counted,
              std::optional<double> cycles_per_host_s, bool profile = false)
       : counted_(std::move(counted)), cycles_per_host_s_(cycles_per_host_s), profile_(profile) {
@@ -68,9 +70,9 @@ class KernelCost {
     use_.name = std::move(name);
   }
 
-  /// Calls `kernel`, which counts its operations in a renderer::Work, and charges this_process().
-  /// With timed costs, copies of `kernel` are called again later. It must therefore have no side
-  /// effects, and its inputs must still be valid then.
+  /// Calls `kernel`, which adds its operations to a renderer::Work, and charges the cost to
+  /// this_process(). If costs are host times, copies of `kernel` are called again later. `kernel`
+  /// must therefore have no side effects, and its inputs must stay valid.
   template <class Kernel>
   auto operator()(Kernel kernel) {
     renderer::Work work;
@@ -80,9 +82,9 @@ class KernelCost {
     charge(work, [&] { return make_replay(std::move(kernel)); });
     return result;
   }
-  /// For a kernel that changes a state. Calls it with `state`; with timed costs, calls it again
-  /// later with `scratch`, where it must do the same amount of work. Neither object may move.
-  /// Returns the counts of operations.
+  /// For a kernel that changes an object: calls it with `state`. If costs are host times, calls it
+  /// again later with `scratch`, on which it must do the same amount of work. Neither object may
+  /// move. Returns the numbers of operations.
   template <class State, class Kernel>
   renderer::Work operator()(State& state, State& scratch, Kernel kernel) {
     renderer::Work work;
@@ -93,10 +95,10 @@ class KernelCost {
     return work;
   }
 
-  /// For a kernel that may wait for data. Before each wait, the caller charges the operations
-  /// counted so far, multiplied by the returned factor. With timed costs, this function calls
-  /// `kernel` with all data present, so that there are no waits. Otherwise it returns 1 without
-  /// calling `kernel`.
+  /// For a kernel that may wait for data. The caller itself charges the counted operations before
+  /// each wait, multiplied by the factor that this function returns. If costs are host times, calls
+  /// `kernel` with all data present, hence without waits, to find the factor. Otherwise returns 1
+  /// without calling `kernel`.
   template <class State, class Kernel>
   double eval_scale(State& scratch, Kernel kernel) {
     if (!timed_) return 1;
@@ -107,7 +109,7 @@ class KernelCost {
     return static_cast<double>(charged.value) / static_cast<double>(counted.value);
   }
 
-  /// Costs of operations on the processor of this_process().
+  /// Cycles of each operation on the processor of this_process().
   const machine::OperationCosts& counted() const { return counted_.here(); }
   machine::Cycles charged() const { return use_.charged; }   ///< total cycles charged for all calls
   machine::Seconds charged_s() const { return charged_s_; }  ///< duration of charged()
@@ -115,8 +117,8 @@ class KernelCost {
   KernelUse use() const;
 
  private:
-  // Allocated separately, because replays hold a reference to the counts while this object may
-  // move.
+  // Allocated separately, so that its address stays the same when this object moves. Replays, which
+  // repeat a call to time it, keep a reference to the counts.
   struct Timed {
     KernelTimer timer{this_host()};
     renderer::Work counts_of_replays;
@@ -126,7 +128,7 @@ class KernelCost {
   auto make_replay(Kernel kernel) {
     return [kernel = std::move(kernel), &work = timed_->counts_of_replays] {
       const auto result = kernel(work);
-      asm volatile("" : : "r"(&result) : "memory");  // prevents the compiler from removing the call
+      asm volatile("" : : "r"(&result) : "memory");  // keeps the compiler from removing the call
     };
   }
   template <class State, class Kernel>
@@ -135,7 +137,7 @@ class KernelCost {
       kernel(scratch, work);
     };
   }
-  // Calls `make` for the replay only if costs are timed.
+  // Calls `make`, which returns the replay of a call, only if costs are host times.
   template <class Make>
   machine::Cycles eval(machine::Cycles counted, Make make) {
     if (!timed_) return note(counted, counted, 0);
@@ -148,7 +150,7 @@ class KernelCost {
   void charge(const renderer::Work& work, Make make) {
     machine::this_process().charge(eval(counted_.here()(work.counts), std::move(make)));
   }
-  // Reads the clock if this call belongs to the sample.
+  // Reads the clock if this call is one of those that are measured for the profile.
   std::optional<double> begin_profile() const {
     const bool is_profiled = profile_ && use_.calls >= next_profiled_;
     return is_profiled ? std::optional(host_cpu_s()) : std::nullopt;
@@ -159,18 +161,18 @@ class KernelCost {
   std::optional<double> cycles_per_host_s_;
   bool profile_;
   double profile_s_ = 0;
-  std::uint64_t profiled_ = 0;       // number of calls covered by profile_s_
-  std::uint64_t each_of_ = 1;        // sampling period in calls
-  std::uint64_t next_profiled_ = 0;  // number of the next sampled call
-  std::unique_ptr<Timed> timed_;     // set only if costs are timed
+  std::uint64_t profiled_ = 0;       // number of calls that profile_s_ stands for
+  std::uint64_t each_of_ = 1;        // one call in so many is measured
+  std::uint64_t next_profiled_ = 0;  // number of the next call to be measured
+  std::unique_ptr<Timed> timed_;     // only if costs are host times
   KernelUse use_;
   machine::Seconds charged_s_{};
 };
 
-/// Use of those kernels that were called.
+/// Use of the given kernels, without those that were never called.
 std::vector<KernelUse> uses_of(std::initializer_list<const KernelCost*> kernels);
 
-/// Makes a kernel for KernelCost that renders a block of pixels.
+/// Makes a function for KernelCost that renders a block of pixels.
 inline auto block_kernel(const renderer::Scene& scene, const renderer::Params& params,
                          const renderer::Area& area) {
   return [&scene, &params, area](renderer::BlockBuffer& buffer, renderer::Work& work) {
@@ -179,11 +181,12 @@ inline auto block_kernel(const renderer::Scene& scene, const renderer::Params& p
   };
 }
 
-/// Costs of intersections, and of whole shading trees. In trees, shading has the scale factor of
-/// the central process, because that process shades if tasks are single rays.
+/// Costs of operations: of finding intersections, and of tracing whole shading trees. The scale
+/// factor of shading is that of the central process, which does the shading if tasks are single
+/// rays.
 machine::OperationCosts intersection_costs(const machine::Model& model);
 machine::OperationCosts tree_costs(const machine::Model& model);
-/// Costs of the central process: its computations and the display.
+/// Costs of operations in the central process: computations and display.
 machine::OperationCosts central_costs(const machine::Model& model);
 /// Cost of one operation of the coordinator or the display.
 machine::Cycles central_cost(const machine::Model& model, std::string_view operation);
