@@ -72,8 +72,8 @@ void Coordinator::hand_out() {
   for (std::size_t i = 0; i < workers.size(); ++i) give_first(workers[i], std::move(first[i]));
 }
 
-// Sends cells to a worker in as few messages as possible. A worker without cells gets an empty
-// message.
+// Sends image cells to a worker in as few messages as possible. A worker for which there are no
+// cells gets one empty message, so that it knows that it may request tasks.
 void Coordinator::give_first(int worker, std::vector<SampledCell> cells) {
   const auto room = (shared_.longest - shared_.sizes.of(Tasks{})) / shared_.sizes.cell;
   for (std::size_t i = 0; i == 0 || i < cells.size();) {
@@ -86,9 +86,9 @@ void Coordinator::give_first(int worker, std::vector<SampledCell> cells) {
   }
 }
 
-// Assigns cells to workers by measured time. First distributes the cells to the workers in rotation
-// for measurement. Then assigns them by descending time, each to the worker with the lowest total.
-// Returns the worker of each cell.
+// Assigns image cells to workers by measured time. First the cells are sent to the workers in
+// rotation, to be measured. Then they are assigned in the order of descending time, each to the
+// worker with the lowest sum of times. Returns for each cell the index of its worker.
 std::vector<int> Coordinator::measure_cells(const std::vector<SampledCell>& cells) {
   const auto& workers = shared_.places.workers;
   const auto room = (shared_.longest - shared_.sizes.of(CellTimes{})) / (shared_.sizes.cell + 4);
@@ -130,7 +130,7 @@ std::vector<int> Coordinator::measure_cells(const std::vector<SampledCell>& cell
   return worker_of;
 }
 
-// For green balancing: gives a child the next task of the pool.
+// Only for green balancing: gives a child in the tree of requests the next undistributed cell.
 void Coordinator::serve_demand(int child) {
   if (next_of_pool_ == pool_.size()) return;
   ++shared_.record.counts.moves;
@@ -147,7 +147,8 @@ void Coordinator::obey(const Message& message) {
       [&](const TaskRequest& request) {
         if (shared_.params.balance == BalanceMethod::green)
           return serve_demand(message.from.processor);
-        // Forward the request to a worker chosen in rotation. That worker remembers the request.
+        // The request passed all workers on its route unserved. Forwards it to a worker chosen in
+        // rotation, which stores the request until it has tasks to spare.
         const auto& workers = shared_.places.workers;
         int to = request.asker;
         for (std::size_t tries = 0; to == request.asker && tries < workers.size(); ++tries)
@@ -167,7 +168,7 @@ void Coordinator::count(const Report& report) {
   if (parked_ + finished_pixels_ == shared_.pixels()) end_phase();
 }
 
-// Called when every cell is finished or parked beyond the limits.
+// Called when every pixel is in a cell that is finished, or that waits beyond the present limits.
 void Coordinator::end_phase() {
   if (finished_pixels_ == shared_.pixels()) {
     if (!is_last_ && stage_ + 1 < shared_.params.stages.size())

@@ -28,8 +28,9 @@ void Display::run() {
   manager_.serve_for_ever();
 }
 
-// Polls the workers in rotation, at most once per screen frame. A round that starts after Finish is
-// the last one and collects all remaining pictures.
+// Polls every worker once, in rotation, then waits until `frame_s` has passed since the round
+// began. A round that begins after Finish was received is the last one: it collects all remaining
+// pictures.
 void Display::poll_all() {
   const auto next_frame =
       occam::read_timer() + occam::ticks(machine::Seconds{shared_.params.frame_s});
@@ -55,7 +56,7 @@ void Display::ask(int worker) {
   send(manager_, shared_.sizes, DISPLAY_PROCESS, {worker, TASK_PROCESS}, Poll{});
 }
 
-// Serves messages until at most `most` of the polled workers have pictures left to send.
+// Serves messages until at most `most` of the polled workers still have pictures to send.
 void Display::await_answers(std::size_t most) {
   while (asked_ > most) obey(manager_.serve_at_once());
 }
@@ -89,16 +90,16 @@ void Display::obey(const Message& message) {
       },
       [&](const Finish&) {
         is_finishing_ = true;
-        // Without polling, all pictures are already shown: a worker sends its pixels before it
-        // reports them as finished.
+        // Without polling, all pictures have already been shown, because a worker sends the picture
+        // of a finished pixel before it reports the pixel to the coordinator.
         if (!is_polled) finish();
       },
       [&](const Stop&) { is_stopped_ = true; },
       [&](const auto&) { throw base::InvariantBroken("a message that is not for a display"); });
 }
 
-// Draws a block, except pixels that already show a newer one. Returns true if any colour has
-// changed.
+// Draws a painted block, except on pixels that already show a newer painting. Returns true if any
+// colour has changed.
 bool Display::draw(const Painted& block, int width, Screen& screen, renderer::Work& work) {
   bool is_changed = false;
   auto from = block.rgb8.begin();
@@ -146,8 +147,8 @@ void Display::keep(const std::string& name) {
     shared_.record.key_images.push_back({now, "borders-" + name, draw_borders()});
 }
 
-// Draws the upper and left borders of cells in white. Omits cells of fewer than four pixels a side,
-// because the borders would hide them.
+// Draws the upper and left borders of cells in white. Cells with sides below four pixels get no
+// borders, which would hide them.
 std::vector<std::uint8_t> Display::draw_borders() const {
   auto rgb8 = screen_.rgb8;
   const int width = shared_.record.samples.width;

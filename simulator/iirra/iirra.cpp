@@ -14,14 +14,14 @@ namespace iirra {
 
 namespace {
 
-// Maximum message length in bytes, unless a data record is longer.
+// Maximum length of a message in bytes. A single data record may need a longer message.
 constexpr std::uint64_t LONGEST = 2048;
 constexpr int DATA_BIT = 1 << shared_memory::DATA_PROCESS, TASK_BIT = 1 << TASK_PROCESS;
 constexpr int TASK_BITS = DATA_BIT | TASK_BIT;
 constexpr int DISPLAY_BITS = DATA_BIT | 1 << DISPLAY_PROCESS;
-constexpr int NO_PROCESS = 0;  // the user's client receives no messages
+constexpr int NO_PROCESS = 0;  // the client that sends the user's orders receives no messages
 
-// The workers at the minimum distance from worker `self`.
+// Returns the workers closest to worker `self`: those at the smallest distance that any worker has.
 std::vector<int> find_nearest(const network::Routing& routing, const std::vector<int>& workers,
                               int self) {
   std::vector<int> nearest;
@@ -38,7 +38,8 @@ std::vector<int> find_nearest(const network::Routing& routing, const std::vector
   return nearest;
 }
 
-// By processor: the parent in the tree that carries task requests.
+// For green balancing: returns, by processor, the parent in the tree along which tasks are
+// requested.
 std::vector<int> find_parents(const topologies::Topology& topology, const Places& places) {
   const auto tree = topologies::make_spanning_tree(topology, places.coordinator);
   base::require(
@@ -105,7 +106,8 @@ class Run {
     auto& record = shared_.record;
     coordinator_->end(machine_.now().value);
     record.end = end;
-    // After an abort, workers may still take tasks until Stop reaches them.
+    // After an abort, workers may still take tasks until Stop reaches them, which is after
+    // `ended_s`.
     record.last_task_s = std::min(record.last_task_s, record.ended_s);
     record.setup_s = record.begun_s;
     record.time_s = record.ended_s - record.begun_s;
@@ -201,8 +203,8 @@ class Run {
   void connect() {
     network::Params network;
     network.method = params_.method;
-    // Buffers for one or two requests per worker and for the polls of the display. If they
-    // overflow, the run ends with a fault that names the router.
+    // Each router has buffers for one or two requests per worker and for the polls of the display.
+    // If they are too few, the run ends with a fault that names the router.
     network.buffers = params_.buffers.value_or(static_cast<std::size_t>(topology_.processors) + 64);
     if (params_.data)
       shared_.longest =
@@ -224,7 +226,8 @@ class Run {
     }
   }
 
-  // Schedules the faults. A stopped processor loses its cells, so the run fails.
+  // Schedules the faults of the experiment. If a processor stops, its image cells are lost and the
+  // run fails.
   void plan_faults() {
     programs::plan_faults(
         machine_, setup_.faults, [this](int id) -> auto& {
@@ -277,11 +280,11 @@ class Run {
   const Params& params_;
   const topologies::Topology& topology_;
   machine::Machine machine_;
-  std::vector<machine::Processor*> companions_;  // by processor; null if it has no companion
+  std::vector<machine::Processor*> companions_;  // by processor; null if it has no second processor
   std::optional<shared_memory::SceneItems> items_;
   Shared shared_;
   std::optional<network::Network> network_;
-  std::optional<shared_memory::VirtualMemory> memory_;  // set if the scene is distributed
+  std::optional<shared_memory::VirtualMemory> memory_;  // only if the scene is distributed
   std::vector<std::unique_ptr<shared_memory::DataManager>> whole_;
   std::optional<Coordinator> coordinator_;
   std::optional<Display> display_;
@@ -295,7 +298,7 @@ void check_weights(const char* key, const Weights& w) {
                 "found only weights of 0, expected at least one above 0");
 }
 
-// Checks limits. `key` is "stage" or "order".
+// Checks the limits of a stage or an order. `key` is the name that an error shows.
 void check_limits(const std::string& key, const renderer::Params& image, const Limits& limits) {
   renderer::Params with_area = image;
   with_area.area = limits.area;

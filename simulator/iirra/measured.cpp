@@ -12,7 +12,7 @@ Columns<Result> sample_columns() {
   using C = Counts;
   const auto of_image = [](const R& r) { return r.rays_image.total(); };
   const auto outside = [](const R& r) { return r.rays_outside.total(); };
-  // In an incomplete run, rays of unfinished pixels would count as traced twice.
+  // In an incomplete run, rays of unfinished pixels would be counted as traced more than once.
   const auto is_complete = [](const R& r) { return !r.is_aborted && r.end == machine::End::done; };
   const auto twice = [is_complete](const R& r) {
     return is_complete(r) ? r.rays.total() - r.rays_outside.total() - r.rays_image.total() : 0;
@@ -116,8 +116,8 @@ Losses find_losses(const Result& result) {
   const double needed =
       static_cast<double>(result.rays_image.total()) / static_cast<double>(result.rays.total());
   Losses losses;
-  // While a process waits, the CPU may serve others. Only the part of the waiting time in which the
-  // CPU is idle is lost.
+  // While a process waits for data, its CPU may run another process. Only the part of the waiting
+  // time in which the CPU is idle is lost.
   const double not_busy = std::max(0.0, 1 - busy_s / all_s);
   losses.data = result.shared ? std::min(not_busy, result.shared->data.waited.value / all_s) : 0;
   losses.idle = not_busy - losses.data;

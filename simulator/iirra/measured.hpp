@@ -7,21 +7,23 @@
 
 namespace iirra {
 
-/// Fractions of the workers' time not spent on rays of the final image. Together with the time for
-/// these rays they sum to 1.
+/// Fractions of the workers' time that do not serve to trace rays of the final image. Together with
+/// the fraction that does, they sum to 1.
 struct Losses {
-  double idle = NAN;      ///< without a task, or waiting for the display
-  double data = NAN;      ///< waiting for scene data
-  double repeated = NAN;  ///< rays of samples outside the image, or traced by several workers
-  double routing = NAN;   ///< high-priority processes
-  double managing = NAN;  ///< tasks, pictures, messages and data look-ups
+  double idle = NAN;  ///< the worker has no task, or waits for the display
+  double data = NAN;  ///< the worker waits for scene data
+  /// Spent on samples outside the image, or on rays that several workers traced.
+  double repeated = NAN;
+  double routing = NAN;   ///< spent in high-priority processes, which route messages
+  double managing = NAN;  ///< spent on tasks, pictures, messages and searches for scene data
   base::Cell largest;     ///< name of the largest fraction
 };
 /// All fractions are NaN if the run was cut short before its first ray.
 Losses find_losses(const Result& result);
 
-/// Possible bottlenecks, see ray_tracing::find_loads. "coordination" is the fraction of time in
-/// which this process does not wait for messages, and "tasks" that after the last task was taken.
+/// Possible bottlenecks, as listed at ray_tracing::find_loads. "coordination" is the fraction of
+/// time in which the coordinator does not wait for messages. "tasks" is the fraction of time after
+/// a worker took the last task.
 ray_tracing::Loads find_loads(const Result& result);
 
 struct Measured : ray_tracing::Measured<Result> {

@@ -1,5 +1,5 @@
 #pragma once
-// Declaration of IIRRA as a program for experiments.
+// Declares IIRRA as a program that experiments can run.
 #include "simulator/iirra/iirra.hpp"
 #include "simulator/ray_tracing/program.hpp"
 

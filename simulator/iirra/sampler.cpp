@@ -72,7 +72,7 @@ void Sampler::measure(const Point& p) {
   shared_.record.counts.samples_outside += shared_.is_outside(p);
 }
 
-// Traces a ray and the shadow feelers from its hit; queues all other children.
+// Traces a ray, then the shadow feelers that start at its hit. Queues all other child rays.
 void Sampler::trace(Sample& sample, const Ray& ray, bool is_outside) {
   const auto& sampling = params_.image.sampling;
   const bool is_judged = is_adaptive(sampling) && !is_outside;
@@ -93,8 +93,8 @@ void Sampler::trace(Sample& sample, const Ray& ray, bool is_outside) {
     }
 }
 
-// Queues the pixel's next sample if one is needed and the previous one's primary ray has been
-// traced.
+// Queues the primary ray of the pixel's next sample, if one is needed and the primary ray of the
+// previous sample has been traced.
 void Sampler::extend(Sample& sample, const Point& p) {
   const auto& sampling = params_.image.sampling;
   if (sampling.pixel_samples == 1) return;
@@ -107,8 +107,8 @@ void Sampler::extend(Sample& sample, const Point& p) {
   sample.waiting.push_back(make_primary(shared_.scene.view, params_.image, p.x, p.y, sample.begun));
 }
 
-// For adaptive sampling: after each round, finds the objects at the pixel's corners and returns the
-// number of samples needed.
+// Only for adaptive sampling: returns the number of samples that the pixel needs. After each round
+// of samples, finds the objects at the pixel's corners and decides anew.
 int Sampler::find_wanted(Sample& sample, const Point& p) {
   auto& open = sample.open;
   if (sample.begun < open.wanted || !sample.waiting.empty() || open.samples.empty())

@@ -1,24 +1,27 @@
 #pragma once
-// The application of a worker (AP; thesis, 5.1.3): traces the shading trees of sample points.
+// The application of a worker (AP; thesis, 5.1.3): traces the rays that start at sample points, and
+// their trees of child rays (shading trees).
 #include "simulator/iirra/shared.hpp"
 
 namespace iirra {
 
 class Sampler {
  public:
-  /// `serve` is called before each ray and handles the messages that may not wait.
+  /// Before each ray calls `serve`, which handles the messages that may not wait for a complete
+  /// sample.
   Sampler(Shared& shared, shared_memory::DataManager& manager, std::function<void()> serve);
 
-  /// Makes the sample of a point and traces its primary ray.
+  /// Makes the sample at a point and traces its primary ray.
   void begin(const Point& point);
-  /// Traces the waiting rays of sample number `pass` of a point that have this tree level and are
-  /// within the limits.
+  /// Traces those waiting rays of the point's sample number `pass` that are at this level of their
+  /// shading tree and within the limits.
   void deepen(const Point& point, int pass, int level, const Limits& limits);
-  /// Traces the whole shading tree of a point to measure its time. Keeps no sample.
+  /// Traces the whole shading tree of a point without storing a sample, so that the caller can
+  /// measure its time.
   void measure(const Point& point);
 
   SampleTable& samples() { return samples_; }
-  /// True during begin() and deepen() for this point, when its sample is incomplete.
+  /// True while begin() or deepen() works on this point, so that its sample is incomplete.
   bool is_open(const Point& point) const { return open_ == point; }
 
  private:
@@ -33,8 +36,9 @@ class Sampler {
   const Sizes& sizes_;
   const std::function<void()> serve_;
   SampleTable samples_;
-  std::unordered_map<std::uint32_t, std::uint32_t> corners_;  // objects at corners of pixels
-  std::optional<Point> open_;                                 // point of the current sample
+  // Number of the object seen at each known corner of pixels.
+  std::unordered_map<std::uint32_t, std::uint32_t> corners_;
+  std::optional<Point> open_;  // point on which begin() or deepen() works
 };
 
 }  // namespace iirra

@@ -1,4 +1,4 @@
-// The state before the first task: roles of processors, and initial cells.
+// The assignments made before the first task: roles of processors, and initial cells of workers.
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -10,7 +10,8 @@ namespace iirra {
 
 namespace {
 
-// Position on a Z-order curve. Cells that are close on the curve are close in the image.
+// Returns the position of a cell on a Z-order curve. Cells with close positions are mostly close in
+// the image.
 std::uint64_t place_on_curve(int column, int row) {
   std::uint64_t place = 0;
   for (int bit = 0; bit < 16; ++bit)
@@ -63,8 +64,9 @@ std::vector<int> assign(Start start, int columns, int rows, int workers) {
       worker_of[order[i]] = static_cast<int>(i * static_cast<std::size_t>(workers) / cells);
     return worker_of;
   }
-  // Makes macro-cells as square as the number of workers allows. Surplus cells of a macro-cell go
-  // to the workers in rotation.
+  // Makes macro-cells (groups of adjacent cells, one for each worker) as square as the number of
+  // workers allows. A macro-cell with more cells than workers gives the surplus to the workers in
+  // rotation.
   const int down = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(workers))));
   const int across = (workers + down - 1) / down;
   int turn = 0;

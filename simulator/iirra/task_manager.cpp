@@ -8,7 +8,8 @@ using machine::this_process;
 
 namespace {
 
-// True if p is inside the cell, not on its border, so that no other cell uses a sample at p.
+// True if p is strictly inside the cell. Cells share only samples on their borders, so no other
+// cell uses a sample at p.
 bool is_inner(const SampledCell& cell, const Point& p) {
   return p.x > cell.x && p.y > cell.y && p.x < cell.x + cell.side && p.y < cell.y + cell.side;
 }
@@ -101,8 +102,9 @@ std::optional<Tasks> TaskManager::share() {
   const std::size_t most = (stores_.active() - reserve + 1) / 2;
   Tasks tasks;
   std::uint64_t bytes = sizes_.of(tasks);
-  // Tasks must not circulate. A received task may therefore be given away only after this worker
-  // has worked on it. With `green`, tasks only move down a tree and may be given away at once.
+  // A received task may be given away only after this worker has worked on it, so that tasks do not
+  // circulate. With `green` balancing tasks move only down a tree, so they may be given away at
+  // once.
   const bool goes_on = params_.balance == BalanceMethod::green;
   const auto may_go = [&](const Task& task) {
     if (task.has_just_come && !goes_on) return false;
@@ -130,7 +132,8 @@ std::optional<Tasks> TaskManager::share() {
   return tasks;
 }
 
-// Moves the cell's inner samples, which no other cell needs, and copies the samples on its border.
+// Packs a cell for another processor. Moves the samples inside the cell, which no other cell needs,
+// and copies the samples on its border.
 MovedCell TaskManager::pack(const TaskCell& cell) {
   MovedCell moved{cell, {}};
   const auto forget_inner = [&](const Point& p) {
@@ -142,7 +145,7 @@ MovedCell TaskManager::pack(const TaskCell& cell) {
     moved.samples.push_back(samples_.at(p));
     forget_inner(p);
   }
-  // the receiver restarts an incomplete level
+  // the receiver takes the samples of an incomplete level again from the start
   if (cell.sampled > 0)
     for (int i = 0; i < cell.sampled; ++i)
       forget_inner(points_of_level(cell, cell.level + 1)[static_cast<std::size_t>(i)]);
@@ -150,7 +153,8 @@ MovedCell TaskManager::pack(const TaskCell& cell) {
   return moved;
 }
 
-// Stores received samples. Of two states of a sample, keeps the more advanced one.
+// Stores received samples. If the processor already has a sample, keeps the one with more traced
+// rays.
 void TaskManager::receive(const MovedCell& moved, bool is_first) {
   std::size_t i = 0;
   for (const Point& p : points_of(moved.cell)) {

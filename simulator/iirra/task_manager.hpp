@@ -1,33 +1,37 @@
 #pragma once
-// The task manager of a worker (TM; thesis, 5.1.3): its tasks within and beyond the limits, and
-// their moves to and from other workers.
+// The task manager of a worker (TM; thesis, 5.1.3). It holds the worker's tasks (image cells), both
+// within and beyond the limits, and exchanges tasks with other workers.
 #include "simulator/iirra/frame_buffers.hpp"
 #include "simulator/iirra/sampler.hpp"
 
 namespace iirra {
 
-/// Charges its work and allocates its memory on the processor of this_process().
+/// All functions charge time and allocate memory on the processor of this_process().
 class TaskManager {
  public:
   TaskManager(Shared& shared, Sampler& sampler, FrameBuffers& unshown);
 
-  /// Removes and returns the most important task; none if no task is within the limits.
+  /// Removes and returns the most important task, or nothing if no task is within the limits.
   std::optional<Task> take();
-  /// Stores a cell as a task. If the colours of its pixels are final, records them instead.
+  /// Stores a cell as a task. If its pixels have their final colours, records these instead.
   void put(const TaskCell& cell, bool has_just_come = false);
-  /// Classifies all tasks again by the limits of a new phase. Returns false for an old phase.
+  /// Compares all tasks with the limits of a new phase. Returns false, without effect, unless the
+  /// phase is newer than the present one.
   bool begin_phase(const NewPhase& phase);
-  /// Removes and returns tasks for another worker; none if there are none to spare.
+  /// Removes and returns tasks for another worker, or nothing if this worker has none to spare.
   std::optional<Tasks> share();
-  /// Stores a cell from another processor. `is_first`: the sender is the coordinator.
+  /// Stores a cell from another processor. `is_first` is true if the coordinator sent it.
   void receive(const MovedCell& moved, bool is_first);
-  /// The pixels parked and finished since the last report; none while tasks are within the limits.
+  /// Returns the numbers of pixels that came to wait beyond the limits, or were finished, since the
+  /// last report. Returns nothing while tasks are within the limits, or if both numbers are 0.
   std::optional<Report> report();
 
-  std::size_t active() const { return stores_.active(); }  ///< tasks within the limits
-  std::uint64_t pixels_of(const SampledCell& cell) const;  ///< only those in the computed area
+  std::size_t active() const { return stores_.active(); }  ///< number of tasks within the limits
+  /// Number of the cell's pixels that lie in the computed area.
+  std::uint64_t pixels_of(const SampledCell& cell) const;
   std::uint32_t phase() const { return phase_; }
-  int order() const { return order_; }  ///< number of the user's order that set the limits
+  /// Number of the user's order that set the limits, 0 if none.
+  int order() const { return order_; }
   const Limits& limits() const { return limits_; }
 
  private:
@@ -48,8 +52,9 @@ class TaskManager {
   Limits limits_;
   std::uint32_t phase_ = 0;
   int order_ = 0;
-  std::uint64_t finished_ = 0;                       // pixels
-  std::uint64_t new_parked_ = 0, new_finished_ = 0;  // pixels not yet reported in this phase
+  std::uint64_t finished_ = 0;  // number of finished pixels
+  // Pixels of this phase that were not yet reported.
+  std::uint64_t new_parked_ = 0, new_finished_ = 0;
 };
 
 }  // namespace iirra

@@ -24,7 +24,7 @@ Worker::Worker(Shared& shared, shared_memory::DataManager& manager, Peers peers)
 
 void Worker::run() {
   work();
-  manager_.serve_for_ever();  // serves requests that others sent before they were stopped
+  manager_.serve_for_ever();  // serves requests that other processors sent before they were stopped
 }
 
 void Worker::work() {
@@ -43,10 +43,10 @@ void Worker::work() {
   }
 }
 
-// Handles a worker without tasks: reports to the coordinator, requests tasks and waits.
+// Called when no task is left: reports to the coordinator, requests tasks and waits for a message.
 void Worker::rest() {
   if (!params_.is_polled) send_pictures();
-  if (tasks_.active() > 0 || is_stopped_) return;  // tasks have arrived meanwhile
+  if (tasks_.active() > 0 || is_stopped_) return;  // tasks have arrived while pictures were sent
   if (const auto report = tasks_.report())
     send_to({shared_.places.coordinator, TASK_PROCESS}, *report);
   if (has_begun_) balance_->ask();
@@ -97,8 +97,8 @@ void Worker::divide_cell(const TaskCell& cell) {
   balance_->created();
 }
 
-// Traces level `level` of the shading trees of the cell's samples, for sample number `pass` of each
-// pixel.
+// Traces level `level` of the shading trees of all points in the cell, for sample number `pass` of
+// each point's pixel.
 void Worker::deepen(const SampledCell& cell, int pass, int level) {
   const std::uint32_t phase = tasks_.phase();
   for (const Point& p : points_to_deepen(cell)) {
@@ -108,7 +108,7 @@ void Worker::deepen(const SampledCell& cell, int pass, int level) {
   }
 }
 
-// Called between samples: handles all messages.
+// Called between samples, when no sample is incomplete: handles all messages.
 void Worker::serve_waiting() {
   serve_urgent();
   while (!deferred_.empty()) {
@@ -118,7 +118,7 @@ void Worker::serve_waiting() {
   }
 }
 
-// Called between rays of a sample: handles only messages that do not affect the current cell.
+// Called between the rays of a sample: handles only messages that do not change the present cell.
 void Worker::serve_urgent() {
   while (auto message = manager_.take_other()) {
     const auto& content = network::read<IirraMessage>(*message);
@@ -153,7 +153,7 @@ void Worker::obey(const Message& message) {
       [&](const auto&) { throw base::InvariantBroken("a message that is not for a worker"); });
 }
 
-// Measures the time to trace the whole shading tree of each cell's middle sample.
+// Measures how long it takes to trace the whole shading tree of each cell's middle point.
 void Worker::measure(int asker, const Measure& asked) {
   CellTimes measured;
   for (const auto& cell : asked.cells) {
@@ -164,7 +164,8 @@ void Worker::measure(int asker, const Measure& asked) {
   send_to({asker, TASK_PROCESS}, std::move(measured));
 }
 
-// Without polling: sends the next picture when the display has acknowledged the previous one.
+// If the display does not poll: sends the next picture as soon as the display has acknowledged the
+// previous one.
 void Worker::send_pictures() {
   while (!unshown_.empty() && !is_stopped_) {
     if (!std::exchange(is_under_way_, true))

@@ -1,6 +1,6 @@
 #pragma once
-// The sequential process of a computing processor: application, data manager and task manager in
-// turns (thesis, figure 5.4 and 5.1.3).
+// The sequential process of a worker, which alternates between application, data manager and task
+// manager (thesis, 5.1.3 and figure 5.4).
 #include <deque>
 
 #include "simulator/iirra/task_manager.hpp"
@@ -10,20 +10,20 @@ namespace iirra {
 class Worker final : private TaskGiver {
  public:
   Worker(Shared& shared, shared_memory::DataManager& manager, Peers peers);
-  /// Works until stopped, then only serves data.
+  /// Works on tasks until stopped, then only serves scene data.
   void run();
 
  private:
   void work();
   void rest();
 
-  // One step of a task.
+  // The functions that perform one step of a task.
   void advance(const Task& task);
   void sample_next_level(TaskCell& cell);
   void divide_cell(const TaskCell& cell);
   void deepen(const SampledCell& cell, int pass, int level);
 
-  // Messages.
+  // The functions that send and handle messages.
   void serve_waiting();
   void serve_urgent();
   void obey(const network::Message& message);
@@ -44,9 +44,10 @@ class Worker final : private TaskGiver {
   Sampler sampler_;
   FrameBuffers unshown_;
   TaskManager tasks_;
-  bool is_under_way_ = false;              // an unrequested picture awaits its acknowledgement
-  std::deque<network::Message> deferred_;  // until the current sample is complete
-  bool has_begun_;                         // the first tasks, or an empty message, have arrived
+  bool is_under_way_ = false;  // a picture sent unasked awaits its acknowledgement
+  // Messages that wait until the current sample is complete.
+  std::deque<network::Message> deferred_;
+  bool has_begun_;  // true when the first tasks, or the empty first message, have arrived
   bool is_stopped_ = false;
 };
 

@@ -19,8 +19,9 @@ class NoBalance : public Balance {
   }
 };
 
-// Base class of passive methods. A worker requests tasks once, then waits for tasks or new limits.
-// Another worker that cannot serve the request at once remembers it.
+// Base class of methods in which workers without tasks make requests. A worker sends one request,
+// then waits for tasks or new limits. A worker that receives a request and has no tasks to spare
+// may store the request until it has.
 class Passive : public Balance {
  public:
   using Balance::Balance;
@@ -47,7 +48,7 @@ class Passive : public Balance {
   bool is_asking_ = false;
 
  private:
-  std::vector<int> wanting_;  // workers with unserved requests, in order of arrival
+  std::vector<int> wanting_;  // workers with unserved requests, by time of arrival
 };
 
 class AskNeighbours : public Passive {
@@ -75,8 +76,8 @@ class AskNeighbours : public Passive {
   std::size_t refusals_ = 0, next_ = 0;
 };
 
-// Every worker on the route to the coordinator may serve the request. If none does, the coordinator
-// forwards the request to a worker, chosen in rotation, which remembers it.
+// A request travels to the coordinator, and every worker on the route may serve it. If none does,
+// the coordinator forwards the request to a worker, chosen in rotation, which stores it.
 class AskCoordinator : public Passive {
  public:
   using Passive::Passive;
@@ -94,8 +95,8 @@ class AskCoordinator : public Passive {
   }
 };
 
-// A request that returns to its sender unserved is sent once more. The next worker in the ring then
-// remembers it.
+// Requests travel around the ring of workers. A request that returns to its sender unserved is sent
+// around once more, and the next worker then stores it unless it can serve it.
 class AskRing : public Passive {
  public:
   using Passive::Passive;
@@ -120,8 +121,8 @@ class AskRing : public Passive {
   void pass(const TaskRequest& request) { giver_.send_to({peers_.next, TASK_PROCESS}, request); }
 };
 
-// Estimates the load of each neighbour: the load reported in its last message, plus the tasks given
-// to it since.
+// Gives tasks to neighbours with few tasks. The load of a neighbour is estimated as the load in its
+// last message plus the number of tasks that were given to it since then.
 class Distribution {
  public:
   Distribution(TaskGiver& giver, const Peers& peers) : giver_(giver) {
@@ -177,7 +178,7 @@ class Mixed : public AskNeighbours {
   Distribution distribution_;
 };
 
-// Each worker requests one task at a time from its parent, for itself or for a child.
+// Each worker sends its parent one request at a time, for itself or on behalf of a child.
 class Green : public Balance {
  public:
   using Balance::Balance;
@@ -205,7 +206,7 @@ class Green : public Balance {
       }
   }
   bool is_asking_ = false;
-  std::map<int, int> demands_;  // by child: number of requested tasks not yet given
+  std::map<int, int> demands_;  // number of requested tasks not yet given, by child
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 #pragma once
-// Load balancing between task managers (thesis, 5.1.3.1 and 6.2; H. Kuchen and A. Wagener, 1991). A
-// manager remembers each request that it cannot serve, and serves it when it has tasks to spare.
-// Workers therefore need not repeat requests.
+// Load balancing between the task managers of workers (thesis, 5.1.3.1 and 6.2; H. Kuchen and A.
+// Wagener, 1991). A task manager stores each request for tasks that it cannot serve, and serves it
+// as soon as it has tasks to spare. Workers therefore need not repeat requests.
 #include <memory>
 
 #include "simulator/iirra/tasks/messages.hpp"
@@ -10,31 +10,33 @@ namespace iirra {
 
 enum class BalanceMethod : std::uint8_t {
   none,
-  neighbours,   ///< passive: a worker without tasks asks one neighbour after another
-  coordinator,  ///< passive: a worker without tasks asks all processors towards the coordinator
+  neighbours,   ///< a worker without tasks asks one neighbour after another
+  coordinator,  ///< a worker without tasks asks all workers on its route to the coordinator
   active,       ///< a worker with new tasks gives some to the neighbour with the lowest known load
   mixed,        ///< combination of `active` and `neighbours`
-  green,        ///< tasks move down a tree from the coordinator, on demand (Green, 1991)
+  green,        ///< tasks move down a tree from the coordinator on request (Green, 1991)
   ring          ///< requests circulate in a ring of all workers (Badouel, 1990)
 };
 
 /// Processor numbers that a task manager needs for load balancing.
 struct Peers {
   int self = 0, coordinator = 0;
-  std::vector<int> neighbours;  ///< workers at the minimum distance
-  int next = 0;                 ///< successor in the ring of workers; `self` if there is only one
+  std::vector<int> neighbours;  ///< the workers closest to `self`
+  int next = 0;                 ///< next worker in the ring of workers; `self` if there is only one
   int parent = 0;               ///< parent in the spanning tree from the coordinator
 };
 
-/// The functions of a worker that its load balancing calls.
+/// The functions of a worker that its load balancing method calls.
 class TaskGiver {
  public:
-  /// Number of waiting tasks within the limits, without the one being worked on.
+  /// Number of waiting tasks within the limits, not counting the task that is being worked on.
   virtual std::size_t load() const = 0;
-  /// Sends some tasks to `to`. Returns their number, 0 if there are none to spare.
+  /// Sends some tasks to worker `to`. Returns the number of tasks sent, 0 if there are none to
+  /// spare.
   virtual std::size_t give(int to) = 0;
   virtual void send_to(network::Address to, IirraMessage content) = 0;
-  /// Gives an offered message back to the router, because this worker does not serve it.
+  /// Returns a message to the router, which forwards it, because this worker cannot serve the
+  /// request.
   virtual void pass_on(const network::Message& message) = 0;
 
  protected:
@@ -51,10 +53,10 @@ class Balance {
   virtual void ask() {}
   /// Called when the number of tasks has increased.
   virtual void created() {}
-  /// Called after each step of a task. Other tasks that share the step's samples can then be given
-  /// away.
+  /// Called after each step of a task. Tasks that had to stay, because they use the samples of that
+  /// step, can then be given away.
   virtual void worked() {}
-  /// Called when `message` contains a request of another worker.
+  /// Called when `message`, which contains `request`, has arrived.
   virtual void requested(const network::Message& message, const TaskRequest& request) = 0;
   virtual void refused(int /*by*/, std::size_t /*load*/) {}
   virtual void received(int /*from*/, std::size_t /*load*/) {}

@@ -8,7 +8,7 @@
 
 namespace iirra {
 
-/// Process numbers in addresses.
+/// Numbers of processes in network addresses.
 constexpr int TASK_PROCESS = shared_memory::FIRST_FREE_PROCESS;  ///< task managers
 constexpr int DISPLAY_PROCESS = TASK_PROCESS + 1;
 
@@ -16,17 +16,18 @@ constexpr int DISPLAY_PROCESS = TASK_PROCESS + 1;
 /// Cells that become tasks of the receiver.
 struct Tasks {
   std::vector<MovedCell> cells;
-  std::size_t load = 0;  ///< number of tasks left at the sender
+  std::size_t load = 0;  ///< number of tasks that the sender keeps
 };
-/// A request for tasks of worker `asker`, which need not be the sender.
+/// Worker `asker` requests tasks. A request may be forwarded, so the sender may be another
+/// processor.
 struct TaskRequest {
   int asker = 0;
-  bool is_last = false;  ///< the receiver must remember the request until it has tasks
+  bool is_last = false;  ///< the receiver must store the request until it has tasks to spare
 };
 struct NoTasks {
   std::size_t load = 0;
 };
-/// Cells whose time the receiver shall measure with one sample each. It does not keep these cells.
+/// The receiver measures the time of one sample in each cell. The cells do not become its tasks.
 struct Measure {
   std::vector<SampledCell> cells;
 };
@@ -35,47 +36,48 @@ struct CellTimes {
 };
 
 // --- phases -----------------------------------------------------------------------------------
-/// Coordinator -> workers: new limits, by which workers reclassify all cells.
+/// Coordination -> workers: new limits. Each worker compares all its cells with them.
 struct NewPhase {
   std::uint32_t phase = 0;
   Limits limits;
   int order = 0;  ///< number of the user's order that set the limits, or 0
 };
-/// Worker -> coordinator: pixels that were parked or finished in this phase since the last report.
-/// See docs/manual/termination.md.
+/// Worker -> coordinator: numbers of pixels that, since the worker's last report in this phase,
+/// came to wait beyond the limits (`parked`) or were finished. The manual's page
+/// docs/manual/termination.md explains how the coordinator detects the end of a phase.
 struct Report {
   std::uint32_t phase = 0;
   std::uint64_t parked = 0, finished = 0;
 };
 struct Stop {};
-/// Message that an order of the user is due, given by its index in Shared::orders.
+/// Tells the coordinator that an order of the user is due. `place` is its index in Shared::orders.
 struct UserOrder {
   std::size_t place = 0;
 };
 
 // --- display ----------------------------------------------------------------------------------
-/// A painted part of a cell, from a virtual frame buffer.
+/// A cell or strip of a cell, painted in a worker's virtual frame buffer.
 struct Painted : renderer::progressive::Painting {
   TaskCell cell;
-  int order = 0;  ///< the user's order that was in force when it was painted
+  int order = 0;  ///< number of the user's order in force when the cell was painted, or 0
 };
 struct Poll {};
 struct Picture {
   std::vector<Painted> blocks;
-  bool is_all = true;  ///< no further blocks are waiting
+  bool is_all = true;  ///< false if the sender has further blocks
 };
-struct PictureShown {};  ///< acknowledges an unrequested picture
-struct KeepPicture {     ///< saves the picture; with polling, after the next round
-  std::string name;      ///< file name; counts as one word of the message
+struct PictureShown {};  ///< acknowledges a picture that a worker sent unasked
+struct KeepPicture {     ///< saves the picture; if the display polls, after the next round
+  std::string name;      ///< file name; its simulated length is one word
 };
-struct Finish {};  ///< the display must show all pictures, then reply Finished
+struct Finish {};  ///< the display must show all pictures, then reply with Finished
 struct Finished {};
 
 using IirraMessage =
     std::variant<Tasks, TaskRequest, NoTasks, Measure, CellTimes, NewPhase, Report, Stop, UserOrder,
                  Poll, Picture, PictureShown, KeepPicture, Finish, Finished>;
 
-/// Sizes of stored and transmitted data in bytes, from the model.
+/// Sizes in bytes of records and messages, from the model file.
 struct Sizes {
   explicit Sizes(const machine::Model& model)
       : cell(get_bytes(model, "cell")),
@@ -84,7 +86,7 @@ struct Sizes {
         pixel(get_bytes(model, "pixel")),
         message(model, &kernels::message_costs) {}
   std::uint64_t cell, sample, ray;
-  std::uint64_t pixel;                              ///< per sample of an incomplete adaptive pixel
+  std::uint64_t pixel;  ///< for each sample of an incomplete pixel with adaptive sampling
   kernels::ByModel<kernels::MessageCosts> message;  ///< in cycles, not bytes
 
   static constexpr std::uint64_t WORD = 4;
@@ -96,19 +98,19 @@ struct Sizes {
     for (const auto& s : moved.samples) sum += of(s);
     return sum;
   }
-  /// A block of a picture: three words for position and age, then three bytes per pixel.
+  /// Length of a painted block: three words for position and age, then three bytes per pixel.
   static std::uint64_t of(const Painted& block) { return 3 * WORD + block.rgb8.size(); }
   std::uint64_t of(const Tasks& tasks) const;
   std::uint64_t of(const Picture& picture) const;
   std::uint64_t of(const IirraMessage& content) const;
 };
 
-/// Sends a message through `manager`'s client. If the message cannot be delivered, process `from`
-/// gets it back.
+/// Sends a message through the router client of `manager`. An undeliverable message returns to the
+/// process number `from` of this processor.
 void send(shared_memory::DataManager& manager, const Sizes& sizes, int from, network::Address to,
           IirraMessage content);
-/// The content of a message. If the message was returned as undeliverable, throws machine::Fault
-/// that names both ends.
+/// Returns the content of a message. If the message came back as undeliverable, throws
+/// machine::Fault that names sender and receiver.
 const IirraMessage& read(const Sizes& sizes, const network::Message& message);
 
 }  // namespace iirra

@@ -19,8 +19,8 @@ bool meets(const SampledCell& cell, const Area& area) {
                             cell.y < area.y + area.height && cell.y + cell.side > area.y);
 }
 
-// 1 if the cell overlaps the area of interest. Otherwise 1 minus the distance between them, divided
-// by the image's diagonal.
+// Returns 1 if the cell overlaps the area of interest. Otherwise returns 1 minus the distance
+// between cell and area, divided by the image's diagonal.
 double eval_position(const SampledCell& cell, const Area& area, const Area& image) {
   if (meets(cell, area)) return 1;
   const auto gap = [](int a, int a_end, int b, int b_end) {
@@ -85,8 +85,8 @@ std::uint64_t eval_bayer(int x, int y, int bits) {
 CellQuadrants make_cell_quadrants(const Area& image, int max_cell) {
   CellQuadrants quadrants;
   for (int side = max_cell; side >= 2; side /= 2) {
-    // Number of cells of this size in a row or column, including those outside the image that
-    // result from dividing a largest cell.
+    // The number of cells with this side in a row or column. Includes cells outside the image that
+    // result from dividing a largest cell on the border.
     const auto cells = [&](int pixels) {
       return (pixels + max_cell - 1) / max_cell * (max_cell / side);
     };
@@ -98,7 +98,7 @@ CellQuadrants make_cell_quadrants(const Area& image, int max_cell) {
 
 namespace {
 
-// The place of a cell among those of equal importance.
+// Returns a number by which cells of equal importance are sorted, lowest first.
 std::uint64_t eval_place(const Ordering& o, const SampledCell& cell, double contrast) {
   const int column = (cell.x - o.image.x) / cell.side, row = (cell.y - o.image.y) / cell.side;
   const auto drawn = [&] {
@@ -121,7 +121,7 @@ std::uint64_t eval_place(const Ordering& o, const SampledCell& cell, double cont
     case CellOrder::recursive:
       return interleave(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
     case CellOrder::adaptive:
-      // upper bits: contrast, highest first; lower bits: random
+      // upper 10 bits: highest contrast first; lower 54 bits: random
       return static_cast<std::uint64_t>(1023 * (1 - contrast)) << 54 | drawn() >> 10;
   }
   return 0;

@@ -1,6 +1,7 @@
 #pragma once
-// Increasing realism in IIRRA (thesis, 5.1.3 and 5.3): six quantities of an image cell, the user's
-// limits on them, the choice of a cell's next step, and the order of cells.
+// Increasing realism in IIRRA (thesis, 5.1.3 and 5.3): six measured quantities of an image cell,
+// the user's limits on them, the choice of a cell's next step, and the order in which cells are
+// refined.
 #include <map>
 #include <memory>
 #include <optional>
@@ -12,18 +13,19 @@ namespace iirra {
 
 using renderer::progressive::SampledCell;
 
-/// Weights of a cell's quantities in its importance, at least 0. Each quantity lies in [0, 1].
+/// Weights of six quantities in a cell's importance. Each weight is at least 0; each quantity lies
+/// in [0, 1].
 struct Weights {
   double position = 1;   ///< 1 within the area of interest, decreasing with distance
-  double size = 4;       ///< log2 of the side divided by that of the largest cell
+  double size = 4;       ///< log2 of the cell's side divided by log2 of the largest cell's side
   double samples = 2;    ///< 1 without samples, 0 with 13 samples
-  double contrast = 1;   ///< Eq 4.7
-  double depth = 1;      ///< 1 / lowest level of a waiting ray in its shading tree
-  double influence = 1;  ///< largest influence factor of a waiting ray
+  double contrast = 1;   ///< contrast between the cell's samples (thesis, Eq 4.7)
+  double depth = 1;      ///< 1 / lowest level in the shading trees at which a ray waits
+  double influence = 1;  ///< largest influence factor of the waiting rays
   bool operator==(const Weights&) const = default;
 };
 
-/// The user's parameters of increasing realism. A step of a cell that exceeds a limit must wait for
+/// Limits of increasing realism, set by the user. A step of a cell that exceeds a limit waits for
 /// the non-interactive phase.
 struct Limits {
   double min_influence = 0.0;      ///< minimum influence factor of a ray
@@ -33,22 +35,23 @@ struct Limits {
   int max_samples = 13;            ///< maximum number of samples in a cell
   double min_contrast = 0.0;       ///< minimum contrast at which a cell is divided
   renderer::Area area;             ///< pixels that a cell must overlap; 0 x 0 for all
-  std::optional<Weights> weights;  ///< if absent, those of the program
+  std::optional<Weights> weights;  ///< if absent, the weights in the program's parameters apply
   bool operator==(const Limits&) const = default;
 };
 
-/// The limits of the non-interactive phase, which admit everything and keep the weights.
+/// Returns the limits of the non-interactive phase: they admit every step, with the weights of
+/// `limits`.
 Limits without_limits(const Limits& limits);
 
-/// True if a waiting ray is within the limits.
+/// True if a waiting ray may be traced under the limits.
 bool is_within(const renderer::Ray& ray, const Limits& limits);
 
-/// The quantities that determine a cell's next step, besides its position and size.
+/// Quantities that determine a cell's next step, in addition to its position and size.
 struct Quantities {
   double contrast = 0;
-  int depth = 0;         ///< lowest level of waiting rays of `pass`; 0 if none is waiting
+  int depth = 0;  ///< lowest tree level of the waiting rays of sample `pass`; 0 if none waits
   double influence = 0;  ///< largest influence factor of these rays
-  int pass = 0;          ///< earliest sample number with a waiting ray within the limits
+  int pass = 0;  ///< lowest sample number of a pixel that has a waiting ray within the limits
 };
 
 enum class Advance : std::uint8_t {
@@ -58,43 +61,45 @@ enum class Advance : std::uint8_t {
   deepen   ///< trace the next level of the samples' shading trees
 };
 
-/// Chooses a cell's next step. Refines the resolution while the contrast is at least the influence
-/// of waiting rays; otherwise deepens the shading trees. The contrast estimates the light that the
-/// present resolution still misplaces. Second and later samples of pixels come last.
+/// Chooses a cell's next step. While the contrast is at least the influence factor of the waiting
+/// rays, takes more samples or divides the cell; otherwise traces the waiting rays. The contrast
+/// serves as an estimate of the error caused by the present resolution. Second and later samples of
+/// pixels come last.
 Advance choose(const SampledCell& cell, const Quantities& quantities, const Limits& limits);
 
-/// The order of cells with equal importance.
+/// The order in which cells of equal importance are refined.
 enum class CellOrder : std::uint8_t {
-  bayer,       ///< Bayer's matrix of Eq 5.7, extended to arbitrary order
-  random,      ///< shuffled, depending on a seed
+  bayer,       ///< by Bayer's dither matrix (thesis, Eq 5.7), extended to any power of two
+  random,      ///< random, determined by a seed
   sequential,  ///< row by row from the top
-  recursive,   ///< recursive quadrants
-  adaptive     ///< highest contrast first, then random
+  recursive,   ///< recursively by quadrants
+  adaptive     ///< by falling contrast, then random
 };
 
-/// The element at column x and row y, both from 0, of Bayer's matrix (B. Bayer, 1973) of order
-/// 2^bits. Elements count from 0. Eq 5.7 shows the matrix for 2 bits, with elements from 1.
+/// Returns the element at column x and row y, both counted from 0, of Bayer's dither matrix (B.
+/// Bayer, 1973) with 2^bits rows. Elements are numbered from 0. Eq 5.7 of the thesis shows the
+/// matrix for 2 bits, with elements numbered from 1.
 std::uint64_t eval_bayer(int x, int y, int bits);
 
-/// The importance of a cell: the weighted sum of its quantities, and its rank among cells with
-/// equal sums.
+/// The importance of a cell: the weighted sum of its quantities, and its place among cells with
+/// equal sums (lowest first).
 struct Importance {
   double sum = 0;
   std::uint64_t place = 0;
 };
 
-/// Quadrant order of cells, by side length. The orders count coordinates in cells from the upper
-/// left corner of the image.
+/// Quadrant orders of cells, by the cells' side length in pixels. Their coordinates are counted in
+/// cells of that size from the upper left corner of the image.
 using CellQuadrants = std::map<int, renderer::progressive::QuadrantOrder>;
 CellQuadrants make_cell_quadrants(const renderer::Area& image, int max_cell);
 
-/// Parameters that determine the importance of cells.
+/// Parameters that determine the importance of a cell.
 struct Ordering {
   renderer::Area image;  ///< in pixels; the first cell is at the upper left
   int max_cell = 16;
   CellOrder order = CellOrder::bayer;
   std::uint64_t seed = 1;
-  Weights weights;                                           ///< used if the limits have no weights
+  Weights weights;  ///< apply if the limits have no weights
   std::shared_ptr<const CellQuadrants> quadrants = nullptr;  ///< replaces `order` if set
 
   Importance eval(const SampledCell& cell, const Quantities& quantities,

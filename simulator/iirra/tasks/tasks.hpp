@@ -1,6 +1,7 @@
 #pragma once
-// Data of a task manager (thesis, 5.1.3). Tasks, which are image cells, are stored in a priority
-// queue (BDI) or, beyond the limits, in an unordered store (BDNI). Samples are stored separately.
+// Data of a worker's task manager (thesis, 5.1.3). Tasks are image cells. They are stored in a
+// priority queue (BDI) or, if beyond the limits, in an unordered store (BDNI). Samples are stored
+// separately.
 #include <functional>
 #include <unordered_map>
 #include <vector>
@@ -15,23 +16,24 @@ using renderer::progressive::Point;
 
 /// The image cell of a task.
 struct TaskCell : SampledCell {
-  /// Number of paintings of this cell and of the cells from which it was divided. The display
-  /// compares these numbers to find the newer of two pictures of a pixel.
+  /// Number of times that this cell, and the cells from which it was divided, have been painted.
+  /// The display compares these numbers to find the newer of two paintings of a pixel.
   std::uint32_t paintings = 0;
   int sampled = 0;  ///< number of points of the next level that have already been sampled
 };
 
-/// A cell with the assessment made when it was stored.
+/// A cell with its next step and importance, as found when the cell was stored.
 struct Task {
   TaskCell cell;
   Quantities quantities = {};
   Advance next = Advance::sample;
   Importance importance = {};
-  bool has_just_come = false;  ///< received from another processor and not yet worked on here
+  /// Received from another processor and not yet worked on by this one.
+  bool has_just_come = false;
 };
 
-/// State of a sample point. If a pixel has several samples, they are taken in sequence: the next
-/// primary ray waits until the previous one has been traced.
+/// State of a sample point. A pixel may have several samples. They are taken one after another: the
+/// next primary ray waits until the previous one has been traced.
 struct Sample {
   renderer::Samples::Sums sums;
   std::vector<renderer::Ray> waiting;  ///< untraced rays of shading trees
@@ -46,12 +48,13 @@ struct MovedCell {
   std::vector<Sample> samples;
 };
 
-/// Counts of a task manager's operations, with the names used in model files.
+/// Numbers of operations of a task manager, with the names used in model files.
 struct TaskWork {
   std::uint64_t heap_step = 0;       ///< exchanges of two tasks in the priority queue
   std::uint64_t record_stored = 0;   ///< tasks moved into or out of a store
-  std::uint64_t ray_classified = 0;  ///< cells or waiting rays compared with the limits
-  std::uint64_t cell_judged = 0;     ///< samples compared with their cell's minimum and maximum
+  std::uint64_t ray_classified = 0;  ///< comparisons of a cell or waiting ray with the limits
+  /// Comparisons of a sample with the minimum and maximum of its cell.
+  std::uint64_t cell_judged = 0;
   static constexpr std::array<std::string_view, 4> NAMES = {"heap_step", "record_stored",
                                                             "ray_classified", "cell_judged"};
   std::array<std::uint64_t, 4> counts() const {
@@ -61,14 +64,15 @@ struct TaskWork {
 
 class TaskStores {
  public:
-  /// Adds a task to the priority queue, or to the unordered store if no step is within the limits.
+  /// Adds a task to the priority queue, or to the unordered store if its next step exceeds the
+  /// limits.
   void add(const Task& task, TaskWork& work);
-  /// Removes and returns the most important task. Returns none if the priority queue is empty.
+  /// Removes and returns the most important task, or nothing if the priority queue is empty.
   std::optional<Task> take(TaskWork& work);
-  /// Removes and returns a task for which `may_go` is true, or none. Searches only the end of the
-  /// heap, so that the most important tasks stay.
+  /// Removes and returns a task for which `may_go` is true, or nothing. Searches only the last
+  /// LOOKED_AT elements of the heap, so that the most important tasks stay.
   std::optional<Task> take_last(const std::function<bool(const Task&)>& may_go, TaskWork& work);
-  /// Removes and returns all tasks, for reclassification.
+  /// Removes and returns all tasks, so that they can be compared with new limits.
   std::vector<Task> take_all();
 
   std::size_t active() const { return heap_.size(); }
@@ -79,8 +83,9 @@ class TaskStores {
   std::vector<Task> heap_, later_;
 };
 
-/// The samples of a processor, by position. Cells share them, so that each is computed only once
-/// per processor. Most stay until the end, because later divisions may need them.
+/// The samples of a processor, by position. Cells share samples, so that each is computed only once
+/// per processor. Most samples stay until the end, because cells made by later divisions may need
+/// them.
 class SampleTable {
  public:
   SampleTable() = default;
@@ -91,7 +96,7 @@ class SampleTable {
     const Sample& sample = at(point);
     return eval_shown(sampling_, sample.sums, sample.begun);
   }
-  /// The sample at a point; made if missing.
+  /// Returns the sample at a point; makes an empty one if there is none.
   Sample& operator[](const Point& point) { return table_[key(point)]; }
   bool has(const Point& point) const { return table_.contains(key(point)); }
   Sample& at(const Point& point) { return table_.at(key(point)); }
@@ -106,12 +111,12 @@ class SampleTable {
   std::unordered_map<std::uint64_t, Sample> table_;  // never iterated, so its order does not matter
 };
 
-/// Computes a cell's quantities from its samples. Of the waiting rays, counts only those of
+/// Computes a cell's quantities from its samples. Considers only the waiting rays of
 /// points_to_deepen().
 Quantities find_quantities(const SampledCell& cell, const SampleTable& samples,
                            const Limits& limits, TaskWork& work);
-/// The samples of a cell whose shading trees must be traced: all samples, or only the cell's own
-/// pixels once every pixel is sampled.
+/// Returns the samples whose shading trees must be traced for a cell: at first all its samples.
+/// When every pixel of the cell is sampled, only the pixels that no other cell owns.
 renderer::progressive::Points points_to_deepen(const SampledCell& cell);
 /// True if all pixels of the cell have their final colours.
 bool is_finished(const SampledCell& cell, const SampleTable& samples);
