@@ -7,7 +7,8 @@
 namespace machine {
 
 namespace {
-constexpr double HAIR = 1e-9;  // rounding tolerance for dates on a tick, in time slice periods
+// Rounding tolerance when a date falls on a tick; unit: time slice periods.
+constexpr double HAIR = 1e-9;
 
 template <class Queue>
 Process& take_first(Queue& queue) {
@@ -73,8 +74,8 @@ void Cpu::make_ready(Process& process, Seconds at) {
   const bool high = process.priority_ == Priority::high;
   if (high && is_coming_back() && now() <= low_.way_back_from) stay_away();
   if (high && running_ && running_->priority_ == Priority::low) return preempt(process);
-  // First come, first served, by simulated time. A process may become ready ahead of the clock, so
-  // the queue is sorted by date.
+  // Processes are served by the date at which they became ready. The queue is sorted by this date,
+  // because a process may become ready at a date ahead of the clock.
   auto& queue = high ? high_queue_ : low_queue_;
   auto place = queue.end();
   while (place != queue.begin() && std::prev(place)->ready_at_ > at) --place;
@@ -90,7 +91,8 @@ void Cpu::dispatch_when_free() {
 void Cpu::ask_dispatch() {
   const auto then = [this, id = ++dispatch_id_] {
     if (id != dispatch_id_) return engine_.ignore_event();
-    if (free_at_ > now()) return ask_dispatch();  // DMA has delayed the release of the CPU
+    // DMA has meanwhile delayed the end of the last process.
+    if (free_at_ > now()) return ask_dispatch();
     dispatch();
   };
   if (free_at_ > now() || has_come_to_link_)
@@ -150,7 +152,8 @@ void Cpu::account_high(const Process& process, Seconds time) {
   high_.preempting = false;
 }
 
-// Schedules a callback for the process, with the process's rank if it has one.
+// Schedules a callback for the process: with the process's rank among simultaneous events, if it
+// has one.
 void Cpu::at(Seconds date, const Process& process, auto then) {
   if (process.has_rank())
     engine_.ranked_at(date, process.rank_, then);
@@ -158,11 +161,11 @@ void Cpu::at(Seconds date, const Process& process, auto then) {
     engine_.at(date, then);
 }
 
-// Schedules the end of the running high-priority process's computation.
+// Schedules the end of the present computation of the running high-priority process.
 void Cpu::end_high_at(Seconds date) {
   at(date, *running_, [this, id = ++high_.id] {
     if (id != high_.id) return engine_.ignore_event();
-    if (high_.until > now()) return end_high_at(high_.until);  // DMA has delayed the end
+    if (high_.until > now()) return end_high_at(high_.until);  // DMA has meanwhile delayed the end
     high_.computing = false;
     has_come_to_link_ = running_->has_rank();
     execute(*running_);
@@ -171,7 +174,8 @@ void Cpu::end_high_at(Seconds date) {
 }
 
 void Cpu::release(Process& process, Seconds free_at) {
-  if (interrupted_ == &process) {  // it was released by its last instruction: no state was saved
+  // Made ready by the last instruction of a process that thereby ended: no state was saved.
+  if (interrupted_ == &process) {
     interrupted_ = nullptr;
     high_.preempting = false;
     --use_.preemptions;
@@ -185,7 +189,7 @@ void Cpu::release(Process& process, Seconds free_at) {
   if (interrupted_ || ready() > 0) dispatch_when_free();
 }
 
-// Pre-empts the running low-priority process for a high-priority one that became ready.
+// Pre-empts the running low-priority process in favour of the high-priority process `high`.
 void Cpu::preempt(Process& high) {
   interrupted_ = running_;
   running_ = &high;
@@ -196,8 +200,8 @@ void Cpu::preempt(Process& high) {
   engine_.soon([this, &high] { execute(high); });
 }
 
-// Stops the computation of the low-priority process. Before low_.since, the CPU is still switching
-// back to that process, which has not resumed yet.
+// Stops the computation of the low-priority process that was pre-empted. Before low_.since, the CPU
+// was still switching back to that process, so the process has not computed since then.
 void Cpu::stop_low() {
   low_.left = speed_ * (low_.end - std::max(now(), low_.since));
   if (low_.since <= now()) return account_low();
@@ -206,8 +210,8 @@ void Cpu::stop_low() {
   low_.way_back_from = NEVER;
 }
 
-// Switches back to the low-priority process at free_at_, unless a high-priority one becomes ready
-// by then.
+// Switches back to the pre-empted low-priority process at the date free_at_. The switch is
+// cancelled if a high-priority process becomes ready by then.
 void Cpu::resume_interrupted() {
   running_ = std::exchange(interrupted_, nullptr);
   low_.way_back_from = std::max(now(), free_at_);
@@ -220,13 +224,14 @@ void Cpu::foresee_way_back() {
   low_.end = low_.since + Seconds{low_.left.value / speed_};
 }
 
-// Cancels the switch back because a high-priority process became ready before it began.
+// Cancels a planned switch back to the low-priority process, because a high-priority process became
+// ready before it began.
 void Cpu::stay_away() {
   interrupted_ = std::exchange(running_, nullptr);
   low_.way_back_from = NEVER;
 }
 
-// Converts between dates and time slice periods since date 0.
+// The next two functions convert between dates and numbers of time slice periods since date 0.
 double Cpu::slices(Seconds date) const {
   return date / (model_.scheduler.slice / model_.cpu.clock);
 }
@@ -249,12 +254,13 @@ void Cpu::compute(Process& low, Seconds time) {
   low_.since = now();
   low_.end = now() + Seconds{time.value / speed_};
   low_.left = time;
-  if (interrupted_ != &low) arm_low_timer();  // otherwise the process was pre-empted meanwhile
+  // If they are equal, the process was pre-empted meanwhile.
+  if (interrupted_ != &low) arm_low_timer();
 }
 
-// Finds the date at which the running process yields to the first low-priority process in the
-// queue. The date may change, because that process may become ready ahead of the clock: another
-// process may then overtake it, or DMA may move its date.
+// Finds the date at which the running process must yield to the first low-priority process in the
+// queue. This date may change: if the queued process became ready at a date ahead of the clock,
+// another process may still overtake it, or DMA may move the date.
 void Cpu::find_end_of_slice() {
   if (low_queue_.empty()) return;
   low_.gives_way_at = std::max(
@@ -265,8 +271,8 @@ void Cpu::arm_low_timer() {
   find_end_of_slice();
   const Seconds gives_way = std::max({now(), low_.gives_way_at, low_.since});
   const Seconds at = std::min(low_.end, gives_way);
-  // Pre-emption only delays the end of a computation. A timer that therefore fires too early is set
-  // again.
+  // An earlier timer may stay set. When it fires too early, because pre-emption has delayed the end
+  // of the computation, it is set again.
   const auto rank = running_->rank_;
   if (low_timer_.armed && low_timer_.at <= at && (low_timer_.at < at || low_timer_.rank == rank))
     return;
@@ -279,7 +285,8 @@ void Cpu::arm_low_timer() {
 }
 
 void Cpu::low_timer() {
-  if (interrupted_ || !low_.computing) return;  // the timer is set again when the CPU resumes
+  // The timer will be set again when the CPU resumes the process.
+  if (interrupted_ || !low_.computing) return;
   Process& low = *running_;
   const Seconds left = low_.end - now();
   find_end_of_slice();
@@ -333,8 +340,7 @@ void Cpu::stretch(const Stretch& stretch) {
       for (Process& process : *queue) process.stretch(stretch);
     if (high_.computing) {
       running_->paid_for_ += more;
-      // No new event is needed for a later end: the pending event fires early and is then set
-      // again.
+      // A later end needs no new event: the pending event fires too early and is then set again.
       if (stretch.ratio < 1) end_high_at(until);
       return;
     }
@@ -378,17 +384,17 @@ CpuUse Cpu::use_by(Seconds date) const {
   return use;
 }
 
-// The part of the high-priority time in use_ that lies after `date`.
+// The part of the time counted in use_.busy_high that lies after `date`.
 Seconds Cpu::high_after(Seconds date) const { return std::max(Seconds{}, high_.until - date); }
 
-// The duration, up to `date`, of the current switch back to the low-priority process, which use_
-// does not include yet.
+// Duration of the present switch back to the low-priority process, up to `date`. It is not yet
+// counted in use_.
 Seconds Cpu::switched_back(Seconds date) const {
   if (!is_coming_back()) return {};
   return std::max(Seconds{}, std::min(date, low_.since) - low_.way_back_from);
 }
 
-// The computation of the low-priority process up to `date` that use_ does not include yet.
+// Computation time of the low-priority process up to `date` that is not yet counted in use_.
 Seconds Cpu::low_before(Seconds date) const {
   const bool computes = low_.computing && !interrupted_ && date > low_.since;
   return computes ? date - low_.since : Seconds{};
@@ -398,7 +404,7 @@ Seconds Cpu::busy_by(Seconds date) const {
   return use_.busy() - high_after(date) + switched_back(date) + low_before(date);
 }
 
-// Time of cycles taken from the CPU while it was idle, since the last change of its speed.
+// Idle time of the CPU lost to DMA and the companion since the last change of the CPU's speed.
 Seconds Cpu::stolen_idle(Seconds date) const {
   if (speed_ == 1) return {};
   const Seconds idle = date - speed_since_ - (busy_by(date) - busy_then_);
@@ -412,7 +418,7 @@ void Cpu::stop() {
     use_.busy_high += switched_back(now());
     low_.way_back_from = NEVER;
   }
-  flush_observer();  // also accounts for the computation of a low-priority process
+  flush_observer();  // also counts the computation of a low-priority process
   if (high_.until > now()) {
     use_.busy_high -= high_.until - now();
     high_.until = now();
@@ -422,7 +428,7 @@ void Cpu::stop() {
   high_queue_.clear();
   low_queue_.clear();
   high_.computing = low_.computing = false;
-  ++high_.id;  // makes pending events outdated
+  ++high_.id;  // pending events with older numbers have no effect
   ++low_timer_.id;
   ++dispatch_id_;
 }

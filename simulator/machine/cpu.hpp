@@ -1,10 +1,11 @@
 #pragma once
-// A transputer's CPU with its microcoded two-priority scheduler.
+// A transputer's CPU with its two-priority scheduler, which on the chip is implemented in
+// microcode.
 //
 // High-priority processes run until they block. Low-priority processes run only while no
-// high-priority process is ready, and are pre-empted if one becomes ready. They share the CPU by
-// time slices: a running process yields after one to two slice periods if another one is ready.
-// (INMOS T800 family; transputer data book.)
+// high-priority process is ready, and are pre-empted as soon as one becomes ready. Low-priority
+// processes share the CPU by time slices: a running one yields after one to two slice periods if
+// another one is ready. (INMOS T800 family; transputer data book.)
 #include <algorithm>
 #include <array>
 #include <boost/intrusive/list.hpp>
@@ -21,7 +22,7 @@ namespace machine {
 
 class LinkDirection;
 
-/// Interface of an observer of processors and links. Each call reports an activity after its end.
+/// Interface of an observer of processors and links. Each call reports an activity that has ended.
 struct Observer {
   enum class Doing : std::uint8_t { high, low, switching };
 
@@ -36,30 +37,31 @@ struct Observer {
 };
 
 struct CpuUse {
-  Seconds busy_high{}, busy_low{};  ///< execution time by priority; switches count as high priority
-  /// Cycles that DMA and a companion have taken from the CPU while it was idle. Taking cycles from
-  /// a busy CPU extends its busy time instead.
+  /// Execution time by priority; context switches count as high priority.
+  Seconds busy_high{}, busy_low{};
+  /// Idle time of the CPU lost to DMA and to a companion processor. If the CPU is busy, lost cycles
+  /// extend its busy time instead.
   Seconds stolen_idle{};
   std::uint64_t preemptions = 0, dispatches = 0;
   Seconds busy() const { return busy_high + busy_low; }
-  /// Time not available to one more process of lowest priority, if there were one. The switches
-  /// that such a process would cause are not counted.
+  /// Time that would not have been available to an additional process of lowest priority. Excludes
+  /// the switches that such a process would cause.
   Seconds taken() const { return busy() + stolen_idle; }
 };
 
-/// Buffer between a CPU and its observer. DMA may still change activities that end ahead of the
-/// clock. Each is therefore reported after its end, or by flush().
+/// Buffer between a CPU and its observer. An activity may end at a date ahead of the clock, and DMA
+/// may still change that date. Each activity is therefore reported after its end, or by flush().
 class CpuDiary {
  public:
   explicit CpuDiary(const Processor& processor) : processor_(processor) {}
 
-  /// Sets the observer. Drops the activities that have not been reported yet.
+  /// Sets the observer. Activities that have not yet been reported are dropped.
   void set_observer(Observer* observer) {
     observer_ = observer;
     spans_.clear();
   }
   bool has_observer() const { return observer_; }
-  /// The id of a process's name, see Observer; 0 if there is no observer.
+  /// The observer's id for the name of a process; 0 if there is no observer.
   std::uint32_t number_of(const std::string& name);
   void note(const Process& process, Observer::Doing doing, Seconds from, Seconds to);
   void tell_past(Seconds now);  ///< reports the activities that have ended
@@ -71,7 +73,7 @@ class CpuDiary {
     Observer::Doing doing;
     Seconds from, to;
   };
-  /// The unreported activities that have begun, each up to `now`.
+  /// The unreported activities that have begun; those that have not ended are cut at `now`.
   std::vector<Span> untold(Seconds now) const;
 
  private:
@@ -86,43 +88,44 @@ class Cpu {
   Cpu(Engine& engine, const Model& model, Processor& processor)
       : engine_(engine), model_(model), processor_(processor), diary_(processor) {}
 
-  /// Puts a blocked process on its ready queue at date `at`: now, or the own time of a process
-  /// running on this CPU.
+  /// Puts a blocked process on its ready queue at the date `at`. This date is the present one, or
+  /// the own time (see Process) of a process that is running on this CPU.
   void make_ready(Process& process, Seconds at);
-  /// Stops the CPU for ever. Its processes remain in their present state, and cycles charged in
-  /// advance are not executed.
+  /// Stops the CPU for ever. Its processes stay in their present state. Cycles that they have been
+  /// charged but have not yet used are not executed.
   void stop();
   bool stopped() const { return stopped_at_ < NEVER; }
   Seconds lived_until() const { return std::min(engine_.now(), stopped_at_); }
-  /// True if a high-priority process or a switch occupies the CPU beyond the present date.
+  /// True if a high-priority process or a context switch occupies the CPU beyond the present date.
   bool is_ahead() const { return high_.until > now() || (is_coming_back() && low_.since > now()); }
-  /// True if this low-priority process owes cycles and a high-priority process became ready during
-  /// its current execution.
+  /// True if this low-priority process still owes cycles, and a high-priority process has become
+  /// ready while its body was executing.
   bool is_interrupted(const Process& process) const { return interrupted_ == &process; }
 
-  /// Duration of `cycles` at the present speed, which DMA of links reduces.
+  /// Duration of `cycles` at the CPU's present speed. DMA of links reduces this speed.
   Seconds duration(Cycles cycles) const {
     const Seconds alone = cycles / model_.cpu.clock;
     return speed_ == 1 ? alone : Seconds{alone.value / speed_};
   }
-  /// Sets the fraction of the CPU's cycles taken by `thief`: by the DMA of the link at port 0 to 3,
-  /// by the companion's CPU (BY_COMPANION), or by the DMA of the companion's links (higher
-  /// numbers). Current work, and work charged by a high-priority process before it blocked, ends
-  /// later.
+  /// Sets the fraction of the CPU's cycles taken by one `thief`. Thieves 0 to 3 are the DMA of the
+  /// link at that port, 4 (BY_COMPANION) is the companion's CPU, and higher numbers are the DMA of
+  /// the companion's links. Changes the end of the present computation, and of work that a
+  /// high-priority process was charged before it blocked.
   static constexpr std::size_t BY_COMPANION = 4;
   void set_stolen(std::size_t thief, double share);
   CpuUse use() const { return use_by(now()); }  ///< up to the present date
-  /// Use up to a later date, provided that no event occurs before that date.
+  /// Use up to a date in the future, if no event occurs before that date.
   CpuUse use_by(Seconds date) const;
-  /// Lower bound on the time until a process ends its current computation, even if it is waiting
-  /// for the CPU. Assumes full speed.
+  /// Lower bound on the time until a process ends its present computation. Assumes that it gets the
+  /// CPU at once and at full speed.
   Seconds least_left(const Process& process) const;
-  std::size_t ready() const { return high_queue_.size() + low_queue_.size(); }  ///< ready processes
+  /// Number of processes in the two ready queues.
+  std::size_t ready() const { return high_queue_.size() + low_queue_.size(); }
 
   void set_observer(Observer* observer) { diary_.set_observer(observer); }
   void name_for_observer(Process& process);
   void flush_observer();
-  /// The activities up to now that have not been reported to the observer.
+  /// The activities up to the present date that have not yet been reported to the observer.
   std::vector<CpuDiary::Span> untold() const;
 
  private:
@@ -133,35 +136,36 @@ class Cpu {
 
   // State of the high-priority process that occupies the CPU.
   struct High {
-    bool computing = false;   // it has synced; its end moves with the CPU's speed
-    bool preempting = false;  // its next charge starts with a switch
-    std::uint64_t id = 0;     // events with a different id are outdated
-    Seconds until{};          // date up to which use_ already counts high-priority time
+    // It waits for its charged cycles to pass; the end depends on the CPU's speed.
+    bool computing = false;
+    bool preempting = false;  // its next computation includes a switch from low priority
+    std::uint64_t id = 0;     // pending events with another number have no effect
+    Seconds until{};          // use_ already counts high-priority time up to this date
   };
   // State of the low-priority process that is computing or interrupted.
   struct Low {
-    bool computing = false;  // false while it executes
+    bool computing = false;  // false while its body executes on the host
     Seconds since{};         // start of its computation; ahead of the clock during a switch back
-    Seconds end{};           // predicted end of its computation without interference
-    Seconds left{};          // remaining computation at full speed, while interrupted
-    Seconds way_back_from = NEVER;  // start of a switch back not yet counted in use_
+    Seconds end{};           // end of its computation if nothing interferes
+    Seconds left{};          // computation still to be done, at full speed, while interrupted
+    Seconds way_back_from = NEVER;  // start of a switch back to it that is not yet counted in use_
     Seconds slice_end{};            // end of its time slice
-    Seconds gives_way_at = NEVER;   // the tick at which it yields to a ready low-priority process
+    Seconds gives_way_at = NEVER;   // tick at which it yields to another ready low-priority process
   };
   struct Timer {
     bool armed = false;
     std::uint64_t rank = Process::NO_RANK;
     Seconds at{};
-    std::uint64_t id = 0;  // timers with a different id are outdated
+    std::uint64_t id = 0;  // timers with another number have no effect
   };
 
   Seconds now() const { return engine_.now(); }
   void dispatch_when_free();  // schedules dispatch() at free_at_
   void ask_dispatch();
   void dispatch();
-  void execute(Process& process);  // runs it until it needs time, blocks or ends
+  void execute(Process& process);  // runs its body until it needs time, blocks or ends
   void account_high(const Process& process, Seconds time);
-  void release(Process& process, Seconds free_at);  // called when it has blocked or ended
+  void release(Process& process, Seconds free_at);  // called when the process has blocked or ended
   void end_high_at(Seconds date);
   void preempt(Process& high);
   void stop_low();
@@ -185,22 +189,24 @@ class Cpu {
   Seconds busy_by(Seconds date) const;
   Seconds stolen_idle(Seconds date) const;
 
-  // Members used at every dispatch come first, to share cache lines.
+  // Members used each time a process starts to run come first, so that they share cache lines.
   Engine& engine_;
   const Model& model_;
   Processor& processor_;
-  Process* running_ = nullptr;      // occupies the CPU; null when idle
-  Process* interrupted_ = nullptr;  // the low-priority process that was pre-empted
+  Process* running_ = nullptr;  // the process that occupies the CPU; null if the CPU is idle
+  // The low-priority process that was pre-empted; null if there is none.
+  Process* interrupted_ = nullptr;
   ReadyQueue high_queue_, low_queue_;
-  Seconds free_at_{};  // date at which the last high-priority process releases the CPU
-  double speed_ = 1;   // fraction of cycles not taken by DMA and a companion
+  Seconds free_at_{};  // date at which the last high-priority process leaves the CPU
+  double speed_ = 1;   // fraction of cycles left by DMA and a companion
   Seconds speed_since_{}, busy_then_{};
   Seconds stopped_at_ = NEVER;
-  bool dispatching_ = false;       // dispatch() is scheduled
-  std::uint64_t dispatch_id_ = 0;  // scheduled calls with a different id are outdated
-  Process* last_high_ = nullptr;   // releases the CPU at free_at_, ahead of the clock
-  // True while executing a process that has just reached a link. The next process is dispatched
-  // after all others that reach links at the same date.
+  bool dispatching_ = false;       // a call of dispatch() is scheduled
+  std::uint64_t dispatch_id_ = 0;  // scheduled calls with another number have no effect
+  // The process that leaves the CPU at free_at_, if that is ahead of the clock.
+  Process* last_high_ = nullptr;
+  // True while the body of a process executes that has just reached a link. The next process may
+  // start only after all other processes that reach links at this date.
   bool has_come_to_link_ = false;
   High high_;
   CpuUse use_;

@@ -6,12 +6,12 @@ namespace machine {
 
 namespace {
 
-// Number of tries before a thread sleeps, some tens of microseconds. Waking a sleeping thread takes
-// longer.
+// Number of times that a thread checks a value before it sleeps; takes some tens of microseconds.
+// Waking a sleeping thread would take longer.
 constexpr int TRIES = 2000;
 
-// Spins, then sleeps. Without `may_spin` it sleeps at once, for crews with more threads than host
-// processors.
+// Waits until `value` differs from `old`: checks it repeatedly, then sleeps. Sleeps at once unless
+// `may_spin`; this is for pools with more threads than the host has processors.
 template <class Value>
 void wait_while(const std::atomic<Value>& value, Value old, bool may_spin) {
   for (int i = 0; may_spin && i < TRIES; ++i) {
@@ -32,7 +32,7 @@ Crew::Crew(std::size_t size, Share share)
   try {
     for (std::size_t number = 1; number < size; ++number)
       members_[number].thread = std::jthread([this, number] { live(number); });
-  } catch (...) {  // such as when the host has no threads left
+  } catch (...) {  // for instance, the host has no threads left
     end();
     throw;
   }

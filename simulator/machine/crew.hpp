@@ -1,5 +1,5 @@
 #pragma once
-// Pool of threads that repeatedly execute their shares of a task, with a barrier after each
+// Pool of threads that execute their shares of a task again and again. A barrier follows each
 // repetition.
 #include <atomic>
 #include <cstdint>
@@ -15,17 +15,18 @@ namespace machine {
 class Crew {
  public:
   using Share = std::function<void(std::size_t number)>;
-  /// Makes a pool whose members 0 to `size` - 1 execute `share`. Member 0 runs in the thread that
-  /// calls work(); each other member has its own thread.
+  /// Makes a pool with members 0 to `size` - 1. Each member executes `share` with its number.
+  /// Member 0 runs in the thread that calls work(); each other member has a thread of its own.
   Crew(std::size_t size, Share share);
   ~Crew() { end(); }
 
-  /// Executes the shares of the given members in parallel. Rethrows the first exception.
+  /// Executes the shares of the given members in parallel and returns when all are done. Rethrows
+  /// the first exception.
   void work(const std::vector<std::size_t>& members);
 
  private:
   struct alignas(64) Member {
-    std::atomic<std::uint64_t> called{0};  // number of calls of work()
+    std::atomic<std::uint64_t> called{0};  // number of calls of work() for this member
     std::jthread thread;
   };
   void end();
@@ -34,11 +35,13 @@ class Crew {
 
   const Share share_;
   const bool may_spin_;
-  std::atomic<std::size_t> at_work_{0};  // active members other than member 0
+  // Number of members that are still working, without member 0.
+  std::atomic<std::size_t> at_work_{0};
   std::atomic<bool> is_over_{false};
   std::mutex lock_;
   std::exception_ptr failure_;
-  std::deque<Member> members_;  // last, so that threads end before other members
+  // Declared last, so that the threads end before the members that they use.
+  std::deque<Member> members_;
 };
 
 }  // namespace machine

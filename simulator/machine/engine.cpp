@@ -17,7 +17,8 @@ void Engine::set_pace(Pace& pace) {
 
 Engine::End Engine::run(Seconds until) {
   events_.set_until(until.value);
-  events_.at(0, [] {});  // also causes pending callbacks of soon() to run
+  // Ensures one event, after which callbacks scheduled by soon() before the run are called.
+  events_.at(0, [] {});
   carrier_->run();
   if (events_.end() == End::no_event_left) rewind();
   return events_.end();

@@ -1,5 +1,5 @@
 #pragma once
-// Faults of the simulated program, with place and time. The two other kinds of error, bad input and
+// Faults of the simulated program, with place and date. The other two kinds of error, bad input and
 // broken invariants, are in base/errors.hpp.
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 
 namespace machine {
 
-/// A failure of the simulated program in `who`, a process or processor, at simulated time `when`.
+/// A fault in the process or processor named `who`, at the simulated date `when`.
 struct Fault : std::runtime_error {
   Fault(std::string who, Seconds when, const std::string& what)
       : std::runtime_error(base::show_zeros(what)), who(std::move(who)), when(when) {}
@@ -27,7 +27,7 @@ struct OutOfMemory : Fault {
   using Fault::Fault;
 };
 
-/// A request that no transputer can fulfil, such as two writers on a channel.
+/// An action that is impossible on a transputer, such as two writers on one channel.
 struct Misuse : Fault {
   using Fault::Fault;
 };

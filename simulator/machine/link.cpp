@@ -29,7 +29,8 @@ void LinkDirection::come_at(Seconds date, Side side, Engine::Callback has_come) 
   engine_.ranked_at(date, rank_of(side), has_come);
 }
 
-// The rank orders simultaneous events on links.
+// The rank determines the order of simultaneous events on links, so that results do not depend on
+// the host.
 void LinkDirection::expect(Side side, Process& process) {
   process.set_rank(rank_of(side));
   if (is_between_parts()) engine_at(side).coming().push_back(&process);
@@ -59,7 +60,7 @@ void LinkDirection::move() {
   if (cut_) return engine_.ignore_event();
   cable_->set_busy(cable_->busy() + 1);
   if (bytes_ == 0)
-    engine_.ranked_at(engine_.now(), rank_of(Side::writer), [this] { end(); });  // empty message
+    engine_.ranked_at(engine_.now(), rank_of(Side::writer), [this] { end(); });  // an empty message
   else {
     moves_ = true;
     engine_.transfer(direction_, bytes_, [this] { end(); });

@@ -8,16 +8,17 @@ namespace {
 
 constexpr std::size_t MAX_LINKS = 4, WORD_BYTES = 4;
 
-// Rates of a link through C004 switches. Each byte waits for the acknowledge of the previous one,
-// and both pass every switch, which lengthens the period of a byte.
+// Rates of a link that passes C004 link switches. Each byte waits until the previous one has been
+// acknowledged. Byte and acknowledgement both pass every switch, so each switch lengthens the time
+// per byte.
 LinkRates rates_through(const Model::Link& link, int switches) {
   const double period = link.bit_rate / link.one_way_rate + switches * link.switch_byte_bits;
   const double rate = link.bit_rate / period;
   return {std::min(link.one_way_rate, rate), std::min(link.both_ways_rate, 2 * rate)};
 }
 
-// Rates between two processor models. The ends send and acknowledge in turn, so the slower end
-// determines the rate.
+// Rates between processors of two models. Each end sends and acknowledges in turn, so the slower
+// end determines the rates.
 LinkRates rates_between(const Processor& a, const Processor& b, int switches) {
   const auto &one = a.model().link, &other = b.model().link;
   if (one.bit_rate != other.bit_rate)
@@ -30,15 +31,16 @@ LinkRates rates_between(const Processor& a, const Processor& b, int switches) {
   return {std::min(here.one_way, there.one_way), std::min(here.both_ways, there.both_ways)};
 }
 
-// Fractions of a CPU's cycles taken by a link: with one direction busy, and with both.
+// Fractions of a CPU's cycles that the DMA of a link takes: with one direction busy, with both
+// busy.
 std::array<double, 2> steal(const Model& model, const LinkRates& rates) {
   const double cycles = model.memory.steal_word / WORD_BYTES / model.cpu.clock.value;
   return {cycles * rates.one_way, cycles * std::min(rates.both_ways, 2 * rates.one_way)};
 }
 
-// Processes that have not ended, on processors that have not stopped.
+// The processes that have not ended, on processors that have not been stopped, by id.
 using Blocked = std::map<ProcessId, const Process*>;
-// For each blocked process, the processes that could end its wait.
+// For each blocked process, the processes each of which could end its wait.
 using Waits = std::map<ProcessId, std::vector<ProcessId>>;
 
 bool waits_for_input(const Process& process) {
@@ -60,8 +62,8 @@ Blocked find_blocked(const Machine& machine) {
   return blocked;
 }
 
-// Follows the waits from `process`. Leaves a cycle in `path`, with its first process repeated at
-// the end.
+// Follows the waits from `process`, depth first. If it finds a cycle, returns true and leaves the
+// cycle in `path`, with the first process repeated at the end.
 bool find_cycle(ProcessId process, const Waits& waits, std::set<ProcessId>& seen,
                 std::vector<ProcessId>& path) {
   const auto on_path = std::ranges::find(path, process);
@@ -114,19 +116,21 @@ std::string describe_cycle(const Waits& waits, const Blocked& blocked) {
   return text.empty() ? "" : "\n  the cycle:" + text;
 }
 
-// True if any process has neither ended nor is a server that waits for input.
+// True if the processor has a process that has not ended. A server that waits for input counts as
+// ended.
 bool has_unfinished(const Processor& processor) {
   return !std::ranges::all_of(processor.processes(), [](const auto& p) { return has_ended(*p); });
 }
 
-// True if no processor has an unfinished process, apart from stopped processors.
+// True if every processor is stopped or has no unfinished process.
 bool all_have_ended(const Machine& machine) {
   return std::ranges::all_of(machine.processors(),
                              [](const auto& p) { return p->stopped() || !has_unfinished(*p); });
 }
 
-// Throws Deadlock if any process is unfinished. The text names a cycle of waits if there is one,
-// then each process, its processor, its wait and its partners.
+// Throws Deadlock if any process is unfinished. The message first names a cycle of waits, if there
+// is one, then for each unfinished process its processor, its wait and the processes that could end
+// it.
 void throw_if_deadlocked(const Machine& machine) {
   const Blocked blocked = find_blocked(machine);
   if (blocked.empty()) return;
@@ -145,7 +149,8 @@ void throw_if_deadlocked(const Machine& machine) {
 std::vector<const Process*> find_wait_cycle(const Machine& machine) {
   Blocked blocked = find_blocked(machine);
   std::erase_if(blocked, [](const auto& of) {
-    return of.second->state() != Process::State::blocked;  // interrupted runs have ready processes
+    // After an interrupted run, processes may be ready instead.
+    return of.second->state() != Process::State::blocked;
   });
   std::vector<const Process*> cycle;
   for (ProcessId p : find_cycle(find_waits(blocked))) cycle.push_back(blocked.at(p));
@@ -226,7 +231,7 @@ void Machine::set_observer(Observer* observer) {
   for (auto& link : links_) link->set_observer(observer);
 }
 
-// Lookahead: the minimum time that any process needs to reach a link.
+// The lookahead: the minimum time that any process needs to reach a link.
 Seconds Machine::lookahead() const {
   Seconds least{std::numeric_limits<double>::infinity()};
   for (const auto& processor : processors_) {
@@ -237,7 +242,7 @@ Seconds Machine::lookahead() const {
   return least;
 }
 
-// Rethrows the earliest failure of all parts.
+// Rethrows the exception that ended the run. If several parts failed, rethrows the earliest one.
 void Machine::throw_failure() const {
   const Processor* first = nullptr;
   for (const auto& processor : processors_)
@@ -252,7 +257,8 @@ End Machine::run(Seconds until) {
   const Engine::End why = parts_.run(until, lookahead());
   throw_failure();
   const bool cut = why != Engine::End::no_event_left && !all_have_ended(*this);
-  if (!cut && why != Engine::End::no_event_left) parts_.rewind();  // only outdated events were left
+  // Only events without effect were left.
+  if (!cut && why != Engine::End::no_event_left) parts_.rewind();
   for (const auto& processor : processors_) processor->cpu().flush_observer();
   for (const auto& link : links_) link->flush_observer();
   if (cut) return why == Engine::End::until ? End::limit : End::interrupt;
@@ -283,7 +289,7 @@ void Machine::plan(const Failure& failure) {
   planned_.push_back(failure);
 }
 
-// Schedules a failure. Failures of the same date happen together, before any process can react.
+// Schedules a failure. All failures of one date happen together, before any process can react.
 void Machine::expect(const Failure& failure) {
   if (failure.at > *runs_until_) return;
   auto& together = failures_[failure.at];
@@ -291,11 +297,13 @@ void Machine::expect(const Failure& failure) {
   together.push_back(failure);
 }
 
-// Carries out the failures of the present date. If none has an effect, they do not extend the run.
+// Carries out the failures of the present date. If none of them has an effect, they do not extend
+// the run.
 void Machine::happen_now() {
   auto& together = failures_.at(now());
   bool matters = false;
-  for (std::size_t i = 0; i < together.size(); ++i) {  // an observer may append failures
+  // A callback of on_failure() may append failures.
+  for (std::size_t i = 0; i < together.size(); ++i) {
     const Failure failure = together[i];
     matters |= happen(failure);
   }
@@ -303,8 +311,8 @@ void Machine::happen_now() {
   if (!matters) parts_.only("a failure").ignore_event();
 }
 
-// True if all processes have ended, no message is moving, and no CPU is busy beyond the present
-// date.
+// True if the run is over: all processes have ended, no message is moving, and no CPU is busy
+// beyond the present date.
 bool Machine::is_over() const {
   if (!all_have_ended(*this)) return false;
   for (const auto& link : links_)
@@ -326,14 +334,14 @@ bool Machine::cut_all(const Processor& a, const Processor& b) {
   return matters;
 }
 
-// Carries out one failure. Returns true if it has an effect.
+// Carries out one failure. Returns true if the failure has an effect.
 bool Machine::happen(const Failure& failure) {
   Processor& a = *failure.a;
   if (is_over() || (failure.b ? link(a, *failure.b).is_cut() : a.stopped())) return false;
   const Engine& engine = parts_.only("a failure");
   const auto asked = engine.asked();
   bool matters = false;
-  std::vector<Processor*> ends;  // processors that must be notified
+  std::vector<Processor*> ends;  // processors whose processes must be notified
   if (failure.b) {
     matters = cut_all(a, *failure.b);
     ends = {&a, failure.b};

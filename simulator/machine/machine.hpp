@@ -1,5 +1,5 @@
 #pragma once
-// A machine of processors and links, which runs until every process has ended.
+// A machine of processors and links. It runs until every process has ended.
 #include <functional>
 #include <limits>
 #include <map>
@@ -12,43 +12,45 @@
 
 namespace machine {
 
-/// Reason for the end of a run: `done` if every process has ended, `limit` at the time limit,
-/// `interrupt` on the user's request.
+/// Reason why a run ended: every process has ended (`done`), the time limit was reached (`limit`),
+/// or the user interrupted it (`interrupt`).
 enum class End {
   done,
   limit,
   interrupt,
-  deadlock,  ///< possible only on a machine with failures, see observe::run
+  deadlock,  ///< only on a machine with failures, see observe::run
 };
 std::string_view to_string(End end);
 
-/// A failure: all links between two processors are cut, or a processor stops.
+/// A failure: either all links between two processors are cut, or a processor stops.
 struct Failure {
   Seconds at;
   Processor* a;
-  Processor* b;  ///< the processor at the other ends of the links; null if `a` stops
+  Processor* b;  ///< the processor at the other end of the links; null if processor `a` stops
 };
 
 class Machine {
  public:
-  /// `parts` is made from EngineParams.
+  /// `parts` can be made from EngineParams.
   explicit Machine(const Model& model, Code code = Code::bare, Parts parts = {})
       : model_(std::make_shared<const Model>(model)), code_(code), parts_(std::move(parts)) {}
 
-  /// Adds a processor. `memory` is in bytes, `role` as in Processor::role(). A null `model` stands
-  /// for the machine's model.
+  /// Adds a processor with `memory` bytes. `role` is its purpose in the program and may be empty.
+  /// If `model` is null, the processor has the machine's model.
   Processor& add_processor(std::string name, std::uint64_t memory, std::string role = {},
                            std::shared_ptr<const Model> model = {});
-  /// Adds a companion: a second processor that shares the memory of `of` but has its own CPU and
-  /// links. Soft channels may join their processes, see occam::ChannelBase. If either processor
-  /// stops, the other one continues. Throws Misuse if `of` already has a companion.
+  /// Adds a companion: a second processor with its own CPU and links that shares the memory of
+  /// `of`. Processes on the two processors can use soft channels (channels in memory, see
+  /// occam::ChannelBase). If either processor stops, the other one continues. Throws Misuse if `of`
+  /// already has a companion.
   Processor& add_companion(Processor& of, std::string name, std::string role = {});
-  /// Adds a link between two processors that passes `switches` C004 link switches. Throws Misuse if
-  /// a processor would have more than four links or a link to itself, or if the link speeds of the
-  /// models differ.
+  /// Adds a link between two processors, which passes `switches` C004 link switches. Throws Misuse
+  /// if a processor would have more than four links or a link to itself, or if the models of the
+  /// two processors have different link speeds.
   void connect(Processor& a, Processor& b, int switches = 0);
-  /// One direction of a link from `from` to `to`. `number` counts the links between the two from 0
-  /// in the order of connect(). Throws Misuse if there is no such link.
+  /// The direction from `from` to `to` of a link. `number` selects one of several links between the
+  /// two processors; it counts from 0 in the order of connect(). Throws Misuse if there is no such
+  /// link.
   LinkDirection& link(const Processor& from, const Processor& to, std::size_t number = 0);
 
   // The next four functions require a machine in one part, see EngineParams.
@@ -64,22 +66,23 @@ class Machine {
   /// other events of that date. The links of a stopped processor are not reported individually.
   void on_failure(std::function<void(const Failure&)> observer);
 
-  /// Sets the observer of processors and links; null removes it. Only for a machine in one part. If
-  /// set during a run, activities that have already begun are not reported.
+  /// Sets the observer of all processors and links; null removes it. Requires a machine in one
+  /// part. If set during a run, activities that have already begun are not reported.
   void set_observer(Observer* observer);
 
-  /// Calls `pace` before the clock advances, see Pace. Must be called before run(), only with
+  /// Calls `pace` before the clock advances (see Pace). Must be called before run(), and requires
   /// Links::direct.
   void set_pace(Pace& pace) { parts_.only("a pace").set_pace(pace); }
   /// Ends the run at its next event, as if interrupted by the user.
   void stop() { parts_.stop(); }
 
-  /// Runs until nothing can happen any longer, or until the time limit. Rethrows an exception of a
-  /// process. Throws Deadlock, with the channels on which processes wait, if no event is left and
-  /// some processes have not ended.
+  /// Runs until nothing can happen any more, or until the time limit. Rethrows an exception thrown
+  /// by a process. Throws Deadlock if no event is left although some processes have not ended; the
+  /// message names the channels on which they wait.
   End run(Seconds until = {std::numeric_limits<double>::infinity()});
 
-  /// With several parts, valid only between runs; use Processor::now() during a run.
+  /// Date of the clock. In a machine with several parts, valid only between runs; during a run use
+  /// Processor::now().
   Seconds now() const { return parts_.now(); }
   std::uint64_t events() const { return parts_.handled(); }
   Parts::Windows windows() const { return parts_.windows(); }
@@ -105,16 +108,16 @@ class Machine {
   Parts parts_;
   std::vector<std::unique_ptr<Processor>> processors_;
   std::vector<std::unique_ptr<LinkDirection>> links_;
-  std::vector<std::size_t> ports_;  // number of used ports, by processor
+  std::vector<std::size_t> ports_;  // number of used link ports, by processor
   std::map<std::pair<int, int>, std::vector<LinkDirection*>> links_of_;
-  std::vector<Failure> planned_;                      // failures requested before the run
-  std::map<Seconds, std::vector<Failure>> failures_;  // failures still to come, by date
-  std::optional<Seconds> runs_until_;                 // empty before the run
+  std::vector<Failure> planned_;                      // failures planned before the run
+  std::map<Seconds, std::vector<Failure>> failures_;  // failures still to happen, by date
+  std::optional<Seconds> runs_until_;                 // time limit of the run; empty before the run
   std::vector<std::function<void(const Failure&)>> failure_observers_;
 };
 
-/// Finds blocked processes that wait for each other in a cycle; the first is repeated at the end.
-/// Returns an empty list if there is no cycle.
+/// Finds blocked processes that wait for each other in a cycle. The first one is repeated at the
+/// end of the list. Returns an empty list if there is no cycle.
 std::vector<const Process*> find_wait_cycle(const Machine& machine);
 
 }  // namespace machine

@@ -1,4 +1,4 @@
-// Reads an entry of a model file: value, unit, provenance, source, range and `holds`.
+// Reads an entry of a model file: value, unit, provenance, source, range and the formula `holds`.
 #include "simulator/machine/model_entry.hpp"
 
 #include <algorithm>
@@ -19,7 +19,7 @@ Provenance parse_provenance(const std::string& text, const std::string& where) {
                text);
 }
 
-// Reads a number, or a formula in quotes.
+// Reads an entry's value: a number, or a formula in quotes.
 EntryValue read_value(const Entry& entry, const toml::node* node) {
   if (const auto number = node ? node->value<double>() : std::nullopt) return *number;
   if (const auto text = node ? node->value_exact<std::string>() : std::nullopt) return *text;
@@ -27,7 +27,7 @@ EntryValue read_value(const Entry& entry, const toml::node* node) {
                "\"value\": expected a number, or in quotes a formula over other entries");
 }
 
-// Reads a fraction of the entry's value, such as "80 %".
+// Reads a bound that is a fraction of the entry's value, such as "80 %".
 std::optional<double> read_share(const toml::node& node) {
   auto text = node.value_exact<std::string>().value_or("");
   if (!text.ends_with('%')) return {};
@@ -37,7 +37,7 @@ std::optional<double> read_share(const toml::node& node) {
   return number ? std::optional(*number / 100) : std::nullopt;
 }
 
-// Reads low, high and why. Either all or none of them must be present.
+// Reads the keys low, high and why. Either all or none of them must be present.
 std::optional<Range> read_range(const Entry& entry, const toml::table& table) {
   const auto *low = table.get("low"), *high = table.get("high"), *why = table.get("why");
   if (!low && !high && !why) return {};

@@ -1,5 +1,5 @@
 #pragma once
-// An entry of a model file, read from TOML. Only model_file.cpp uses this header.
+// Reading of one entry of a model file from TOML. Only model_file.cpp uses this header.
 #include <string>
 
 #include "base/toml.hpp"
@@ -9,10 +9,10 @@ namespace machine {
 
 inline constexpr double LARGEST_ENTRY = 1e12;  ///< upper bound of all entries, in any unit
 
-/// Reads the entry `key`. Messages of errors begin with `where`.
+/// Reads the entry named `key`. Error messages begin with `where`.
 Entry read_entry(const std::string& key, const toml::node& node, const std::string& where);
 
-/// Sets a number, or a formula after a check of its syntax.
+/// Sets an entry's value to a number, or to a formula after checking its syntax.
 void set_value(Entry& entry, const EntryValue& value);
 
 }  // namespace machine

@@ -1,5 +1,5 @@
-// Reads model files: inheritance from a base, formulas, and the assignment of entries to members of
-// Model.
+// Reads model files: inherits entries from a base model, evaluates formulas, and copies the entries
+// to the members of Model.
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -31,7 +31,7 @@ Field field(const char* key, const char* unit, Section Model::*section, Value Se
   return base::Declare<Model>::number(key, access, low, high, unit, "");
 }
 
-// An entry that is not a member of Model: only formulas of other entries use it.
+// Declares an entry that is no member of Model, because only formulas of other entries use it.
 Field shared(const char* key, const char* unit, double low = 0, double high = LARGEST_ENTRY) {
   return base::Declare<Model>::custom(
       key, {base::Domain::Kind::number, low, high}, unit, "",
@@ -134,7 +134,7 @@ const OpenSection* find_open(std::string_view key) {
   return nullptr;
 }
 
-// The chip supports three rates, selected by a pin.
+// A transputer supports three link rates, which a pin of the chip selects.
 void check_bit_rate(const Model& model, std::string_view origin) {
   const double rate = model.link.bit_rate;
   base::require(rate == 5e6 || rate == 10e6 || rate == 20e6, origin,
@@ -143,15 +143,15 @@ void check_bit_rate(const Model& model, std::string_view origin) {
                 rate);
 }
 
-// Required unit of an entry; empty for an unknown key. The sections instruction, operation, scale
-// and bytes are open: they accept any key, because programs add their own names.
+// Returns the required unit of an entry, or "" for an unknown key. The sections instruction,
+// operation, scale and bytes accept any key, because programs add names of their own.
 std::string unit_of(std::string_view key) {
   if (const auto* open = find_open(key)) return open->unit;
   const auto known = std::ranges::find(fields(), key, &Field::name);
   return known == fields().end() ? "" : known->unit;
 }
 
-// Copies the entries into the model's members and maps.
+// Copies the values of the entries into the members and maps of the model.
 void bind_entries(Model& model, std::string_view origin) {
   for (const auto& known : fields()) {
     const auto entry = std::ranges::find(model.entries, known.name, &Entry::key);
@@ -169,8 +169,8 @@ void bind_entries(Model& model, std::string_view origin) {
     }
 }
 
-// Checks that a key is known. A model with a base may change entries of open sections (see unit_of)
-// but must not add any.
+// Checks that a key is known. A model with a base may change the base's entries in sections that
+// accept any key (see unit_of), but must not add any.
 void check_key(const Model& model, const Entry& entry, bool has_base) {
   const bool known =
       std::ranges::find(model.entries, entry.key, &Entry::key) != model.entries.end();
@@ -194,7 +194,7 @@ void add(Model& model, Entry entry) {
     *same = std::move(entry);
 }
 
-// The indices of the entries that a formula uses.
+// The indices of the entries that a formula refers to.
 std::vector<std::size_t> find_needs(const Model& model, const base::Formula& formula,
                                     const std::map<std::string, std::size_t>& index_of) {
   std::vector<std::size_t> needs;
@@ -210,7 +210,7 @@ std::vector<std::size_t> find_needs(const Model& model, const base::Formula& for
   return needs;
 }
 
-// Evaluates all formulas in the order of their dependencies.
+// Evaluates all formulas. A formula is evaluated after the entries that it refers to.
 void eval_formulas(Model& model) {
   std::map<std::string, std::size_t> index_of;
   for (const Entry& entry : model.entries) index_of.emplace(entry.key, index_of.size());
@@ -236,7 +236,7 @@ void eval_formulas(Model& model) {
   }
 }
 
-// The place of an error, such as "my.toml:4".
+// Place named in an error message, such as "my.toml:4".
 std::string place_of(std::string_view origin, const toml::source_region& source) {
   return fmt::format("{}:{}", origin, source.begin.line);
 }
@@ -250,12 +250,13 @@ std::optional<std::string> read_text(const toml::table& file, const char* key,
   return node->value<std::string>();
 }
 
-// Loads a model by name or path. `inside` is the depth in the chain of bases. If the name is
-// unknown or the file unreadable, the message starts with `where`.
+// Loads a model by name or path. `inside` is the number of models that inherit, directly or not,
+// from this one. If the name is unknown or the file unreadable, the error message starts with
+// `where`.
 Model load(std::string_view name, const std::filesystem::path& folder, int inside,
            const std::string& where);
 
-// Reads the entries without evaluating formulas.
+// Reads the entries of a file and of its base without evaluating formulas.
 Model parse(std::string_view text, std::string_view origin, const std::filesystem::path& folder,
             int inside) {
   const toml::table file = base::parse_toml(text, origin);
@@ -283,7 +284,7 @@ Model parse(std::string_view text, std::string_view origin, const std::filesyste
       entries.emplace_back(node.source().begin, std::move(entry));
     }
   }
-  // toml++ sorts tables by name; restore the order of the file.
+  // toml++ sorts tables by name; this restores the order of the file.
   std::ranges::stable_sort(entries, {}, [](const auto& e) { return e.first.line; });
   for (auto& [line, entry] : entries) add(model, std::move(entry));
   return model;
@@ -306,8 +307,8 @@ Model load(std::string_view name, const std::filesystem::path& folder, int insid
   return parse(text, path.string(), path.parent_path(), inside);
 }
 
-// Checks that a range in the entry's unit contains the value, and that a `holds` formula is
-// positive.
+// Checks that the value of an entry lies in its range, if the range has the entry's unit, and that
+// the formula `holds` is positive.
 void check_ranges(const Model& model) {
   for (const Entry& entry : model.entries) {
     if (const auto& range = entry.range; range && !range->is_share)

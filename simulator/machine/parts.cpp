@@ -10,8 +10,8 @@ namespace machine {
 
 namespace {
 
-// Lower bound of `date + duration`. Both may contain several rounding errors, all much smaller than
-// the fractions subtracted here.
+// Lower bound on `date + duration`. Both numbers may contain several rounding errors, all much
+// smaller than the fractions subtracted here.
 double at_the_earliest(double date, double duration) {
   return date + (1 - 1e-9) * duration - 1e-14 * date;
 }
@@ -64,10 +64,10 @@ Engine::End Parts::run_windows(Seconds until, Seconds lookahead) {
         "part");
   for (const auto& engine : engines_) engine->events().set_until(until.value);
   between_->events().set_until(until.value);
-  engines_.front()->at({}, [] {});  // as in Engine::run
+  engines_.front()->at({}, [] {});  // starts callbacks scheduled before the run, as in Engine::run
   Crew crew(engines_.size(), [&](std::size_t part) { engines_[part]->run_before(bound_); });
-  std::vector<Moment> next(engines_.size());  // next event of each part
-  std::vector<std::size_t> busy;              // parts that have events in the window
+  std::vector<Moment> next(engines_.size());  // the next event of each part
+  std::vector<std::size_t> busy;              // the parts with events in the window
   for (;;) {
     if (const Events* events = stopped()) {
       be_at(latest());
@@ -88,7 +88,7 @@ Engine::End Parts::run_windows(Seconds until, Seconds lookahead) {
     busy.clear();
     for (std::size_t part = 0; part < next.size(); ++part)
       if (next[part] < bound_) busy.push_back(part);
-    if (busy.empty()) {  // the window is empty: run one event of one part
+    if (busy.empty()) {  // no event lies in the window: run one event of one part
       bound_ = just_after(first);
       busy.push_back(std::ranges::find(next, first) - next.begin());
     }
@@ -111,9 +111,8 @@ void Parts::be_at(double date) {
   between_->events().advance(date);
 }
 
-// End of the window that starts at `date`: the earliest date at which any process can reach a link
-// between parts. For a process that has announced its arrival at such a link, this is the end of
-// its computation.
+// End of the window that starts at `date`. Up to this date, no process can reach a link between
+// parts: an announced process not before its computation ends, any other not within the lookahead.
 Moment Parts::end_of_window(double date, double lookahead) const {
   double end = at_the_earliest(date, lookahead);
   for (const auto& engine : engines_)

@@ -1,12 +1,12 @@
 #pragma once
-// PROC: the body of a process without a stack, a C++20 coroutine.
+// PROC: the body of a process as a C++20 coroutine, which needs no stack.
 //
 //   Proc forward(Channel<Packet>& from, Channel<Packet>& to) {
 //     for (;;) co_await to.output(co_await from.input());
 //   }
 //
-// A Proc takes a few hundred bytes of host memory, a stack at least a page. With Procs, larger
-// machines fit into the host's caches.
+// A Proc takes a few hundred bytes of host memory, whereas a stack takes at least a page. With
+// Procs, larger machines fit into the host's caches.
 #include <coroutine>
 #include <exception>
 #include <utility>
@@ -20,19 +20,19 @@ Process& this_process();
 class Operation {
  public:
   /// Starts or continues the operation. Returns true if it is complete. If it returns false, the
-  /// process yields the CPU and calls it again when it next runs.
+  /// process yields the CPU, and go_on() is called again when the process next runs.
   virtual bool go_on(Process& self) = 0;
-  /// Result of `co_await operation`, fetched when the operation is complete.
+  /// Result of `co_await operation`. Called when the operation is complete.
   void await_resume() const {}
 
  protected:
   ~Operation() = default;
 };
 
-/// A process body; another Proc may co_await it. It waits only by co_await: in channel operations,
-/// ALTs and Sync. Calls that need a stack (Channel::out, pri_alt, read_timer, PAR) throw
-/// InvariantBroken. It must co_await Sync() at least once in 2^30 cycles of computation, and before
-/// it takes over a channel end from another process.
+/// Body of a process; another Proc may wait for it with co_await. A Proc waits only by co_await,
+/// for channel operations, ALTs and Sync. Functions that need a stack (Channel::out, pri_alt,
+/// read_timer, PAR) throw InvariantBroken. A Proc must co_await Sync() at least once in 2^30 cycles
+/// of computation, and before it uses a channel end that another process has used.
 class [[nodiscard]] Proc final : public Operation {
  public:
   struct promise_type;
@@ -58,9 +58,9 @@ class [[nodiscard]] Proc final : public Operation {
 
 struct Proc::promise_type {
   Operation* waits_in = nullptr;
-  std::exception_ptr failure;  // exception of the awaited operation, rethrown in the body
+  std::exception_ptr failure;  // exception of the operation waited for, to be rethrown in the body
 
-  // The awaiter of an operation.
+  // Awaiter of an operation: runs it until it is complete, then fetches its result.
   template <class SomeOperation>
   struct Awaited {
     SomeOperation& operation;
@@ -81,7 +81,7 @@ struct Proc::promise_type {
   std::suspend_always initial_suspend() noexcept { return {}; }
   std::suspend_always final_suspend() noexcept { return {}; }
   void return_void() {}
-  void unhandled_exception() { throw; }  // propagates out of go_on()
+  void unhandled_exception() { throw; }  // leaves go_on()
 };
 
 inline bool Proc::go_on(Process& self) {

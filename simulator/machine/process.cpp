@@ -6,7 +6,7 @@ namespace machine {
 
 namespace {
 
-// Exception that unwinds the stack of a process destroyed before its end.
+// Exception that unwinds the stack of a process that is destroyed before it has ended.
 struct Cancelled {};
 
 }  // namespace
@@ -33,7 +33,8 @@ Process::Process(Processor& processor, std::string name, Priority priority, Proc
 Process::~Process() {
   cancelled_ = true;
   while (coroutine_ && !coroutine_->has_ended()) resume();
-  Process* const other = std::exchange(executing, this);  // destructors may call this_process()
+  // Destructors of the body's variables may call this_process().
+  Process* const other = std::exchange(executing, this);
   proc_ = {};
   executing = other;
 }
@@ -42,7 +43,8 @@ void Process::live() {
   try {
     const Body body = std::move(body_);
     if (!cancelled_) body();
-    if (!cancelled_ && !ends_by_this_) sync();  // the clock must reach its own time before it ends
+    // The process ends when the clock has reached its own time.
+    if (!cancelled_ && !ends_by_this_) sync();
   } catch (const Cancelled&) {
   } catch (const std::exception&) {
     processor_.fail(std::current_exception());
@@ -54,7 +56,8 @@ void Process::live_on() {
   try {
     if (proc_ && !proc_.go_on(*this)) return;
     proc_ = {};
-    if (!ends_by_this_ && must_sync()) return;  // the clock must reach its own time before it ends
+    // The process ends when the clock has reached its own time.
+    if (!ends_by_this_ && must_sync()) return;
   } catch (const std::exception&) {
     processor_.fail(std::current_exception());
   }
@@ -70,8 +73,8 @@ void Process::resume() {
   executing = nullptr;
 }
 
-// Suspends the body until its operation is complete. Until then, the CPU continues the operation
-// without the body's stack.
+// Suspends the body until its operation is complete. Meanwhile the CPU continues the operation
+// outside of the body's stack.
 void Process::suspend_in(Operation& operation) {
   operation_ = &operation;
   leave_body();
@@ -119,10 +122,11 @@ void Process::start_wait(Wait& wait) {
 
 void Process::note_end_of_run() {
   Engine& engine = processor_.engine();
-  if (blocked_since_ > engine.until()) engine.at(blocked_since_, [] {});  // ends the run there
+  // The run must end at its limit even if the process blocked later.
+  if (blocked_since_ > engine.until()) engine.at(blocked_since_, [] {});
 }
 
-// Moves the dates of a process that blocked or became ready at a date ahead of the clock.
+// Moves the dates at which a process blocked or became ready, if they are ahead of the clock.
 void Process::stretch(const Stretch& stretch) {
   if (state_ == State::ready) {
     const Seconds waited = ready_at_ - blocked_since_;
@@ -151,9 +155,9 @@ Seconds Process::blocked(Wait::Kind kind) const {
                       : over;
 }
 
-// Syncs if the debt is too large or extends beyond the time limit of the run. Otherwise a process
-// that only computes would prevent the run from ending at its limit, at a failure or on request. A
-// Proc cannot sync here; it throws if its debt is too large.
+// Syncs if the debt of cycles is too large or extends beyond the time limit of the run. Otherwise a
+// process that only computes would keep the run from ending at its limit, at a failure or on
+// request. A Proc cannot sync here; if its debt is too large, it throws.
 void Process::sync_if_much() {
   if (executing != this) return;
   const Seconds earliest = processor_.now() + debt_ / processor_.clock();

@@ -1,6 +1,6 @@
 #pragma once
-// A process of a simulated transputer, which spends cycles. Its body has a stack of its own, or is
-// a Proc without a stack.
+// A process of a simulated transputer, which uses cycles of its CPU. Its body has a stack of its
+// own, or is a Proc, which needs none.
 #include <array>
 #include <boost/intrusive/list_hook.hpp>
 #include <functional>
@@ -20,27 +20,29 @@ enum class Priority : std::uint8_t { high, low };
 
 using ProcessId = std::uint64_t;  ///< unique within a machine; 0 means no process
 
-/// The change of a CPU's speed at date `now`. It maps future dates to new ones and leaves past
-/// dates unchanged.
+/// Change of a CPU's speed at the date `now`. Maps a future date that was computed with the old
+/// speed to the date with the new speed. Past dates stay unchanged.
 struct Stretch {
   Seconds now{};
   double ratio = 1;  ///< new duration divided by old duration
   Seconds operator()(Seconds date) const { return date > now ? now + ratio * (date - now) : date; }
 };
 
-/// Reason why a process is blocked.
+/// Describes what a blocked process waits for.
 struct Wait {
   enum class Kind : std::uint8_t { other, output, input, alternative };
 
-  /// Description for a deadlock report, such as "in on worker3.from.left".
+  /// Text for a deadlock report, such as "in on worker3.from.left".
   virtual std::string describe() const = 0;
-  /// The known processes, each of which could end the wait alone. They may have ended already.
+  /// Those processes that could, each alone, end the wait, as far as they are known. They may have
+  /// ended.
   virtual std::vector<ProcessId> waits_for() const { return {}; }
   virtual Kind kind() const { return Kind::other; }
   /// Called after a link of the processor has been cut. Ends the wait of `process` if it waits for
-  /// this link and its operation may fail.
+  /// this link and its operation is one that may fail.
   virtual void on_cut(Process& process) { static_cast<void>(process); }
-  /// Called after blocked_since() of `process` has changed. Only dates ahead of the clock change.
+  /// Called after blocked_since() of `process` has changed, which happens only to dates ahead of
+  /// the clock.
   virtual void on_stretch(Process& process, const Stretch& stretch) {
     static_cast<void>(process), static_cast<void>(stretch);
   }
@@ -49,11 +51,12 @@ struct Wait {
   ~Wait() = default;
 };
 
-/// A process accumulates charged cycles as a debt, so its own time may be ahead of the clock. It
-/// pays the debt when it blocks, or on request (sync, now). A high-priority process cannot lose the
-/// CPU, so its own time is certain. It interacts by time stamps and seldom needs to sync. A
-/// low-priority process can lose the CPU at any time, so it syncs before any action that others can
-/// observe.
+/// A process first executes its code on the host and only counts the cycles that it is charged, as
+/// a debt. Its own time, which includes this debt, may therefore be ahead of the clock. It pays the
+/// debt (lets the simulated time pass) when it blocks, or on request by sync() or now(). A
+/// high-priority process cannot lose the CPU, so its own time is certain: it passes its own time to
+/// other processes and seldom needs to sync. A low-priority process can lose the CPU at any time,
+/// so it syncs before any action that other processes can observe.
 class Process {
  public:
   enum class State : std::uint8_t { ready, running, blocked, ended };
@@ -68,28 +71,29 @@ class Process {
   Process& operator=(const Process&) = delete;
 
   // --- called by the process itself ---------------------------------------------------------
-  /// Spends cycles of the CPU, or a duration rounded to whole cycles. Pre-emption and DMA of links
-  /// take additional time. Simulated time passes at the next sync, now or block.
+  /// Charges the process with cycles, or with a duration rounded to whole cycles. Pre-emption and
+  /// DMA of links take additional time. Simulated time passes at the next call of sync(), now() or
+  /// block().
   void charge(Cycles cycles) {
     debt_ += cycles;
     if (debt_ > MUCH_DEBT) sync_if_much();
   }
   void charge(Seconds duration);
-  /// Pays the debt. Afterwards the clock has reached this process's own time, and the process has
-  /// the CPU. Returns true if other processes may have run meanwhile.
+  /// Pays the debt of cycles. Afterwards the clock has reached this process's own time, and the
+  /// process has the CPU. Returns true if other processes may have run meanwhile.
   bool sync() {
     const bool must = must_sync();
     if (must) suspend();
     return must;
   }
-  /// Declares that the process has paid its debt and now executes its last instruction. If this
-  /// instruction makes a process ready that takes the CPU, the body still ends first.
+  /// Declares that the process has no debt and now executes its last instruction. If this
+  /// instruction makes a process ready that takes the CPU, the body nevertheless ends first.
   void end_by_this() { ends_by_this_ = true; }
-  /// Yields the CPU until Processor::make_ready. A low-priority process must have paid its debt
-  /// before.
+  /// Yields the CPU until Processor::make_ready is called. A low-priority process must have paid
+  /// its debt before.
   void block(Wait& wait);
-  /// Executes an operation completely and returns it. After its first wait, the operation runs
-  /// without the body's stack and must neither sync nor block.
+  /// Executes an operation completely and returns it. If the operation has to wait, it continues
+  /// outside of the body's stack; it must then neither sync nor block.
   template <class SomeOperation>
   SomeOperation&& carry_out(SomeOperation&& operation) {
     require_stack();
@@ -97,36 +101,36 @@ class Process {
     return std::forward<SomeOperation>(operation);
   }
 
-  // True if sync() would yield the CPU. The operation must then return false, and must not test
+  // True if sync() would yield the CPU. An operation must then return false, and must not test this
   // again when it continues.
   inline bool must_sync() const;
-  /// Like must_sync(), for operations that interact by time stamps. For a high-priority process,
-  /// true only if its debt is also large.
+  /// Like must_sync(), for operations that pass on the process's own time. For a high-priority
+  /// process, true only if its debt is also larger than LONG_DEBT.
   bool must_sync_if_long() const {
     return (priority_ == Priority::low || owes_much()) && must_sync();
   }
   bool owes_much() const { return debt_ > LONG_DEBT; }
-  /// Mean duration of a cycle during the last payment. Includes the effect of transfers that start
-  /// or end during the payment, but not at its end.
+  /// Mean duration of a cycle while the debt was last paid. Messages on links that started or ended
+  /// during the payment have an effect, but not those at its end.
   Seconds paid_cycle() const {
     return {paid_for_.value / static_cast<double>(std::max<std::int64_t>(1, paying_.value))};
   }
-  /// Rank, among simultaneous events, of the end of the process's computation; see Events. A
-  /// process with a rank reaches a link as soon as it has paid its debt.
+  /// Rank of the end of the process's computation among simultaneous events (see
+  /// Events::ranked_at). A process with a rank reaches a link as soon as it has paid its debt.
   static constexpr std::uint64_t NO_RANK = ~std::uint64_t{0};
   void set_rank(std::uint64_t rank) { rank_ = rank; }
   bool has_rank() const { return rank_ != NO_RANK; }
-  /// True if the process currently executes on its own stack, so that it may wait anywhere.
+  /// True if the process now executes on a stack of its own, so that it may wait anywhere.
   bool has_stack() const { return coroutine_ && !operation_; }
-  /// Marks the process as blocked from its own time on, see block().
+  /// Marks the process as blocked from its own time on; a part of block().
   void start_wait(Wait& wait);
   // --------------------------------------------------------------------------------------------
 
-  /// Pays the debt and returns the date. Throws Misuse if called by another process.
+  /// Pays the debt and returns the date. Throws Misuse if another process calls it.
   Seconds now();
-  /// The clock plus the time to pay the debt, without pre-emption and at the present speed. Exact
-  /// for a process that has just paid. If such a date ahead of the clock is stored, it must be
-  /// updated by Wait::on_stretch.
+  /// The process's own time: the clock plus the time to pay the debt at the present speed and
+  /// without pre-emption. It is exact if the debt has just been paid. Wait::on_stretch must update
+  /// a stored own time that is ahead of the clock.
   inline Seconds own_time() const;
 
   Processor& processor() { return processor_; }
@@ -139,20 +143,20 @@ class Process {
   /// this one waits for input.
   void set_server() { is_server_ = true; }
   bool is_server() const { return is_server_; }
-  /// Number of waits so far, which identifies the current wait.
+  /// Number of waits that have started, by which the present wait can be identified.
   std::uint64_t waits() const { return waits_; }
   const Wait* wait() const {
     return wait_;
-  }  ///< current wait of a blocked process; null before it starts
-  Wait::Kind waits_for() const { return waits_for_; }  ///< kind of the last wait
-  /// Tells a blocked process that a link has been cut.
+  }  ///< the present wait of a blocked process; null before the process starts
+  Wait::Kind waits_for() const { return waits_for_; }  ///< kind of the present or last wait
+  /// Tells a blocked process that a link of its processor has been cut.
   void tell_cut() {
     if (state_ == State::blocked && wait_) wait_->on_cut(*this);
   }
-  Seconds blocked_since() const { return blocked_since_; }  ///< own time at the wait's start
-  /// Total time in waits of this kind, including the current wait.
+  Seconds blocked_since() const { return blocked_since_; }  ///< own time at which the wait began
+  /// Total time in waits of this kind, including the present wait.
   Seconds blocked(Wait::Kind kind) const;
-  std::uint32_t trace_id() const { return trace_id_; }  ///< see Observer
+  std::uint32_t trace_id() const { return trace_id_; }  ///< the id of its name, see Observer
 
  private:
   friend class Cpu;
@@ -169,41 +173,42 @@ class Process {
   void suspend();  // called by the body: returns control to the CPU
   void leave_body();
   void suspend_in(Operation& operation);
-  bool go_on_in_operation();  // returns true if the operation is complete
+  bool go_on_in_operation();  // returns true when the operation is complete
   void stretch(const Stretch& stretch);
   void note_end_of_run();
-  void live();     // runs a body with a stack to its end
-  void live_on();  // continues a body without a stack
+  void live();     // executes a body with a stack, from start to end
+  void live_on();  // continues a body without a stack, a Proc
 
-  // Members used by every wait and wake-up come first, to share cache lines.
+  // Members used each time the process waits or is woken come first, so that they share cache
+  // lines.
   Processor& processor_;
   State state_ = State::blocked;
   Priority priority_;
   Wait::Kind waits_for_{};
   bool cancelled_ = false, is_server_ = false, ends_by_this_ = false;
-  ReadyHook ready_hook_;  // in the CPU's ready queue
+  ReadyHook ready_hook_;  // membership in a ready queue of the CPU
   Cycles debt_{};
   Seconds ready_at_{};                    // date at which it joined the ready queue
-  Proc proc_;                             // a body without a stack
-  std::unique_ptr<Coroutine> coroutine_;  // a body with a stack
-  Operation* operation_ = nullptr;        // current operation of a body with a stack
+  Proc proc_;                             // the body, if it has no stack
+  std::unique_ptr<Coroutine> coroutine_;  // the body, if it has a stack
+  Operation* operation_ = nullptr;        // operation in which a body with a stack waits
   Wait* wait_ = nullptr;
   Seconds blocked_since_{};
   std::uint64_t waits_ = 0;
-  std::array<Seconds, 4> blocked_{};  // duration of past waits, by Wait::Kind
+  std::array<Seconds, 4> blocked_{};  // total duration of past waits, by Wait::Kind
   ProcessId id_;
-  Cycles paying_{};      // amount of the current or last payment
-  Seconds paid_for_{};   // time spent on this payment so far
-  Seconds remaining_{};  // remaining computation of a low-priority process that lost the CPU
+  Cycles paying_{};      // size of the debt that is, or was last, being paid
+  Seconds paid_for_{};   // time spent so far on paying it
+  Seconds remaining_{};  // computation left to a low-priority process that lost the CPU
   std::uint64_t rank_ = NO_RANK;
-  int wake_ups_ = 0;  // number of pending events of Processor::wake_at
+  int wake_ups_ = 0;  // number of pending events scheduled by Processor::wake_at
   std::uint32_t trace_id_ = 0;
-  std::exception_ptr failure_;  // exception thrown by `operation_`
+  std::exception_ptr failure_;  // exception thrown by `operation_`, to be rethrown in the body
   Body body_;
   std::string name_;
 };
 
-/// Process::sync() for a Proc: `co_await Sync()`.
+/// What Process::sync() is for a body with a stack, for a Proc: `co_await Sync()`.
 class [[nodiscard]] Sync final : public Operation {
  public:
   bool go_on(Process& self) override {
@@ -215,7 +220,7 @@ class [[nodiscard]] Sync final : public Operation {
 };
 
 [[noreturn]] void throw_outside_of_process();
-/// The process that is executing. Throws InvariantBroken if there is none.
+/// The process whose body is executing. Throws InvariantBroken if there is none.
 inline Process& this_process() {
   if (!Process::executing) throw_outside_of_process();
   return *Process::executing;

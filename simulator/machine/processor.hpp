@@ -1,6 +1,6 @@
 #pragma once
 // A processor: a CPU, its memory, and the processes on it. Two processors that share one memory are
-// companions.
+// companions of each other.
 #include <concepts>
 #include <exception>
 #include <memory>
@@ -11,20 +11,22 @@
 
 namespace machine {
 
-/// Cost model for a program's instructions.
+/// How the costs of a program's instructions are computed.
 enum class Code : std::uint8_t {
-  bare,  ///< times from the data sheet only
-  /// Times multiplied by model.software.occam_factor, except copies, divisions and durations.
+  bare,  ///< times from the data sheet
+  /// Times multiplied by model.software.occam_factor, because compiled code executes more
+  /// instructions. Copies, divisions and durations are not multiplied.
   compiled,
 };
 
-/// Memory of a processor: its size, and the bytes allocated by the program.
+/// Memory of a processor: its size, and the number of bytes that the program has allocated.
 class Memory {
  public:
-  /// `size` is in bytes; `owner` is the processor's name for messages.
+  /// `size` is in bytes; `owner` is the processor's name in error messages.
   Memory(std::string owner, std::uint64_t size) : owner_(std::move(owner)), size_(size) {}
 
-  /// Throws OutOfMemory with the requested and the available bytes if too few are available.
+  /// Throws OutOfMemory if fewer than `bytes` are available. `what` names the data in the message,
+  /// and `when` is the date.
   void allocate(std::uint64_t bytes, const std::string& what, Seconds when) {
     if (bytes > left())
       throw OutOfMemory(
@@ -49,14 +51,14 @@ class Memory {
 
 class Processor {
  public:
-  /// `role` is the purpose of the processor in its program; may be empty.
+  /// `role` is the purpose of the processor in the program and may be empty.
   Processor(Engine& engine, std::shared_ptr<const Model> model, int id, std::string name,
             std::shared_ptr<Memory> memory, std::string role, Code code);
 
-  /// Starts a process, which is ready immediately. The reference is valid until remove().
+  /// Starts a process, which is ready at once. The reference is valid until the process is removed.
   Process& start(std::string name, Priority priority, Process::Body body);
   Process& start(std::string name, Priority priority, Proc proc);
-  /// Forbids passing a function that returns a Proc; pass its result instead.
+  /// Refuses a function that returns a Proc: the caller must pass the Proc itself.
   template <class Maker>
   requires std::same_as<std::invoke_result_t<Maker&>, Proc> Process& start(std::string name,
                                                                            Priority priority,
@@ -66,12 +68,12 @@ class Processor {
   /// Makes a blocked process ready, see Cpu::make_ready.
   void make_ready(Process& process, Seconds at) { cpu_.make_ready(process, at); }
   /// Makes the process ready at a future date, if it is then still in the wait with number `wait`
-  /// (Process::waits).
+  /// (see Process::waits).
   void wake_at(Seconds date, Process& process, std::uint64_t wait);
-  /// Like wake_at, but before all other events of that date.
+  /// Does the same as wake_at(), but before all other events of that date.
   void wake_first_at(Seconds date, Process& process, std::uint64_t wait);
 
-  /// The id of the next process, unique within a machine.
+  /// Makes the id of the next process, which is unique within a machine.
   ProcessId make_id() { return (static_cast<ProcessId>(id_) + 1) << 32 | ++made_; }
 
   int id() const { return id_; }
@@ -98,13 +100,13 @@ class Processor {
 
   /// Makes this processor and `companion` share one memory, see Machine::add_companion.
   void join(Processor& companion);
-  /// Sets the fraction of memory cycles taken by the DMA of link `port` (0 to 3). The companion's
-  /// CPU loses them too.
+  /// Sets the fraction of memory cycles that the DMA of the link at `port` (0 to 3) takes. The
+  /// companion's CPU loses these cycles too.
   void set_stolen(std::size_t port, double share);
 
   /// Sets the observer of the CPU.
   void set_observer(Observer* observer);
-  /// Ends the simulation with this exception, which Machine::run rethrows.
+  /// Ends the simulation. Machine::run will rethrow the exception.
   void fail(std::exception_ptr failure);
   const std::exception_ptr& failure() const { return failure_; }
   Seconds failed_at() const { return failed_at_; }
@@ -125,8 +127,9 @@ class Processor {
   std::string name_, role_;
   std::shared_ptr<Memory> memory_;
   std::vector<std::unique_ptr<Process>> processes_;
-  std::vector<std::unique_ptr<Process>> removed_;  // kept while a wake_at may refer to them
-  std::size_t sweep_at_ = 16;                      // size of removed_ at which it is cleaned up
+  // Kept while an event of wake_at() may refer to them.
+  std::vector<std::unique_ptr<Process>> removed_;
+  std::size_t sweep_at_ = 16;  // size of removed_ at which entries without such events are deleted
 };
 
 inline bool Process::must_sync() const {

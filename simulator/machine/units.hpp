@@ -1,5 +1,5 @@
 #pragma once
-// Units of time: simulated seconds and processor cycles, as types without implicit conversion.
+// Units of time: simulated seconds and processor cycles. The types do not convert implicitly.
 #include <compare>
 #include <cstdint>
 
@@ -24,8 +24,8 @@ struct Cycles {
 inline Cycles operator+(Cycles a, Cycles b) { return {a.value + b.value}; }
 inline Cycles operator*(std::int64_t k, Cycles a) { return {k * a.value}; }
 
-/// Rounds to whole cycles, halves away from zero, like std::llround. Inline because it is called
-/// for every instruction. The argument must not exceed 2^52 cycles.
+/// Rounds to whole cycles, with halves away from zero, as std::llround does. Inline because it is
+/// called for every simulated instruction. The absolute value of `cycles` must not exceed 2^52.
 inline Cycles round_to_cycles(double cycles) {
   const auto whole = static_cast<std::int64_t>(cycles);
   const double rest = cycles - static_cast<double>(whole);

@@ -1,5 +1,5 @@
 #pragma once
-// A callback type for events.
+// A type for the callbacks of events.
 #include <cstdint>
 #include <cstring>
 #include <new>
@@ -7,8 +7,8 @@
 
 namespace machine {
 
-/// A small function object that is copied bytewise. The event queue moves it millions of times;
-/// std::function would need an allocation or an indirect call for each move.
+/// A small function object that is copied byte by byte. The event queue moves callbacks millions of
+/// times; each move of a std::function would need an allocation or an indirect call.
 class Callback {
  public:
   Callback() = default;
@@ -21,8 +21,8 @@ class Callback {
     new (body_) Body(body);
   }
   void operator()() { call_(body_); }
-  /// Prefetches the object to which the first member of the body points. If that member is not a
-  /// pointer, the prefetch is useless but harmless.
+  /// Prefetches the object to which the first captured variable of the callback points. If that
+  /// variable is not a pointer, the prefetch is useless but harmless.
   void prefetch() const {
     std::uintptr_t at = 0;
     std::memcpy(&at, body_, sizeof at);

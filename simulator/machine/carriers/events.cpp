@@ -13,8 +13,9 @@ namespace machine {
 
 namespace {
 
-constexpr int PLACE_BITS = 24;  // limits the heap to 2^24 pending events
-// A machine with at most this number of pending events fits into the host's caches.
+constexpr int PLACE_BITS = 24;  // allows 2^24 pending events
+// Up to this number of pending events, a machine fits into the host's caches and needs no
+// prefetching.
 constexpr std::size_t FEW = 64;
 
 __extension__ using Key = unsigned __int128;
@@ -23,8 +24,9 @@ std::atomic<bool> stop_requested = false;  // set by a signal handler
 
 }  // namespace
 
-// Date, order of scheduling and callback index in one number, so that comparisons need no branches.
-// Dates are not negative, and -0 becomes 0, so their bits sort like their values.
+// A pending event as one number, so that comparisons need no branches: its date, its order among
+// events of the same date, and the index of its callback. The bits of non-negative dates sort like
+// their values; adding 0.0 turns -0 into 0.
 struct PendingEvent {
   Key key;
   PendingEvent(double date, std::uint64_t order, std::size_t place)
@@ -34,7 +36,7 @@ struct PendingEvent {
   std::size_t place() const {
     return static_cast<std::size_t>(key) & ((std::size_t{1} << PLACE_BITS) - 1);
   }
-  // Reversed, so that the next event is on top.
+  // Reversed comparison, because the heap has the greatest element on top.
   bool operator<(const PendingEvent& o) const { return key > o.key; }
 };
 
@@ -75,8 +77,8 @@ void Events::handle_next() {
   next_ = heap_->empty() ? NEVER : heap_->top().date();
   free_.push_back(static_cast<std::uint32_t>(event.place()));
   now_ = event.date();
-  // The processor of the next event is prefetched, because a large machine does not fit into the
-  // host's near caches. This saves 8 % of the time on meshes of at least 8 x 8.
+  // Prefetches the processor that the next event concerns, because a large machine does not fit
+  // into the host's near caches. On meshes of at least 8 x 8 processors this saves 8 % of the time.
   if (heap_->size() > FEW) callbacks_[heap_->top().place()].prefetch();
   handle(callbacks_[event.place()]);
 }

@@ -7,7 +7,8 @@
 
 #include "simulator/machine/carriers/coroutine.hpp"
 
-// The sanitizers require a call at each switch of stacks, which has no effect on results.
+// The sanitizers require calls before and after each switch of stacks. These calls do not affect
+// results.
 #ifdef __SANITIZE_ADDRESS__
 #include <sanitizer/common_interface_defs.h>
 #endif
@@ -19,11 +20,11 @@ namespace machine {
 
 namespace {
 
-// The host thread's own stack, as reported by the sanitizer.
+// Stack of the host thread itself, as reported by the address sanitizer.
 thread_local const void* scheduler_stack = nullptr;
 thread_local std::size_t scheduler_stack_size = 0;
 
-// A stack registered with the thread sanitizer.
+// Registers a stack with the thread sanitizer.
 class KnownStack {
  public:
 #ifdef __SANITIZE_THREAD__
@@ -56,10 +57,10 @@ void arrived([[maybe_unused]] void* kept, [[maybe_unused]] const void** from,
 #endif
 }
 
-// A pool of stacks for reuse, because branches of PARs are short-lived. Stacks are adjacent in
-// blocks of address space. The host assigns memory page by page on first use, and most bodies need
-// one page. Adjacent stacks start at different offsets within a page. Otherwise the frames of all
-// waiting processes would compete for the same few cache sets.
+// A pool of stacks. Stacks are reused because branches of PARs are short-lived. They lie side by
+// side in large blocks of address space. The host assigns memory page by page at first use, and
+// most bodies need one page. Neighbouring stacks start at different offsets within a page;
+// otherwise the frames of all waiting processes would compete for the same few cache sets.
 class StackPool {
  public:
   boost::context::stack_context allocate() {
@@ -78,15 +79,17 @@ class StackPool {
   }
 
  private:
-  static constexpr std::size_t STACKS = 64;               // stacks in a block
-  static constexpr std::size_t PLACES = 16, APART = 128;  // number of offsets; bytes between them
+  static constexpr std::size_t STACKS = 64;  // number of stacks in a block
+  // Number of different offsets, and bytes between them.
+  static constexpr std::size_t PLACES = 16, APART = 128;
 
   void add_block() {
     void* block = mmap(nullptr, STACKS * Coroutine::STACK_BYTES, PROT_READ | PROT_WRITE,
                        MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (block == MAP_FAILED) throw std::bad_alloc();
     blocks_.push_back(block);
-    free_.reserve(blocks_.size() * STACKS);  // because deallocate() must not throw
+    // Deallocate() must not throw, so it must not grow the vector.
+    free_.reserve(blocks_.size() * STACKS);
     for (std::size_t i = STACKS; i-- > 0;) {
       const std::size_t size = Coroutine::STACK_BYTES - i % PLACES * APART;
       boost::context::stack_context stack;
@@ -147,7 +150,7 @@ class Fiber final : public Coroutine {
  private:
   boost::context::fiber fiber_, scheduler_;
   KnownStack known_;
-  const void* stack_ = nullptr;  // lowest address, for the address sanitizer
+  const void* stack_ = nullptr;  // lowest address, needed by the address sanitizer
   std::size_t stack_size_ = 0;
 };
 

@@ -21,7 +21,8 @@ double Forecast::left(std::size_t direction, double date) const {
   return way(direction).busy ? left(links_[direction / 2], direction % 2, date) : 0;
 }
 
-// Updates the numbers of bytes left at `date`. Must be called before the rates change.
+// Computes the bytes left in both directions at `date`, and marks the link's predictions as
+// outdated. Must be called before the rates change.
 Forecast::Link& Forecast::change(std::size_t direction, double date) {
   Link& link = links_[direction / 2];
   const std::array left_now{left(link, 0, date), left(link, 1, date)};
@@ -52,8 +53,8 @@ void Forecast::foresee_changed() {
   changed_.clear();
 }
 
-// Predicts the end of a message. Two messages share the link until the shorter one ends. The
-// tolerance grows with the date, like SimGrid's rounding error.
+// Predicts the end of a message. Two messages in opposite directions share the link until the
+// shorter one ends. The tolerance grows with the date, as SimGrid's rounding error does.
 void Forecast::foresee(Link& link, std::size_t direction) {
   Way& own = link.ways[direction % 2];
   const Way& other = link.ways[1 - direction % 2];

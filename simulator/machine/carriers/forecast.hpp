@@ -1,5 +1,6 @@
 #pragma once
-// Predicts when messages arrive, by a fluid model of each single link.
+// Predicts when messages arrive. On each link, bytes flow continuously at a constant rate, which
+// depends on whether the opposite direction is busy (a fluid model).
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -13,34 +14,35 @@ class Forecast {
  public:
   /// Adds a link and returns the number of its forward direction; the backward direction has the
   /// next number. `one_way` is the rate in bytes/s of one direction while the other is idle.
-  /// `both_ways` is the total rate while both are busy. `rank` must increase from link to link.
+  /// `both_ways` is the sum of both rates while both are busy. `rank` must increase from link to
+  /// link.
   std::size_t add_link(double one_way, double both_ways, std::size_t rank = 0);
 
-  /// start() begins a message of `bytes` on an idle direction. end() ends it when it has arrived or
-  /// is lost. Dates are in seconds and must not decrease.
+  /// start() begins a message of `bytes` on an idle direction. end() ends the message, because it
+  /// has arrived or is lost. Dates are in seconds and must not decrease.
   void start(std::size_t direction, double bytes, double date);
   void end(std::size_t direction, double date);
-  /// Updates the predictions for links on which messages have started or ended.
+  /// Updates the predictions for links on which messages have started or ended since the last call.
   void settle() {
     if (!changed_.empty()) foresee_changed();
   }
 
-  /// Bytes left of a message at `date`, provided that none starts or ends on its link before; 0 if
-  /// the direction is idle.
+  /// Number of bytes of a message left at `date`, if no message starts or ends on its link before
+  /// that date; 0 if the direction is idle.
   double left(std::size_t direction, double date) const;
 
-  /// Predicted end of a message. Further messages on the same link can only delay it.
+  /// Predicted end of a message. Messages that start later on the same link can only delay it.
   struct End {
     double date = std::numeric_limits<double>::infinity();  ///< infinite if the direction is idle
-    double hair = 0;  ///< tolerance for SimGrid's rounding, in seconds
+    double hair = 0;  ///< tolerance for rounding errors of SimGrid, in seconds
     std::size_t direction = 0;
     double earliest() const { return date - hair; }
     double latest() const { return date + hair; }
     bool contains(double other) const { return earliest() <= other && other <= latest(); }
   };
-  /// The earliest predicted end of all messages. Ties are resolved by the earlier prediction, then
-  /// by the lower rank of the link. On the same link the message started last comes first, as in
-  /// SimGrid.
+  /// Returns the earliest predicted end of all messages. Among equal dates, the earlier prediction
+  /// comes first, then the lower rank of the link. On one link, the message that started last comes
+  /// first, as in SimGrid.
   const End& next() {
     static constexpr End NONE = {};
     return next_date() < NONE.date ? end_of(heap_.front().direction) : NONE;
@@ -54,20 +56,21 @@ class Forecast {
 
  private:
   struct Way {
-    double left = 0;  // bytes left at the link's date `since`
+    double left = 0;  // number of bytes left at the date `since` of the link
     bool busy = false;
-    std::uint64_t valid = 0;  // number of its valid entry in the heap
+    std::uint64_t valid = 0;  // number of the only heap entry that still holds
     End end = {};
   };
   struct Link {
-    double alone, shared;  // bytes/s of a direction: opposite one idle, both busy
+    // Rate of a direction in bytes/s: while the opposite one is idle, while both are busy.
+    double alone, shared;
     std::size_t rank;
     double since = 0;
     std::array<Way, 2> ways = {};
-    std::size_t newest = 0;  // direction of the message started last
+    std::size_t newest = 0;  // direction in which a message started last
     bool changed = false;
   };
-  // An entry of the heap. An entry is outdated if its number is no longer valid; it is removed when
+  // An entry of the heap. It is outdated if its number differs from Way::valid; it is removed when
   // it reaches the top.
   struct Entry {
     double date, since;
@@ -88,7 +91,7 @@ class Forecast {
   void foresee(Link& link, std::size_t direction);
 
   std::vector<Link> links_;
-  std::vector<std::size_t> changed_;  // numbers of links
+  std::vector<std::size_t> changed_;  // indices of links
   std::vector<Entry> heap_;
   std::uint64_t numbers_ = 0;
 };

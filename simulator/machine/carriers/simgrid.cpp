@@ -34,8 +34,8 @@ std::string simgrid_version() {
 
 namespace {
 
-// Wrappers of calls that have different names in SimGrid 3 and 4. They are templates, so that the
-// compiler ignores the name that does not exist.
+// Wrappers of calls that have different names in SimGrid 3 and 4. They are templates, because in a
+// template the compiler ignores a call that does not exist.
 auto make_zone(auto& engine, const auto& name) {
   if constexpr (requires { engine.get_netzone_root()->add_netzone_full(name); })
     return engine.get_netzone_root()->add_netzone_full(name);
@@ -72,7 +72,7 @@ void add_actor(auto& engine, const std::string& name, s4u::Host* host, auto body
     s4u::Actor::create(name, host, body);
 }
 
-// Restores the signal handlers and the terminate handler, which SimGrid replaces at start-up.
+// Restores the program's signal handlers and terminate handler, which SimGrid replaces at start-up.
 class KeptSignals {
  public:
   KeptSignals() {
@@ -85,31 +85,32 @@ class KeptSignals {
 
  private:
   static constexpr int SIGNALS[] = {SIGINT, SIGTERM, SIGSEGV};
-  // Blocks signals during this object's lifetime, because SimGrid's handlers would end the program.
+  // Blocks these signals while this object exists, because SimGrid's handlers would end the
+  // program.
   const base::HeldSignals held_{SIGNALS};
   struct sigaction kept_[std::size(SIGNALS)];
   std::terminate_handler terminate_ = std::get_terminate();
 };
 
-// Thrown by the callback for deadlocks to leave SimGrid's run, see run().
+// Thrown by SimGrid's callback for deadlocks, to leave its run() when all actors wait (see run()).
 struct AllWait {};
 
 class ActorCoroutine;
 
-// A SimGrid actor that executes one body after another. Actors are reused because branches of PARs
-// are short-lived, and SimGrid frees ended actors only when its clock advances.
+// A SimGrid actor that executes one process body after another. Actors are reused, because branches
+// of PARs are short-lived and SimGrid frees ended actors only when its clock advances.
 struct Hand {
   s4u::SemaphorePtr own_turn = s4u::Semaphore::create(0), others_turn = s4u::Semaphore::create(0);
   ActorCoroutine* works_for = nullptr;
 };
 using Hands = std::vector<std::shared_ptr<Hand>>;
 
-// A coroutine on a SimGrid actor. SimGrid's maestro resumes actors one at a time. A semaphore for
-// each side makes the body and its caller alternate.
+// A coroutine that runs on a SimGrid actor. SimGrid's scheduler (the maestro) resumes one actor at
+// a time. The body and its caller take turns by means of two semaphores.
 class ActorCoroutine final : public Coroutine {
  public:
-  // `idle` holds the idle actors of this SimGrid host. A reused actor keeps the name of its first
-  // body.
+  // `idle` holds the idle actors of this SimGrid host. A reused actor keeps the name of the first
+  // body that it executed.
   ActorCoroutine(s4u::Engine& engine, s4u::Host* host, Hands& idle, std::string name, Body body)
       : engine_(engine), host_(host), idle_(idle), name_(std::move(name)), body_(std::move(body)) {}
 
@@ -126,7 +127,7 @@ class ActorCoroutine final : public Coroutine {
       hand_->works_for = this;
       hand_->own_turn->release();
     }
-    if (s4u::Actor::is_maestro())  // possible after the run
+    if (s4u::Actor::is_maestro())  // true after the run, when stacks are unwound
       engine_.run_until(s4u::Engine::get_clock());
     else
       hand_->others_turn->acquire();
@@ -156,11 +157,12 @@ class ActorCoroutine final : public Coroutine {
   std::shared_ptr<Hand> hand_;
 };
 
-// A carrier on SimGrid, with two sources of events: our queue, and the ends of SimGrid's
-// communications. A round of SimGrid costs more than most of our events. The carrier therefore
-// handles our events ahead of SimGrid's clock while no communication can end (conservative
-// lookahead). Then it sets a timer, unless a communication will certainly end before the timer. The
-// forecast never decides when a message ends.
+// A carrier that uses SimGrid. Events come from two sources: tlab's own queue, and the ends of
+// SimGrid's communications. A round of SimGrid's loop costs more than most events of the queue. The
+// carrier therefore handles queued events ahead of SimGrid's clock as long as no communication can
+// end before them (conservative lookahead). Then it sets a SimGrid timer for the next queued event,
+// unless a communication will certainly end earlier. The forecast decides only this; SimGrid
+// decides when a message ends.
 class OnSimGrid final : public Carrier {
  public:
   OnSimGrid(Events& events, Processes processes);
@@ -201,15 +203,15 @@ class OnSimGrid final : public Carrier {
     throw base::InvariantBroken(
         "found SimGrid for a machine in several parts, expected the direct engine");
   }
-  // One direction of a link. Its index is also used in the forecast and as the data of SimGrid's
-  // communications.
+  // One direction of a link. Its index in directions_ also identifies it in the forecast and in
+  // SimGrid's communications.
   struct Direction {
     s4u::Host *from, *to;
-    s4u::CommPtr comm = {};  // current communication
+    s4u::CommPtr comm = {};  // communication that carries the present message
     std::uint64_t bytes = 0;
     double since = 0;
     Callback arrived = {};
-    bool cut = false;  // if true, later callbacks of SimGrid are ignored
+    bool cut = false;  // if true, SimGrid's later callbacks have no effect
   };
 
   template <class Call>
@@ -226,22 +228,23 @@ class OnSimGrid final : public Carrier {
   void end(std::size_t number);
   void check_end(const Direction& direction, double date, const Forecast::End& expected) const;
 
-  Events& events_;  // its clock may be ahead of SimGrid's
+  Events& events_;  // its clock may be ahead of SimGrid's clock
   std::unique_ptr<s4u::Engine> engine_;
   s4u::NetZone* zone_ = nullptr;
-  std::vector<s4u::Host*> hosts_;              // indexed by processor
-  std::map<std::pair<int, int>, int> joined_;  // number of links between two processors
-  double wake_up_ = Events::NEVER;             // date of the SimGrid timer that is set
+  std::vector<s4u::Host*> hosts_;              // by processor
+  std::map<std::pair<int, int>, int> joined_;  // number of links so far, by pair of processors
+  double wake_up_ = Events::NEVER;             // date in s for which a SimGrid timer is set
   std::vector<Direction> directions_;
   Forecast forecast_;
-  std::deque<std::pair<double, std::size_t>> starts_;  // pending starts: date, direction
+  // Starts to be made when SimGrid's clock reaches their date.
+  std::deque<std::pair<double, std::size_t>> starts_;
   s4u::CommPtr last_ended_;
 
-  // With actors, the scheduler is an actor too, because it must wait while other actors run. It
-  // executes the callbacks of SimGrid.
+  // With actors, tlab's event loop runs in an actor too, because it must wait while other actors
+  // run. This actor executes the callbacks of SimGrid.
   bool has_actors_;
-  std::deque<Hands> idle_;    // indexed by processor
-  s4u::SemaphorePtr called_;  // released once per call, and once to end the scheduler
+  std::deque<Hands> idle_;    // by processor
+  s4u::SemaphorePtr called_;  // released once for each call, and once more to end the scheduler
   std::deque<Callback> calls_;
   std::exception_ptr failure_;  // exception thrown by a call
 };
@@ -256,8 +259,8 @@ OnSimGrid::OnSimGrid(Events& events, Processes processes)
     const KeptSignals kept;
     engine_ = std::make_unique<s4u::Engine>(&argc, argv);
   }
-  // Configures plain fluid links without TCP corrections or cross traffic, at a resolution of one
-  // picosecond.
+  // Selects SimGrid's plain fluid model of links, without corrections for TCP or cross traffic, and
+  // with a time resolution of one picosecond.
   for (const char* setting :
        {"network/model:CM02", "network/bandwidth-factor:1", "network/latency-factor:1",
         "network/crosstraffic:0", "network/TCP-gamma:0", "surf/precision:1e-12"})
@@ -283,8 +286,8 @@ std::size_t OnSimGrid::add_link(int a, int b, LinkRates rates, std::size_t rank)
   auto* link = machine::add_link(*zone_, name, rates.both_ways)
                    ->set_sharing_policy(s4u::Link::SharingPolicy::NONLINEAR, rate)
                    ->seal();
-  // SimGrid allows one route between two hosts. Each further link between two processors therefore
-  // starts at an additional host.
+  // SimGrid allows one route between two hosts. Each further link between the same processors
+  // therefore starts at an additional host.
   const bool is_first = joined_[std::minmax(a, b)] == 1;
   auto *from = is_first ? hosts_[a] : add_host(*zone_, "port " + name), *to = hosts_[b];
   add_route(*zone_, from, to, link);
@@ -315,7 +318,7 @@ void OnSimGrid::run() {
   call([this] { run_ahead(); });
   try {
     engine_->run();
-  } catch (const AllWait&) {  // all actors wait for ever, and SimGrid would kill them
+  } catch (const AllWait&) {  // all actors wait for ever, and SimGrid would end them with an error
   }
   if (failure_) std::rethrow_exception(failure_);
 }
@@ -336,15 +339,15 @@ void OnSimGrid::start_scheduler() {
   });
 }
 
-// Handles our events before the earliest possible end of a communication. Events up to SimGrid's
-// clock are always safe, because communications that end by then have already ended.
+// Handles queued events that come before the earliest possible end of a communication. Events up to
+// SimGrid's clock are always safe: communications that end by then have already been reported.
 void OnSimGrid::run_ahead() {
   const double clock = s4u::Engine::get_clock();
   while (!events_.stopped() && events_.next() < Events::NEVER &&
          (events_.next() < forecast_.next().earliest() || events_.next() <= clock))
     events_.handle_next();
-  // If a communication certainly ends before our next event, no timer is needed: the callback at
-  // its end continues here.
+  // If a communication certainly ends before the next queued event, no timer is needed. The
+  // callback at the communication's end continues here.
   if (events_.stopped() || events_.next() == Events::NEVER ||
       forecast_.next().latest() < events_.next())
     return;
@@ -361,7 +364,8 @@ void OnSimGrid::run_ahead() {
   }
 }
 
-// Starts the communication in SimGrid's maestro. Otherwise SimGrid would not report its end.
+// Starts the communication as a call into SimGrid's maestro. Otherwise SimGrid would not report its
+// end.
 void OnSimGrid::start_now(std::size_t number) {
   if (directions_[number].cut) return;
   simgrid::kernel::actor::simcall_answered([&, &direction = directions_[number]] {
@@ -378,8 +382,8 @@ void OnSimGrid::start_all(double date) {
     start_now(starts_.front().second);
 }
 
-// Starts the communication when SimGrid's clock reaches the date of our clock. Communications of
-// the same date start in the order of requests.
+// Starts the communication when SimGrid's clock reaches the date of tlab's clock. Communications of
+// one date start in the order in which they were requested.
 void OnSimGrid::start_later(std::size_t number) {
   const double date = events_.now();
   const bool timer_set = !starts_.empty() && starts_.back().first == date;
@@ -390,7 +394,7 @@ void OnSimGrid::start_later(std::size_t number) {
 
 void OnSimGrid::end(std::size_t number) {
   Direction& direction = directions_[number];
-  last_ended_ = std::move(direction.comm);  // SimGrid still uses this object
+  last_ended_ = std::move(direction.comm);  // SimGrid still uses this object after the callback
   if (events_.stopped() || direction.cut) return;
   const double clock = s4u::Engine::get_clock();
   check_end(direction, clock, forecast_.end_of(number));
