@@ -1,8 +1,8 @@
-// Router with acyclic routes, a method of our own. Messages in transit are not queued, so no queue
-// on the way can overflow. Each way in has a receiver and each link out has a sender. A blocked
-// process also blocks the link behind it (back-pressure). This cannot deadlock, because the routes
-// close no cycle of waiting links (see make_acyclic_routing). Every route ends at an inbox, the
-// only queue that can overflow.
+// Router with acyclic routes, a method of this project. Messages in transit are not queued, so no
+// queue on the way can overflow. Each way in has a receiver process, and each link out has a sender
+// process. A blocked process also blocks the link from which its message came (back-pressure). This
+// cannot deadlock, because the routes are chosen so that links never wait for each other in a cycle
+// (make_acyclic_routing). Every route ends at a client's inbox, the only queue that can overflow.
 //
 //   link in ----> receiver ---.   .---> sender ----> link out
 //   link in ----> receiver ----\ /----> sender ----> link out
@@ -14,10 +14,11 @@ namespace network {
 
 namespace {
 
-// An additional way in, with its own channels, for messages that this processor sends again.
+// Number of an additional way in. It has channels of its own, for messages that this processor
+// sends again.
 constexpr int AGAIN = WAYS;
 
-// Inputs of a way out: a channel from each way in. A way out to a client also has an inbox.
+// The inputs of one way out: a channel from each way in. A way out to a client also has an inbox.
 struct WayOut {
   std::array<std::unique_ptr<Channel<Handed>>, WAYS + 1> from;  // index: way in, or AGAIN
   std::vector<Channel<Handed>*> inputs;
@@ -66,8 +67,8 @@ class AcyclicRouter {
     }
   }
 
-  // Passes the message to the senders of its ways out. Uses the channels that lead there from the
-  // way in with number `as`.
+  // Passes the message to the processes at its ways out. `came_by` is the way by which the message
+  // came, or NO_WAY; `as` is the way in whose channels are used.
   void hand_on(Message message, int came_by, int as) {
     const Returned before = message.returned;
     const WaysOut ways = node_.find_ways_out(message, came_by);
@@ -80,7 +81,8 @@ class AcyclicRouter {
     }
   }
 
-  // Guards `inputs[i] ? message` for the inputs of a way out. The guard with precedence rotates.
+  // Replicated guards `inputs[i] ? message` over the inputs of a way out. Precedence rotates among
+  // them.
   template <class Then>
   static auto each_of(WayOut& way, Then then) {
     return each(way.inputs, way.favourite, [&way, then](std::size_t, Handed handed) {
@@ -124,9 +126,9 @@ class AcyclicRouter {
     }
   }
 
-  // Queues the message for a temporary process that sends the queued messages again. No other
-  // process waits for this process. If receivers or senders did its work, they could wait for each
-  // other in a cycle that the routes exclude.
+  // Queues a message that must be sent again, for a temporary process that does this. No other
+  // process waits for the temporary process. If receivers or senders sent such messages, they could
+  // wait for each other in a cycle.
   void send_later(Message message) {
     node_.hold(message);
     again_.push_back(std::move(message));

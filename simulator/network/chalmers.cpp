@@ -1,6 +1,6 @@
-// Chalmers's router (A. Chalmers, 1991). A single process sends one message at a time and buffers
-// all messages that arrive meanwhile. Because no router waits without receiving, there is no
-// deadlock as long as the buffers do not overflow.
+// Chalmers's router (A. Chalmers, 1991). A single process sends one message at a time and meanwhile
+// buffers all messages that arrive. A router therefore never waits without receiving, and there is
+// no deadlock as long as no buffer overflows.
 #include "simulator/network/routers.hpp"
 #include "simulator/occam/process.hpp"
 
@@ -34,14 +34,14 @@ class ChalmersRouter {
     Waiting next = std::move(buffer_.front());
     buffer_.pop_front();
     node_.release(next.message);
-    std::vector<int> failed;  // ways whose links are cut
+    std::vector<int> failed;  // ways whose link was cut before the message had passed
     send(next, failed);
     for (const int way : failed)
       for (auto& again : node_.send_around(next.message, way)) put(again, NO_WAY);
   }
 
-  // Figure 5.11, PRI PAR: sends the message and buffers all messages that arrive meanwhile. A
-  // GLOBAL message leaves by all its ways in parallel.
+  // The PRI PAR of figure 5.11 of the thesis: sends the message and meanwhile buffers all messages
+  // that arrive. A GLOBAL message leaves by all its ways in parallel.
   void send(const Waiting& next, std::vector<int>& failed) {
     Channel<Signal> to_handle_input(name_);
     const auto pass = [&](int way) {

@@ -1,7 +1,8 @@
-// Green's router (S. Green, 1991) for any topology, as in the thesis (figures 5.12 to 5.14). Each
-// client and each link to a processor with a lower number has a sender process. Messages for a busy
-// sender wait in its FIFO. On links to higher numbers, the router itself sends and waits. A chain
-// of routers that wait for each other therefore has ascending numbers and cannot be a cycle.
+// Green's router (S. Green, 1991), adapted to any topology as in the thesis (figures 5.12 to 5.14).
+// Each client, and each link to a processor with a lower number, has a sender process. Messages for
+// a busy sender wait in its FIFO. On a link to a higher number, the router itself sends and waits.
+// In a chain of routers that wait for each other, the numbers therefore ascend, so the chain is no
+// cycle.
 #include "simulator/network/routers.hpp"
 #include "simulator/occam/process.hpp"
 
@@ -23,8 +24,8 @@ class GreenRouter {
     }
   }
 
-  // Figure 5.14: the senders' ready signals have precedence over the inputs, which are served in
-  // rotation.
+  // Loop of figure 5.14 of the thesis. Signals from senders that are ready have precedence over
+  // inputs. Inputs are served in rotation.
   void run() {
     for (std::size_t favourite = 0; occam::turn(true);)
       pri_alt(each(from_senders_, 0, [&](std::size_t k, Signal) { serve(senders_[k]); }),
@@ -43,10 +44,10 @@ class GreenRouter {
     Channel<Handed> into;
     std::deque<Message> fifo;
     bool ready = false;
-    std::vector<Message> failed;  // messages not sent because the link was cut
+    std::vector<Message> failed;  // messages that could not be sent because the link was cut
   };
 
-  // The sender process of figure 5.13.
+  // The sender process of figure 5.13 of the thesis.
   void send(Sender& sender) {
     while (occam::turn(true)) {
       out(sender.ready_signal, Signal{});
@@ -55,7 +56,7 @@ class GreenRouter {
     }
   }
 
-  // Passes the next message of the FIFO to a ready sender.
+  // Called when a sender is ready: passes it the next message of its FIFO, if there is one.
   void serve(Sender& sender) {
     for (auto& message : std::exchange(sender.failed, {}))
       for (auto& again : node_.send_around(std::move(message), sender.way)) route(again, NO_WAY);

@@ -1,5 +1,5 @@
-// Router without deadlock avoidance: takes a message, passes it on, then takes the next one.
-// Routers that wait for each other in a cycle wait for ever.
+// Router without any measure against deadlock: takes a message, passes it on, then takes the next
+// one. Routers can wait for each other in a cycle for ever.
 #include "simulator/network/routers.hpp"
 #include "simulator/occam/process.hpp"
 

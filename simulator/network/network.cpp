@@ -69,7 +69,8 @@ Network::Network(machine::Machine& machine, Routing routing, const Params& param
       nodes_[to.processor].link_in[to.port] = &channel;
     }
   }
-  // When a link fails, an ideal service outside the machine updates all routers instantly.
+  // After a failure, all routers use new routes at once. This simulates an ideal service outside
+  // the machine.
   machine.on_failure([this, first](const machine::Failure& failure) {
     const auto number = [first](const machine::Processor* p) { return p->id() - first; };
     if (failure.b) return routing_.cut(number(failure.a), number(failure.b));

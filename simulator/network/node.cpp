@@ -109,7 +109,7 @@ WaysOut Node::determine_ways(Message& message, int came_by) {
   }
   for (;;) {
     const int to = message.to.processor, client = client_of(message.to.process);
-    // After a cut, the route may lead through the sender again. The sender is not offered its own
+    // After a cut, the route may lead through the sender again. A sender is never offered its own
     // message.
     const bool is_offered =
         message.to.mode == Mode::in_path_to && from_link && message.from.processor != id;
@@ -133,9 +133,9 @@ WaysOut Node::determine_ways(Message& message, int came_by) {
   }
 }
 
-// Chooses one of several links to a neighbour. The choice depends only on the sending and the
-// receiving process, so that their messages stay in order. `port` is the lowest port to the
-// neighbour.
+// Chooses one of several parallel links to a neighbour. `port` is the lowest port to that
+// neighbour. The choice depends only on the sending and the receiving process, so that messages
+// between the two stay in order.
 int Node::choose_link(const Message& message, int port) const {
   const int links = routing->links_beside(id, port);
   if (links == 1) return port;
@@ -149,7 +149,7 @@ int Node::choose_link(const Message& message, int port) const {
 }
 
 void Node::note_unreached(const Message& message) {
-  if (message.tree == 0) return;  // tree 0 reaches all processors
+  if (message.tree == 0) return;  // the tree made before any cut reaches all processors
   const auto reached = routing->below(message.tree, id, id);
   for (int to = 0; to < routing->processors(); ++to) {
     if (std::ranges::find(reached, to) != reached.end()) continue;

@@ -1,6 +1,6 @@
 #pragma once
-// The state of a router on its processor: ways in and out, tables, and memory for messages. Routers
-// pass messages between processes of any two processors (figure 5.5).
+// State of a processor's router: ways in and out, tables, and memory for messages. Routers pass
+// messages between processes on any two processors (thesis, figure 5.5).
 //
 //   links 0 to 3 ---> |        | ---> links 0 to 3
 //                     | router |
@@ -16,11 +16,12 @@ namespace network {
 using occam::Channel;
 using occam::Signal;
 
-/// Interpretation of the first level of an address (5.1.1.1 to 5.1.1.3).
+/// Meaning of the processor in an address (thesis, 5.1.1.1 to 5.1.1.3).
 enum class Mode : std::uint8_t {
-  unicast,     ///< to one processor
-  global,      ///< to this process on all other processors; `processor` is ignored
-  in_path_to,  ///< offered to the process on every processor along the route to `processor`
+  unicast,  ///< to one processor
+  global,   ///< to the process with this number on all other processors; `processor` is ignored
+  /// Offered to the process with this number on each processor of the route to `processor`.
+  in_path_to,
 };
 
 constexpr int MAX_PROCESSES = 32;
@@ -28,7 +29,8 @@ constexpr int MAX_PROCESSES = 32;
 /// A two-level address: a processor, and a process on it.
 struct Address {
   int processor = 0;
-  /// Kind of process, 0 to MAX_PROCESSES - 1. A processor has at most one process of each kind.
+  /// Number of the process, 0 to MAX_PROCESSES - 1. A processor has at most one process with each
+  /// number.
   int process = 0;
   Mode mode = Mode::unicast;
   bool operator==(const Address&) const = default;
@@ -39,11 +41,11 @@ constexpr Address make_global(int process) { return {0, process, Mode::global}; 
 enum class Returned : std::uint8_t { no, no_processor, no_process, no_route };
 std::string_view to_string(Returned reason);
 
-/// Contents of a message, opaque to routers.
+/// Contents of a message. Routers cannot look inside.
 struct Contents {
   virtual ~Contents() = default;
 };
-/// Contents of type T, such as a variant of all messages of a program.
+/// Contents of type T, which is usually a variant of all message types of a program.
 template <class T>
 struct ContentsOf final : Contents {
   explicit ContentsOf(T of) : content(std::move(of)) {}
@@ -53,19 +55,21 @@ struct ContentsOf final : Contents {
 struct Message {
   Address to = {}, from = {};
   std::uint64_t length = 0;  ///< length of `contents` in bytes
-  std::uint64_t number = 0;  ///< not used by routers; available to the sender
+  std::uint64_t number = 0;  ///< ignored by routers; at the sender's disposal
   std::shared_ptr<const Contents> contents = {};
   Returned returned = Returned::no;
-  int links = 0;         ///< number of links passed so far
-  std::size_t tree = 0;  ///< for GLOBAL messages: Routing::epoch() at the time of sending
+  int links = 0;  ///< number of links passed so far
+  /// For GLOBAL messages: number of cuts of links when it was sent, see Routing::epoch().
+  std::size_t tree = 0;
 
-  /// Size of the header in bytes: address, sender and length, five words (the speed column of table
-  /// 5.3).
+  /// Length in bytes of the part that identifies a message: address, sender and length, five words
+  /// (thesis, speed column of table 5.3).
   static constexpr std::uint64_t IDENTIFICATION = 20;
   std::uint64_t bytes() const { return IDENTIFICATION + length; }
 };
 
-/// Makes a message. If it cannot be delivered, `process` of the sender receives it back.
+/// Makes a message. If it cannot be delivered, it returns to process number `process` of the
+/// sending processor.
 template <class T>
 Message make_message(int process, const Address& to, std::uint64_t length, T content) {
   return {.to = to,
@@ -73,13 +77,13 @@ Message make_message(int process, const Address& to, std::uint64_t length, T con
           .length = length,
           .contents = std::make_shared<const ContentsOf<T>>(std::move(content))};
 }
-/// The contents of a message. Throws std::bad_cast if they are not a T.
+/// Returns the contents of a message. Throws std::bad_cast if they do not have type T.
 template <class T>
 const T& read(const Message& message) {
   return dynamic_cast<const ContentsOf<T>&>(*message.contents).content;
 }
 
-/// A message passed within a processor, either copied or as a pointer of one word.
+/// A message passed within a processor: either a copy, or a pointer of one word.
 struct Handed {
   Message message;
   bool by_pointer = false;
@@ -88,30 +92,32 @@ struct Handed {
 
 struct Node;
 
-/// Ways are numbered: a way is the port of a link, or CLIENT + n for client n of the processor.
+/// Ways in and out of a router have numbers: the port of a link, or CLIENT + n for client n.
 constexpr int CLIENT = topologies::PORTS;
 constexpr int MAX_CLIENTS = 4;
 constexpr int WAYS = CLIENT + MAX_CLIENTS;
-constexpr int NO_WAY = -1;  ///< instead of the way in of a message that is sent again
+constexpr int NO_WAY = -1;  ///< the way in of a message that this processor sends again
 
-/// Fault: a router has no free buffer for a message.
+/// The fault that a router has no free buffer for a message.
 struct Overflow : machine::Fault {
   using Fault::Fault;
 };
 
 /// Numbers of messages handled by a router.
 struct RouterUse {
-  std::uint64_t taken = 0;      ///< received from clients
-  std::uint64_t passed = 0;     ///< passed from link to link ("EE" in table 5.1)
-  std::uint64_t delivered = 0;  ///< delivered to clients, without returned messages
-  std::uint64_t returned = 0;   ///< sent back to their sender as undeliverable
-  std::uint64_t lost = 0;       ///< neither delivered nor returned
-  std::size_t most_held = 0;    ///< maximum length of the queues
+  std::uint64_t taken = 0;  ///< messages received from clients
+  /// Messages passed from link to link ("EE" in table 5.1 of the thesis).
+  std::uint64_t passed = 0;
+  std::uint64_t delivered = 0;  ///< messages delivered to clients, except returned ones
+  std::uint64_t returned = 0;   ///< undeliverable messages sent back to their sender
+  std::uint64_t lost = 0;       ///< messages neither delivered nor returned
+  std::size_t most_held = 0;    ///< maximum number of messages in the queues
 
-  RouterUse& operator+=(const RouterUse& other);  ///< adds, except most_held
+  RouterUse& operator+=(const RouterUse& other);  ///< adds all numbers except most_held
 };
 
-/// Cycles of a router's operations in compiled code, from the model's [operation].
+/// Cycles of a router's operations, from the section [operation] of the model file. They are those
+/// of compiled code.
 struct RouterCosts {
   RouterCosts() = default;
   explicit RouterCosts(const machine::Model& model);
@@ -129,8 +135,8 @@ struct WaysOut {
   const std::int8_t* end() const { return way.data() + count; }
 };
 
-/// A way in, as an input of occam::each: `way ? message`. Yields no message if the way's link is
-/// cut.
+/// A way in, as an input of the replicated guard occam::each: `way ? message`. Yields no message if
+/// the way's link is cut.
 struct WayIn {
   Node* node;
   int way;
@@ -142,43 +148,45 @@ struct Node {
   int id = 0;
   machine::Processor* processor = nullptr;
   const Routing* routing = nullptr;
-  std::size_t buffers = 0;  ///< capacity of the queues in messages
-  bool pointers = true;     ///< true: pass pointers, see Params
+  std::size_t buffers = 0;  ///< number of messages that the queues can hold
+  bool pointers = true;     ///< passes pointers instead of copies, see Params
   RouterCosts costs;
   std::array<Channel<Message>*, topologies::PORTS> link_in{}, link_out{};
   std::vector<Channel<Handed>*> client_in, client_out;
-  std::vector<std::uint32_t> processes;  ///< by client; bit sets of processes
+  /// By client: bit set of the process numbers that it receives messages for.
+  std::vector<std::uint32_t> processes;
   RouterUse use;
-  std::size_t held = 0;  ///< number of messages in the queues
+  std::size_t held = 0;  ///< number of messages now in the queues
 
-  std::vector<int> ways() const;  ///< all ways; each leads both in and out
-  std::vector<WayIn> inputs();    ///< all ways, as inputs
+  std::vector<int> ways() const;  ///< all ways; each of them leads both in and out
+  std::vector<WayIn> inputs();    ///< all ways, as inputs of an ALT
 
-  /// `channel ? message` from this way; returns nothing if the link is cut.
+  /// Inputs a message from this way: `channel ? message`. Returns nothing if the link is cut.
   std::optional<Message> take(int way);
-  /// `channel ! message` to this way; returns false if the link is cut.
+  /// Outputs a message to this way: `channel ! message`. Returns false if the link is cut.
   bool pass(int way, const Message& message);
-  /// Determines the ways out for a message that came by `came_by` (determ.ways.out in figure 5.14).
-  /// Redirects an undeliverable message to its sender. If there is no way to the sender either,
-  /// returns no ways. With pointers, also charges the allocation and release of a buffer for each
-  /// way.
+  /// Determines by which ways a message that came by `came_by` must leave (determ.ways.out in
+  /// figure 5.14 of the thesis). An undeliverable message is addressed to its sender instead. If
+  /// there is no way to the sender either, returns no ways. If pointers are passed, also charges
+  /// the allocation and release of a buffer for each way.
   WaysOut find_ways_out(Message& message, int came_by);
-  /// Messages to be returned to this processor's client: one for each processor that the tree of
-  /// the client's GLOBAL message does not reach. The caller sends them next.
+  /// Returns messages that must be returned to this processor's client and that the caller must
+  /// send next. They stand for the processors that the client's GLOBAL message cannot reach.
   std::vector<Message> take_unreached() { return std::exchange(unreached_, {}); }
-  /// Replacements for a message whose link `way` was cut, to be sent from this processor.
+  /// Returns the messages that this processor must send instead of a message that could not leave
+  /// by `way` because the link was cut.
   std::vector<Message> send_around(Message message, int way);
 
-  /// Reserves a buffer for the message. Without pointers, charges the copy to the buffer. Throws
-  /// Overflow.
+  /// Reserves a buffer for the message. If copies are passed, charges the copy to the buffer.
+  /// Throws Overflow if no buffer is free.
   void hold(const Message& message);
   void release(const Message& message);
-  /// Charges the test of an empty queue.
+  /// Charges the operation of finding that a queue is empty.
   void charge_empty_fifo() const;
 
  private:
   WaysOut determine_ways(Message& message, int came_by);
-  int client_of(int process) const;  // returns a way, or NO_WAY
+  int client_of(int process) const;  // returns the way to the client, or NO_WAY
   void turn_back(Message& message, Returned reason);
   void charge_step(const Message& message) const;
   void note_unreached(const Message& message);

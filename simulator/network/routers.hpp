@@ -1,6 +1,6 @@
 #pragma once
-// The routers. Each method is in a source file of its name. A Node must outlive its router's
-// processes.
+// The router of each method. It is in the source file with the method's name. A Node must outlive
+// the processes of its router.
 #include "simulator/network/node.hpp"
 
 namespace network {
@@ -8,8 +8,8 @@ namespace network {
 using occam::each;
 using occam::pri_alt;
 
-/// Start the processes of a processor's router, all as servers. They have high priority, except in
-/// Chalmers's method.
+/// These functions start the processes of a processor's router, all of them servers (processes that
+/// need not end). They have high priority, except in Chalmers's method.
 void start_naive(Node& node);
 void start_chalmers(Node& node);
 void start_green(Node& node);

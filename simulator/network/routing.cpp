@@ -10,7 +10,7 @@ namespace network {
 
 namespace {
 
-// Lists of ports, indexed by bit mask.
+// Makes, for each set of ports given as a bit mask, the list of the ports in it.
 auto make_port_lists() {
   std::array<std::vector<int>, 1U << topologies::PORTS> lists;
   for (unsigned set = 0; set < lists.size(); ++set)

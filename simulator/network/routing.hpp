@@ -1,5 +1,5 @@
 #pragma once
-// The routes and trees used by the routers. Clients never see them.
+// The routes and broadcast trees that routers use. Clients of the routers never see them.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -17,54 +17,55 @@ using topologies::TreeLinks;
 
 class Routing {
  public:
-  /// The kind of routes and trees that are made after a link has been cut.
+  /// The kind of routes and trees that are made when a link has been cut.
   enum class Kind { shortest, up_down };
 
-  /// GLOBAL messages of all senders follow `tree`. Without a tree, each sender has its own
-  /// breadth-first tree.
+  /// `tree` is the broadcast tree for GLOBAL messages of all senders. If absent, each sender has a
+  /// breadth-first tree of its own.
   Routing(const topologies::Topology& topology, topologies::RoutingTable routes,
           std::optional<TreeLinks> tree = std::nullopt, Kind kind = Kind::shortest);
 
   int processors() const { return routes_.processors; }
   const topologies::Topology& topology() const { return epochs_.back().topology; }
-  /// The port of processor `at` towards `to`; of several to the same neighbour, the lowest. -1 if
-  /// `at` is `to` or if no route is left.
+  /// The port of processor `at` on the route to `to`. If several links lead to that neighbour,
+  /// their lowest port. Returns -1 if `at` is `to` or if no route is left.
   int port_to(int at, int to) const { return routes_.next_port(at, to); }
   int distance(int from, int to) const { return routes_.distance(from, to); }
   Kind kind() const { return kind_; }
-  /// Mean number of links over all connected pairs of processors.
+  /// Mean number of links on a route, over all pairs of processors that are connected.
   double mean_distance() const { return routes_.mean_distance(); }
-  /// Number of cuts so far. A GLOBAL message always uses the tree of the epoch in which it was
-  /// sent, so that no processor receives it twice.
+  /// Number of cuts of links so far. A GLOBAL message keeps using the tree of the epoch (time
+  /// between two cuts) in which it was sent, so that no processor receives it twice.
   std::size_t epoch() const { return epochs_.size() - 1; }
-  /// Ports of `at` that lead to its children in the tree of `sender`, in ascending order.
+  /// Ports of processor `at` that lead to its children in the tree of `sender`, in ascending order.
   const std::vector<int>& tree_ports(std::size_t epoch, int sender, int at) const;
-  /// Processors in the subtree of `at`, starting with `at`.
+  /// The processors in the subtree of `at` within the tree of `sender`. The first one is `at`.
   std::vector<int> below(std::size_t epoch, int sender, int at) const;
-  /// The processor at the other end of a port's link, whether cut or not; -1 if the port never had
-  /// a link.
+  /// The processor at the other end of the link at a port, even if the link has been cut; -1 if the
+  /// port never had a link.
   int neighbour(int at, int port) const { return peers_[at][port] == at ? -1 : peers_[at][port]; }
 
-  /// The next port to the same neighbour, in rotation; `port` itself if it is the only one.
+  /// The next port to the same neighbour, in rotation. Returns `port` if there is no other one.
   int beside(int at, int port) const { return parallel_[at][port]; }
-  /// Number of links from `at` to the neighbour at `port`.
+  /// Number of links from `at` to the neighbour that `port` leads to.
   int links_beside(int at, int port) const {
     return static_cast<int>(std::ranges::count(peers_[at], peers_[at][port]));
   }
 
-  /// Recomputes routes and trees after all links between `a` and `b` have been cut.
+  /// Computes new routes and trees after all links between `a` and `b` have been cut.
   void cut(int a, int b);
 
  private:
-  using Ports = std::vector<std::uint8_t>;  // by processor, a bit for each port
+  using Ports = std::vector<std::uint8_t>;  // by processor: one bit for each port
   struct Trees {
     std::mutex lock;
     std::map<int, Ports> by_sender;  // made on demand
   };
   struct Epoch {
-    topologies::Topology topology;  // contains the links not cut
+    topologies::Topology topology;  // the topology without links that were cut
     std::optional<TreeLinks> tree;
-    topologies::Topology allowed = {};  // the tree's links, or all links if there is no tree
+    // Only the links of the tree, or all links if there is no tree.
+    topologies::Topology allowed = {};
     std::shared_ptr<Trees> trees = std::make_shared<Trees>();
   };
   void add_epoch(topologies::Topology topology, std::optional<TreeLinks> tree);
@@ -78,8 +79,8 @@ class Routing {
 };
 
 /// Makes routes that cannot deadlock, and a tree from the root for all GLOBAL messages. Keeps
-/// `routes` if they and the tree together close no cycle of waiting links. Otherwise makes
-/// up*/down* routes.
+/// `routes` if on these routes and the tree links cannot wait for each other in a cycle. Otherwise
+/// makes up*/down* routes, on which a message never goes up again once it has gone down.
 Routing make_acyclic_routing(const topologies::Topology& topology,
                              const topologies::RoutingTable& routes);
 

@@ -21,7 +21,7 @@ Channel<Message>* soft(std::deque<Channel<Message>>& pool, std::string name) {
   return &pool.emplace_back(std::move(name));
 }
 
-// The ways of a processor with these neighbours.
+// The numbers of a processor's ways: the ports to its neighbours, and the way to its client.
 std::vector<int> ways_of(const std::vector<topologies::Neighbour>& around) {
   std::vector<int> ways;
   for (const auto& neighbour : around) ways.push_back(neighbour.port);
@@ -29,7 +29,8 @@ std::vector<int> ways_of(const std::vector<topologies::Neighbour>& around) {
   return ways;
 }
 
-// Stores packets until the sender is free. `longest` becomes the largest number of packets so far.
+// Process that stores packets until the sender is free. Updates `longest`, the maximum number of
+// packets stored so far.
 Proc queue(std::vector<Channel<Pointer>*> inputs, Channel<Signal>& sent,
            Channel<Pointer>& to_sender, std::uint32_t& longest) {
   boost::circular_buffer<Pointer> waiting(4);  // an empty deque would take 600 bytes
@@ -52,7 +53,8 @@ Proc queue(std::vector<Channel<Pointer>*> inputs, Channel<Signal>& sent,
   }
 }
 
-// Sends the queue's packets to a link. If `link` is null, delivers them to the client.
+// Process that sends the packets of a queue to a link. If `link` is null, delivers them to the
+// client.
 Proc send(Channel<Pointer>& from_queue, Channel<Signal>& sent, Channel<Packet>* link,
           Channel<Pointer>& client) {
   for (;;) {
@@ -120,7 +122,7 @@ void StoreAndForward::start_way_in(int id, int way, Channel<Packet>* link) {
   start(id, "receiver", way, receive(id, way, link));
 }
 
-// Chooses the way out. Packets to the same neighbour alternate between parallel links.
+// Chooses the way out of a packet. If several links lead to the next processor, uses them in turn.
 int StoreAndForward::take_way_to(int from, int to) {
   if (from == to) return CLIENT;
   auto& turn = nodes_[from].turn[routes_.next_port(from, to)];
@@ -143,7 +145,7 @@ int StoreAndForward::guards_on_the_way(int from, int to) {
   return guards;
 }
 
-// Receives packets from a link. If `link` is null, receives the client's packets.
+// Process that receives packets from a link. If `link` is null, receives the packets of the client.
 Proc StoreAndForward::receive(int id, int way, Channel<Packet>* link) {
   const auto& model = nodes_[id].processor->model();
   const std::array look_up{get_instruction(model, "ldl"), get_instruction(model, "ldl"),

@@ -1,16 +1,17 @@
 #pragma once
 // Store-and-forward routing of packets on shortest routes between all processors. A processor may
-// also send to itself.
+// also send packets to itself.
 //
 //               links             the processor                        links
 //             ---------> receiver ---.            .--> sender ------------>
 //             ---------> receiver ----+-> queue --'    (of each link
 //   client -- into ----> entry -------'                 and of the client) --> delivered -- client
 //
-// Each incoming link has a receiver, so that no link waits for another. Each way out has an
-// unbounded queue, so that no receiver waits for a link. When a sender is free, it signals its
-// queue. All processes have high priority and pass pointers. Deadlock is impossible, because every
-// receiver always returns to its link. The memory needed follows from longest_queue().
+// Each incoming link has a receiver process, so that no link waits for another link. Each way out
+// has an unbounded queue, so that no receiver waits for a link. A sender signals its queue when it
+// is free. All processes have high priority and pass pointers to packets. Deadlock is impossible,
+// because every receiver always returns to its link. longest_queue() tells how much memory would be
+// needed.
 #include <deque>
 #include <vector>
 
@@ -24,13 +25,13 @@ using occam::Proc;
 using occam::Signal;
 
 struct Packet {
-  int from = 0, to = 0;      ///< numbers in the topology
-  std::uint64_t length = 0;  ///< in bytes on a link
-  std::uint64_t id = 0;      ///< available to the sender
+  int from = 0, to = 0;      ///< numbers of processors in the topology
+  std::uint64_t length = 0;  ///< length on a link in bytes
+  std::uint64_t id = 0;      ///< at the sender's disposal
   std::uint64_t bytes() const { return length; }
 };
 
-/// A pointer to a packet, as a message within a processor.
+/// A pointer to a packet, for passing the packet within a processor.
 struct Pointer {
   Packet to;
   static constexpr std::uint64_t bytes() { return 4; }
@@ -38,33 +39,33 @@ struct Pointer {
 
 class StoreAndForward {
  public:
-  /// Links the machine's processors `first`, `first` + 1, ... by the topology and starts the
-  /// routers. The topology must pass topologies::check.
+  /// Links the machine's processors `first`, `first` + 1, ... as the topology says, and starts the
+  /// routers. The topology must be valid (topologies::check).
   StoreAndForward(machine::Machine& machine, const topologies::Topology& topology, int first = 0);
 
   Channel<Pointer>& into(int processor) { return into_.at(processor); }
   Channel<Pointer>& delivered(int processor) { return delivered_.at(processor); }
   const topologies::RoutingTable& routes() const { return routes_; }
-  std::size_t longest_queue() const;  ///< maximum up to now, in packets
-  /// Total number of guards in the ALTs of the queues between two processors. The cost of an ALT
-  /// grows with the number of its guards.
+  std::size_t longest_queue() const;  ///< maximum number of packets in any queue so far
+  /// Total number of guards in the ALTs of all queues on the route between two processors. The cost
+  /// of an ALT grows with the number of its guards.
   int guards_on_the_way(int from, int to);
 
  private:
-  static constexpr int CLIENT = topologies::PORTS;  // way to the processor's own client
+  static constexpr int CLIENT = topologies::PORTS;  // the way to the client of the processor itself
   static constexpr int WAYS = CLIENT + 1;
   template <class Item>
   using ByWay = std::array<Item, WAYS>;
 
   struct Node {
     machine::Processor* processor;
-    // Channels into the queue of each way out, by the receiver's port, or by CLIENT for the entry.
-    // Null if both are the same link, because a packet does not turn back. Packets from the client
-    // may return to the client.
+    // Channels into the queue of each way out, one from each way in; the way in CLIENT is the
+    // entry. A channel is null if both ways are the same link, because a packet never turns back.
+    // Packets from the client may return to the client.
     ByWay<ByWay<Channel<Pointer>*>> queue_in{};
     ByWay<Channel<Signal>*> sent{};
     ByWay<Channel<Pointer>*> to_sender{};
-    // The port for the next packet to a neighbour, indexed by the lowest port to it.
+    // The port that the next packet to a neighbour will take, by the lowest port to that neighbour.
     std::array<std::int8_t, topologies::PORTS> turn{0, 1, 2, 3};
     std::uint32_t longest_queue = 0;
   };
