@@ -1,5 +1,5 @@
 #pragma once
-// Live view of a run: data provided by a program, and commands of its user.
+// What a live page shows of a run and lets its user command. A program provides the functions.
 #include <any>
 #include <cstdint>
 #include <functional>
@@ -11,46 +11,52 @@
 
 namespace observe {
 
-/// The data that a program provides. Its functions are called between events and take no simulated
-/// time.
+/// Functions that a program provides for a live page. They are called between events and take no
+/// simulated time.
 struct ControlPanel {
   struct Picture {
     int width = 0, height = 0;
-    std::function<const std::vector<std::uint8_t>*()> rgb8;  ///< the present picture
+    /// Returns the picture as it is now, 3 bytes per pixel.
+    std::function<const std::vector<std::uint8_t>*()> rgb8;
   };
-  /// A varying quantity such as the number of rays or the length of a queue.
+  /// A quantity that changes during the run, such as the number of rays or the length of a queue.
   struct Gauge {
     std::string name, help;
     std::function<double()> value;
   };
-  /// A varying quantity of one processor, such as the number of messages in its router or of bytes
-  /// in its cache.
+  /// A changing quantity of one processor, such as the number of messages in its router, or of
+  /// bytes in its cache.
   struct Reading {
     std::string name;
     double value = 0;
   };
-  /// Returns the readings of a processor, given by its id in the machine.
+  /// Returns the present quantities of a processor, given by its id in the machine.
   using Inspect = std::function<std::vector<Reading>(int processor)>;
-  /// Takes a command of the user: a record of the program's list "order". The order takes effect at
-  /// the first tick of the user's clock after both now and `after`. Returns the time of this tick
-  /// as at_s of the record. Throws base::BadInput, with the messages of the experiment file, if the
-  /// record is invalid.
+  /// Takes a command of the user, which is a record of the program's list "order". The order takes
+  /// effect at the next tick of the user's clock that is later than both the present date and
+  /// `after`. Returns the time of this tick, as the value of at_s in the record. Throws
+  /// base::BadInput if the record is invalid, with the messages for an experiment file.
   using TakeOrder = std::function<double(const std::any& record, machine::Seconds after)>;
 
-  /// By processor of the network: its id in the machine. Empty if numbers and ids are the same.
+  /// The id in the machine of each processor of the network. Empty if ids equal the network's
+  /// numbers.
   std::vector<int> network;
   std::optional<Picture> picture;
-  /// Computes the latest picture with the sequential renderer; rows start at the top. Stops with an
-  /// empty result when `goes_on` returns false. Another thread may call it while the machine runs.
+  /// Computes with the sequential renderer the picture with which the run will end; rows start at
+  /// the top. Gives up, with an empty result, when `goes_on` returns false. Another thread may call
+  /// this function while the machine runs.
   std::function<std::vector<std::uint8_t>(const std::function<bool()>& goes_on)> sequential;
   std::vector<Gauge> gauges;
-  std::function<double()> count_rays;    ///< empty if the program traces no rays
-  std::vector<Inspect> inspections;      ///< each may return an empty list for a processor
-  TakeOrder take_order;                  ///< empty for a program without a user
-  std::function<void()> close_orders;    ///< ends manual commands; only those of the file remain
-  std::function<std::string()> phase;    ///< short description of the present activity
-  std::function<bool()> waits_for_user;  ///< true: only a command of the user lets the run continue
-  std::function<bool()> is_complete;     ///< true: the program has nothing left to do but to end
+  std::function<double()> count_rays;  ///< empty (no function) if the program traces no rays
+  /// Functions that each return the quantities of a processor; the list may be empty.
+  std::vector<Inspect> inspections;
+  TakeOrder take_order;  ///< empty (no function) if the program takes no orders
+  /// Ends commands of the live page; only orders of the file remain.
+  std::function<void()> close_orders;
+  std::function<std::string()> phase;  ///< short description of what the program is doing
+  /// True if the run can continue only after a command of the user.
+  std::function<bool()> waits_for_user;
+  std::function<bool()> is_complete;  ///< true if the program has nothing left to do but to end
 };
 
 }  // namespace observe

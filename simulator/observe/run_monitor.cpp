@@ -10,7 +10,7 @@ using machine::LinkDirection;
 using machine::Processor;
 using machine::Seconds;
 
-// Observer that fills a trace while the machine runs.
+// Observer of the machine that fills a trace during the run.
 class TraceRecorder : public machine::Observer {
  public:
   TraceRecorder(const machine::Machine& machine, Trace& trace, Seconds from) : trace_(trace) {
@@ -46,7 +46,8 @@ class TraceRecorder : public machine::Observer {
     trace_.transfers.push_back({from.value, to.value, links_.at(&link), place->second, bytes});
   }
 
-  // Removes spans after the end of the run. They were charged in advance but did not happen.
+  // Removes spans that begin after the end of the run. Their cycles were charged in advance but
+  // were not executed.
   void close(Seconds end) {
     trace_.end_s = std::max(end.value, trace_.begin_s);
     std::erase_if(trace_.spans, [&](const auto& s) { return s.from_s >= trace_.end_s; });
@@ -62,9 +63,11 @@ class TraceRecorder : public machine::Observer {
   static std::uint32_t number(const Processor& p) { return static_cast<std::uint32_t>(p.id()); }
 
   Trace& trace_;
-  std::vector<std::vector<std::uint32_t>> processes_;  // by processor and id on that processor
+  // Index into Trace::processes, by processor and by id on that processor.
+  std::vector<std::vector<std::uint32_t>> processes_;
   std::map<const LinkDirection*, std::uint32_t> links_;
-  std::map<const std::string*, std::uint32_t> channels_;  // by address of the name
+  // Index into Trace::channels, by address of the channel's name.
+  std::map<const std::string*, std::uint32_t> channels_;
 };
 
 // True if any link has been cut or any processor has stopped.

@@ -4,14 +4,14 @@
 
 namespace observe {
 
-/// Distance between tick marks, and the unit of their labels.
+/// Distance between tick marks in ns, and the unit of their labels, in ns and by name.
 struct Ticks {
   std::int64_t step_ns, unit_ns;
   const char* unit;
 };
 
-/// Chooses tick marks for `length_s` seconds, with at most `most` intervals. The distance is 1, 2
-/// or 5 times a power of ten.
+/// Chooses tick marks for an axis of `length_s` seconds, with at most `most` intervals. Their
+/// distance is 1, 2 or 5 times a power of ten.
 Ticks choose_ticks(double length_s, double most = 14);
 
 }  // namespace observe

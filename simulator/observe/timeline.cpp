@@ -6,7 +6,7 @@ namespace observe {
 
 namespace {
 
-// Converts a time in the window into a column.
+// Converts a time in seconds into a position on the chart in pixel columns.
 struct Scale {
   double begin_s, per_second, columns;
   double operator()(double time_s) const {
@@ -22,8 +22,8 @@ void add(TimelineRow& row, double from, double to, std::size_t kind, const Scale
   }
 }
 
-// The present stretch of a process, in columns. `own` is the time in which the process itself
-// executes, without interruptions.
+// The period of a process that is still being extended, in columns. `own` is the time in which the
+// process itself executed, without the interruptions.
 struct Open {
   double from = 0, to = -2, own = 0;
 };

@@ -1,5 +1,5 @@
 #pragma once
-// A trace reduced to pixel columns for a chart. The size is independent of the trace's length.
+// A trace reduced to the pixel columns of a chart. The size does not depend on the trace's length.
 #include <array>
 #include <vector>
 
@@ -7,16 +7,18 @@
 
 namespace observe {
 
-/// One CPU or link direction. Each column holds fractions of its time. For a CPU they are indexed
-/// by Trace::Doing; for a link the first is the fraction with messages.
+/// One CPU or one direction of a link. For each column, the fractions of the column's time spent in
+/// each activity. For a CPU, index 0, 1, 2 is an activity of Trace::Doing; for a link, index 0 is
+/// the fraction of time with messages.
 struct TimelineRow {
   using Shares = std::array<double, 3>;
   std::vector<Shares> columns;
   double busy_s = 0;
 };
 
-/// A period during which a CPU mainly executes one process, in columns. Each interruption is
-/// shorter than a column, and all interruptions together take less than two fifths.
+/// A period during which a CPU mainly executes one process. Positions are in columns. Each
+/// interruption is shorter than a column, and all interruptions together take less than two fifths
+/// of the period.
 struct TimelineStretch {
   double from, to;
   std::uint32_t process;
@@ -24,12 +26,14 @@ struct TimelineStretch {
 
 struct Timeline {
   std::vector<TimelineRow> cpus;
-  std::vector<std::vector<TimelineStretch>> stretches;  ///< by CPU; at least three columns long
-  std::vector<TimelineRow> links;  ///< by link number in the Trace; without columns if not shown
+  /// By CPU; only periods of at least three columns.
+  std::vector<std::vector<TimelineStretch>> stretches;
+  /// By link number in the Trace; links that are not shown have no columns.
+  std::vector<TimelineRow> links;
 };
 
-/// Makes a timeline for the first `processors` of a trace and for those of their outgoing link
-/// directions that have traffic.
+/// Makes a timeline of the first `processors` processors of a trace, and of their outgoing link
+/// directions that carried messages.
 Timeline make_timeline(const Trace& trace, std::size_t processors, std::size_t columns);
 
 }  // namespace observe

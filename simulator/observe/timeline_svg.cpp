@@ -1,5 +1,5 @@
-// Draws a timeline as an SVG 1600 pixels wide: names on the left, percentages of time on the right,
-// one column per pixel.
+// Draws a timeline as an SVG, 1600 pixels wide. Names are on the left, percentages of busy time on
+// the right, and each pixel column between them shows a part of the time.
 
 #include <algorithm>
 #include <iterator>
@@ -127,7 +127,7 @@ class Chart {
     print("<path d=\"{}\" stroke=\"#ddd\"/>\n", grid);
   }
 
-  // Draws a row's name, its percentage of busy time and its base line.
+  // Draws a row's name, its percentage of busy time and the line at its bottom.
   void draw_frame(int y, int height, const std::string& name, double busy_s, bool is_small) {
     const int size = std::min(is_small ? 9 : 12, height + 1);
     if (size >= 9) {
@@ -143,9 +143,10 @@ class Chart {
           WIDTH);
   }
 
-  // Draws an area whose height in each column is the sum of the column's fractions in `doing`.
-  // Callers draw areas on top of each other, the largest first. In a column between an empty and a
-  // full one, draws a step within the column instead: its position shows the fraction.
+  // Draws an area. Its height in each column is the sum of the column's fractions of the activities
+  // in `doing`. Callers draw areas on top of each other, the largest first. If a column lies
+  // between an empty and a full one, draws a vertical edge within the column instead, at a position
+  // that shows the fraction.
   void draw_area(const TimelineRow& row, int height, std::initializer_list<std::size_t> doing,
                  const char* name, const char* colour) {
     const int full = 2 * height;  // in half pixels
@@ -194,7 +195,8 @@ class Chart {
     print("</g>\n");
   }
 
-  // Draws a thin line at the start of each stretch, and the name of its process if there is room.
+  // Draws a thin line at the start of each period of a process, and the process's name if there is
+  // room.
   void draw_stretches(const std::vector<TimelineStretch>& stretches, int height) {
     std::string begins;
     for (const auto& stretch : stretches) {
@@ -217,11 +219,12 @@ class Chart {
   }
 
   const Trace& trace_;
-  std::size_t shown_;  // number of processors
+  std::size_t shown_;  // number of processors that are drawn
   Heights heights_;
   Timeline timeline_;
-  std::vector<std::vector<std::uint32_t>> links_;  // links drawn, by processor
-  int bottom_ = 0;                                 // lower edge of all rows, in pixels
+  // Numbers of the links that are drawn, by processor.
+  std::vector<std::vector<std::uint32_t>> links_;
+  int bottom_ = 0;  // lower edge of the lowest row, in pixels
   std::string text_;
 };
 

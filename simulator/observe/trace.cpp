@@ -13,7 +13,8 @@ void check_index(const char* what, std::size_t index, std::size_t size) {
         fmt::format("trace: {} {}, but there are only {}", what, index, size));
 }
 
-// Checks the times of an item and updates `ends`, the end of the last item in each lane.
+// Checks the times of one item. `ends` holds the end of the last item in each lane (processor or
+// link) and is updated.
 template <class Item>
 void check_times(const char* what, const Item& item, std::size_t lane, std::vector<double>& ends) {
   constexpr double hair_s = 1e-9;

@@ -1,6 +1,6 @@
 #pragma once
-// A trace: the activities of all processors and link directions with their times. Also declares its
-// file formats.
+// A trace: the activities of all processors and link directions, with their times. Also declares
+// the functions that write traces in several file formats.
 #include <cstdint>
 #include <iosfwd>
 #include <string>
@@ -10,25 +10,25 @@
 
 namespace observe {
 
-/// Times are simulated seconds, at least 0 and within the window. Processors, processes, links and
-/// channels are numbered by their indices in these vectors.
+/// All times are simulated seconds, at least 0 and within the period from begin_s to end_s.
+/// Processors, processes, links and channels are identified by their indices in the vectors below.
 struct Trace {
-  /// Activity of a processor during a span. Between spans it is idle.
+  /// Activity of a processor during a span. Between two spans, the processor is idle.
   using Doing = machine::Observer::Doing;
   struct Process {
     std::string name;
     std::uint32_t processor;
   };
-  struct Link {  ///< one direction, from processor to processor
+  struct Link {  ///< one direction of a link, given by the processors at its ends
     std::uint32_t from, to;
   };
-  /// Spans of one processor do not overlap. During a switch, `process` has no meaning.
+  /// Spans of one processor do not overlap. During a context switch, `process` has no meaning.
   struct Span {
     double from_s, to_s;
     std::uint32_t processor, process;
     Doing doing;
   };
-  /// Transfers on one link direction do not overlap.
+  /// A message on one direction of a link. Messages on one direction do not overlap.
   struct Transfer {
     double from_s, to_s;
     std::uint32_t link, channel;
@@ -37,29 +37,31 @@ struct Trace {
   std::vector<std::string> processors, channels;  ///< names in UTF-8
   std::vector<Process> processes;
   std::vector<Link> links;
-  std::vector<Span> spans;          ///< sorted by time for each processor
-  std::vector<Transfer> transfers;  ///< sorted by time for each link
+  std::vector<Span> spans;          ///< for each processor, sorted by time
+  std::vector<Transfer> transfers;  ///< for each link, sorted by time
   double begin_s = 0, end_s = 0;    ///< period that the trace covers
   std::string title;
 };
 
-// The writers throw base::InvariantBroken, before any output, for a trace that violates the rules
-// above. The Trace Event Format and Paje store integer nanoseconds.
+// The writers throw base::InvariantBroken, before writing anything, for a trace that violates these
+// rules. The Trace Event Format and Paje store times as whole nanoseconds.
 
-/// Writes the Trace Event Format (JSON) for Perfetto and chrome://tracing. Each processor becomes a
-/// process with one track for its CPU and one for each outgoing link direction. An arrow leads from
-/// a message on its link to the receiving CPU's next activity.
+/// Writes the Trace Event Format (JSON), which Perfetto and chrome://tracing can show. Each
+/// processor becomes a process of the viewer, with one track for its CPU and one for each outgoing
+/// link direction. An arrow leads from a message on a link to the next activity of the receiving
+/// CPU.
 void save_chrome(const Trace& trace, std::ostream& out);
 
-/// Writes the Paje format for ViTE and pj_dump: states of CPUs and link directions, and messages as
-/// arrows between CPUs. In names, Paje cannot escape characters. Quotation marks become
-/// apostrophes, backslashes become slashes, and control characters become spaces. An empty name
-/// becomes "-".
+/// Writes the Paje format, which ViTE and pj_dump read: states of CPUs and link directions, and
+/// messages as arrows between CPUs. Names in Paje cannot contain escaped characters. Quotation
+/// marks are therefore replaced by apostrophes, backslashes by slashes, control characters by
+/// spaces, and an empty name by "-".
 void save_paje(const Trace& trace, std::ostream& out);
 
 /// Draws a Gantt chart as SVG. Each CPU has a row, followed by thin rows for its outgoing link
-/// directions with traffic. If a pixel's time contains several activities, their heights are in
-/// proportion. Processors beyond 64 are counted but not drawn.
+/// directions that carried messages. If several activities fall into one pixel column, their
+/// heights show their fractions of the time. Draws at most 64 processors; the others are only
+/// counted.
 void save_timeline(const Trace& trace, std::ostream& out);
 
 }  // namespace observe

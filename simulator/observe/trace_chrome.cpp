@@ -1,5 +1,5 @@
-// Writes the Trace Event Format. "X" is a slice, "s" and "f" are the ends of an arrow, "M" is a
-// name or a sort index. Times are in microseconds.
+// Writes the Trace Event Format. In its events, "X" is a slice (an activity), "s" and "f" are the
+// two ends of an arrow, and "M" is a name or a sort index. Times are in microseconds.
 #include <map>
 #include <utility>
 
@@ -22,8 +22,8 @@ std::string quote_json(std::string_view text) {
   return quoted + '"';
 }
 
-// Numbers of processes and tracks in the file. A CPU's track has the same number as the process of
-// its processor, so that viewers show this track first.
+// Numbers of processes and tracks in the file. The CPU's track has the same number as the process
+// that stands for its processor; viewers therefore show this track first.
 struct Numbers {
   std::size_t processors;
   std::size_t processor(std::size_t i) const { return i + 1; }
@@ -40,7 +40,7 @@ class ChromeFile {
   void write() {
     out_.print(FMT_COMPILE("{{\"displayTimeUnit\":\"ns\",\"traceEvents\":[\n"));
     write_names();
-    // Transfers come first, because an arrow ends at the next slice in the file.
+    // Transfers come first, because in this format an arrow ends at the next slice in the file.
     write_transfers();
     write_spans();
     out_.print(FMT_COMPILE("\n]}}\n"));
@@ -64,8 +64,8 @@ class ChromeFile {
                pid, tid, quote_json(name), pid, tid, tid);
   }
 
-  // Writes the names, and a slice of the window's length, so that viewers also show idle time at
-  // both ends.
+  // Writes the names. Also writes a slice as long as the whole trace, so that viewers show idle
+  // time at both ends.
   void write_names() {
     for (std::size_t i = 0; i < trace_.processors.size(); ++i) {
       name_process(numbers_.processor(i), i + 1, trace_.processors[i]);
@@ -86,7 +86,7 @@ class ChromeFile {
     out_.print(FMT_COMPILE(",\"name\":{},\"cat\":\"window\"}}"), quote_json(title));
   }
 
-  // Writes a slice, except its closing brace.
+  // Writes a slice without its closing brace.
   void write_slice(std::size_t pid, std::size_t tid, double from_s, double to_s) {
     const auto from = to_nanoseconds(from_s), length = to_nanoseconds(to_s) - from;
     out_.print(FMT_COMPILE("{{\"ph\":\"X\",\"pid\":{},\"tid\":{},\"ts\":{}.{:03},\"dur\":{}.{:03}"),
@@ -119,7 +119,7 @@ class ChromeFile {
 
   void write_spans() {
     const std::string switching = "\"switching\",\"cat\":\"switching\",\"cname\":\"grey\"";
-    std::vector<std::string> high, low;  // texts that end a slice, by process
+    std::vector<std::string> high, low;  // end of each slice's text, by process
     for (const auto& process : trace_.processes) {
       high.push_back(quote_json(process.name) + ",\"cat\":\"high\",\"cname\":\"bad\"");
       low.push_back(quote_json(process.name) + ",\"cat\":\"low\",\"cname\":\"good\"");

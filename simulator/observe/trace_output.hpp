@@ -1,5 +1,6 @@
 #pragma once
-// Common parts of the trace writers: checks, rounding to nanoseconds, and buffered output.
+// Parts shared by the functions that write traces: checks, rounding to nanoseconds, buffered
+// output.
 #include <fmt/compile.h>
 #include <fmt/format.h>
 
@@ -11,15 +12,17 @@
 
 namespace observe {
 
-/// Throws base::InvariantBroken for an index out of range or an end before its start. Also throws
-/// if items of one processor or link overlap, or are out of order, by more than a nanosecond.
+/// Throws base::InvariantBroken if an index is out of range or an item ends before its start. Also
+/// throws if items of one processor or link overlap, or are out of order, by more than a
+/// nanosecond.
 void check(const Trace& trace);
 
-/// Rounds to nanoseconds. Since rounding is monotonic, spans that are adjacent or disjoint remain
-/// so.
+/// Rounds to whole nanoseconds. Rounding keeps the order of times, so spans that do not overlap
+/// still do not overlap.
 inline std::int64_t to_nanoseconds(double time_s) { return std::llround(time_s * 1e9); }
 
-/// Buffers text and writes it to a stream a megabyte at a time. Call flush() at the end.
+/// Collects text and writes it to a stream, about a megabyte at a time. flush() must be called
+/// last.
 class TraceOutput {
  public:
   explicit TraceOutput(std::ostream& out) : out_(out) { buffer_.reserve(PIECE + PIECE / 8); }

@@ -1,4 +1,4 @@
-// Writes Paje: definitions of events, then events sorted by time, one per line.
+// Writes Paje: first definitions of kinds of events, then the events sorted by time, one per line.
 #include <algorithm>
 #include <functional>
 #include <queue>
@@ -10,9 +10,9 @@ namespace observe {
 
 namespace {
 
-// Definitions of events, by number. Field names are those that ViTE and PajeNG share. States of
-// CPUs and links are events PajeSetState: number 5 or 6 with additional fields, or number 4 without
-// them for idle, quiet and switching.
+// Definition of a kind of event; its number is its index. Only fields that both ViTE and PajeNG
+// know are used. A CPU or link changes its state by an event PajeSetState. This event has number 4
+// for idle, quiet and switching, and number 5 or 6 for states with additional fields.
 struct EventDef {
   const char* name;
   std::vector<std::string_view> fields;
@@ -93,7 +93,7 @@ class PajeFile {
   }
 
  private:
-  // The spans of a processor, or the transfers of a link, and the number of their starts and ends
+  // The spans of a processor, or the transfers on a link. `past` counts their starts and ends
   // written so far.
   struct Lane {
     std::vector<std::uint32_t> items;
@@ -102,7 +102,7 @@ class PajeFile {
 
   void pass_to(std::int64_t time) { now_ = std::max(now_, time); }
 
-  // Writes the start of a line: event number and time.
+  // Writes the start of a line: number of the event's kind, and time in seconds.
   void begin(int event) {
     constexpr std::int64_t giga = 1'000'000'000;
     out_.print(FMT_COMPILE("{} {}.{:09} "), event, now_ / giga, now_ % giga);
@@ -144,7 +144,7 @@ class PajeFile {
     out_.print(FMT_COMPILE("{} {}{}\n"), type, letter, i);
   }
 
-  // Merges all lanes by time.
+  // Merges the events of all lanes (processors and links) by time.
   void write_events() {
     lanes_.resize(trace_.processors.size() + trace_.links.size());
     for (std::uint32_t i = 0; i < trace_.spans.size(); ++i)
@@ -168,7 +168,7 @@ class PajeFile {
 
   bool is_cpu(std::size_t lane) const { return lane < trace_.processors.size(); }
 
-  // Time of the lane's next event: the start or end of an item.
+  // Time of the lane's next event, which is the start or the end of an item.
   std::int64_t time_of(std::size_t lane) const {
     const auto& [items, past] = lanes_[lane];
     const auto time = [&](const auto& item) { return past % 2 ? item.to_s : item.from_s; };
@@ -221,10 +221,10 @@ class PajeFile {
   }
 
   const Trace& trace_;
-  std::vector<std::string> channels_, processes_;  // as quoted strings
+  std::vector<std::string> channels_, processes_;  // names as quoted strings
   TraceOutput out_;
   std::vector<Lane> lanes_;
-  std::int64_t now_ = 0;  // time of the last line in nanoseconds
+  std::int64_t now_ = 0;  // time of the last line written, in ns
 };
 
 }  // namespace

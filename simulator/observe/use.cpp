@@ -20,8 +20,8 @@ ProcessRow make_row(const machine::Process& process) {
           process.blocked(Kind::input).value, process.blocked(Kind::alternative).value};
 }
 
-// Subtracts the rows of `before`, matched by id, since processes may have ended or started
-// meanwhile.
+// Subtracts the rows of `before` from `rows`. Rows are matched by process id, because processes may
+// have ended or started in between.
 void subtract(std::vector<ProcessRow>& rows, const std::vector<ProcessRow>& before) {
   std::unordered_map<machine::ProcessId, const ProcessRow*> known;
   for (const auto& row : before) known[row.id] = &row;

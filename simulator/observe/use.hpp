@@ -1,5 +1,5 @@
 #pragma once
-// Use of processors, link directions and processes during a period.
+// How much processors, link directions and processes were used during a period.
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -11,26 +11,28 @@
 namespace observe {
 
 struct CpuRow {
-  std::string name, role;              ///< see machine::Processor
-  double busy_s = 0, busy_high_s = 0;  ///< busy_high_s: high-priority processes, and switches
+  std::string name, role;  ///< name and purpose, see machine::Processor
+  /// Busy_high_s: time in high-priority processes and in context switches.
+  double busy_s = 0, busy_high_s = 0;
   std::uint64_t preemptions = 0, dispatches = 0;
   std::uint64_t memory_peak_bytes = 0;
   std::string model;                   ///< name of the model
-  std::optional<std::uint64_t> tasks;  ///< number of tasks done, if counted
+  std::optional<std::uint64_t> tasks;  ///< number of tasks done, if the program counts them
 };
 
 struct LinkRow {
   std::string from, to;
-  std::size_t beside = 0;  ///< number of earlier links between the two processors
+  std::size_t beside = 0;  ///< number of earlier links between the same two processors
   double busy_s = 0;
   std::uint64_t messages = 0, bytes = 0;
 };
 
-/// Waiting times of a process. During the rest of the time it is executing or ready.
+/// Waiting times of a process. In the remaining time the process executed or was ready.
 struct ProcessRow {
   machine::ProcessId id = 0;
-  std::string name;                                     ///< names need not be unique
-  double output_s = 0, input_s = 0, alternative_s = 0;  ///< time blocked in out, in and ALT
+  std::string name;  ///< names need not be unique
+  /// Time blocked in outputs, inputs and ALTs.
+  double output_s = 0, input_s = 0, alternative_s = 0;
 };
 
 struct Use {
@@ -40,23 +42,24 @@ struct Use {
   std::vector<ProcessRow> processes;
 };
 
-/// Host time and charged cycles of all calls of a kernel, for timed costs.
+/// Calls of a kernel: host time, and cycles as counted and as charged. Only if costs are host
+/// times.
 struct KernelUse {
   std::string name;
   std::uint64_t calls = 0;
   double host_s = 0;  ///< host time of all calls
   machine::Cycles counted{}, charged{};
-  double longest_batch_s = 0;  ///< host time of the longest batch of calls
-  bool is_short = false;       ///< true: even the longest batch was too short for the clock
+  double longest_batch_s = 0;  ///< host time of the longest batch of calls in s
+  bool is_short = false;       ///< true if even the longest batch was too short for the clock
 };
 
-/// Use up to now. Throws base::InvariantBroken if a resource was busy for longer than the elapsed
-/// time.
+/// Use from the machine's start to the present date. Throws base::InvariantBroken if a resource
+/// would have been busy for longer than that.
 Use collect(const machine::Machine& machine);
 /// Use during the period from `before` to `after`.
 Use between(const Use& before, const Use& after);
 
-/// "p0>p1", or "p0>p1 (2)" for the second link between the two processors.
+/// Name of the link direction: "p0>p1", or "p0>p1 (2)" for the second link between two processors.
 std::string name_of(const LinkRow& link);
 /// Throws base::InvariantBroken for an unknown process.
 const ProcessRow& find_process(const Use& use, machine::ProcessId id);
