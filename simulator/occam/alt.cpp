@@ -9,7 +9,8 @@ namespace {
 using GuardKind = Guard::Kind;
 using Costs = machine::Model::Alternative;
 
-// True if the guard is ready. `date` returns the date for the test and is called only if needed.
+// True if the guard is ready. `date` returns the date to be used in the test; it is called only if
+// needed.
 template <class Date>
 bool is_ready(const Process& self, const Guard& guard, Date date) {
   if (!guard.condition) return false;
@@ -18,7 +19,8 @@ bool is_ready(const Process& self, const Guard& guard, Date date) {
          (guard.channel->has_output() && guard.channel->output_waits(date()));
 }
 
-// Additional costs of a replicated guard: its replicator step, and the division for its index.
+// The next two functions return the additional costs of a replicated guard: one step of its
+// replicator, and the division that yields its index.
 Cycles turn(const Costs& costs, const Guard& guard) {
   return guard.replicated ? costs.replicated : Cycles{};
 }
@@ -49,8 +51,8 @@ bool any_cut(std::span<const Guard> guards) {
 
 }  // namespace
 
-// Computes the cost of all guards as if none were ready. Additional costs of ready guards are
-// charged later.
+// Computes the cost of enabling and disabling all guards, as if none were ready. The additional
+// costs of ready guards are charged later.
 Select::Select(std::span<const Guard> guards) : guards_(guards) {
   const auto& costs = this_process().processor().model().alternative;
   const Guard* last = nullptr;
@@ -94,7 +96,7 @@ bool Select::go_on(Process& self) {
       for (const Guard& guard : guards_)
         if (guard.condition && guard.channel) guard.channel->take_input(self);
       stage_ = Stage::enables;
-      // A small debt is paid later, together with the cost of enabling the guards.
+      // a small debt of cycles is paid later, together with the cost of enabling the guards
       if (self.owes_much() && self.must_sync()) return false;
       [[fallthrough]];
     case Stage::enables:
@@ -106,7 +108,7 @@ bool Select::go_on(Process& self) {
       stage_ = Stage::enables_late;
       return false;
     case Stage::enables_late: {
-      // The debt has been paid, so enabling began span(enabled_) ago.
+      // The debt of cycles has been paid by now, so enabling began span(enabled_) ago.
       cycle_ = self.paid_cycle();
       begin_ = self.own_time() - span(enabled_);
       const bool ready = some_ready(self);
@@ -127,14 +129,15 @@ bool Select::go_on(Process& self) {
   return true;
 }
 
-// True if the clock must reach the process's own time before guards are tested. Before that date,
-// an output from another CPU may still arrive. Also, the own time may move to an earlier date than
-// predicted, before the tick of a timer guard.
+// True if the clock must reach the process's own time before the guards are tested. Before that
+// date an output from another CPU may still arrive. Moreover, the own time may move to an earlier
+// date than predicted, which may precede the tick of a timer guard.
 bool Select::must_settle(const Process& self) const {
   return looks_at_others_ || has_timer_ ? self.must_sync() : self.must_sync_if_long();
 }
 
-// Moves the dates of a wait that begins ahead of the clock, and those of enabling the guards.
+// Called when the own time of a waiting process has moved: moves the dates at which the wait and
+// the enabling of the guards began.
 void Select::on_stretch(Process& process, const machine::Stretch& stretch) {
   const Seconds enabled_at = stretch(begin_ + span(enabled_));
   begin_ = stretch(begin_);
@@ -150,9 +153,9 @@ bool Select::some_ready(const Process& self) const {
   });
 }
 
-// Cost of alt and of enabling all guards. Enabling a guard has another cost if the guard is ready
-// at that time. Because a waiting output stays, no output has waited if none waits at the end of
-// enabling.
+// Cost of the instruction alt and of enabling all guards. To enable a guard costs another number of
+// cycles if the guard is ready. An output that waits keeps waiting; hence, if none waits at the end
+// of enabling, none was waiting earlier.
 Cycles Select::cost_to_enable_all(const Process& self) const {
   const auto waits = [&](const Guard& guard) {
     return guard.condition && guard.channel && guard.channel->has_output() &&
@@ -168,17 +171,18 @@ Cycles Select::cost_to_enable_all(const Process& self) const {
   return spent;
 }
 
-// Charges the cost of enabling, as far as it is known. If an output arrives meanwhile, a later call
-// charges the difference.
+// Charges the cost of enabling the guards, as far as it is known. If an output arrives later but
+// before the end of enabling, a later call charges the difference.
 void Select::spend_enabling(Process& self) {
   const Cycles known = cost_to_enable_all(self);
-  if (known < enabled_ && any_cut(guards_)) return;  // the link of a ready guard has been cut
+  // The link of a guard that was ready has been cut.
+  if (known < enabled_ && any_cut(guards_)) return;
   self.charge(Cycles{known.value - enabled_.value});
   enabled_ = known;
 }
 
-// Charges altwt or taltwt. A high-priority process is also woken by an output that arrives during
-// this payment.
+// Charges the instruction altwt or taltwt. If an output arrives while a high-priority process pays
+// for this instruction, it wakes the process.
 bool Select::spend_wait(Process& self, bool ready) {
   const auto& costs = self.processor().model().alternative;
   if (has_timer_)
@@ -190,7 +194,7 @@ bool Select::spend_wait(Process& self, bool ready) {
   return !must_pay && wait(self);
 }
 
-// Blocks until a guard with a true condition may be ready.
+// Blocks until a guard whose condition is true may be ready.
 bool Select::wait(Process& self) {
   if (some_ready(self)) return spend_disabling(self);
   bool some_open = false;
@@ -219,8 +223,8 @@ bool Select::spend_disabling(Process& self) {
   return !must_settle(self) && choose(self);
 }
 
-// Disables the guards in order and chooses the first that is ready when it is disabled. If the link
-// of the ready guard has been cut, there may be none; the process then waits again.
+// Disables the guards in order, and chooses the first guard that is ready at the time when it is
+// disabled. If the link of the only ready guard has been cut meanwhile, waits again.
 bool Select::choose(Process& self) {
   const auto& costs = self.processor().model().alternative;
   Cycles spent{};

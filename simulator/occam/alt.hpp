@@ -7,8 +7,9 @@
 //           after(deadline, [&] { ... }),
 //           otherwise(has_work, [&] { ... }));
 //
-// PRI ALT chooses the first ready guard in textual order. occam leaves the choice of a plain ALT
-// open, so every ALT here is a PRI ALT. For fairness, `each` rotates the order of its inputs.
+// PRI ALT chooses the first ready guard in textual order. occam leaves open which ready guard a
+// plain ALT chooses, so every ALT here is a PRI ALT. For fairness, `each` starts its search at a
+// given input.
 #include <array>
 #include <boost/container/small_vector.hpp>
 #include <span>
@@ -18,8 +19,8 @@
 
 namespace occam {
 
-/// A guard. If its condition is true, it waits for an output on a channel, for a tick of the timer,
-/// or for nothing (SKIP).
+/// A guard of an ALT. If its condition is true, the guard becomes ready when an output waits on its
+/// channel, at a tick of the timer, or at once (SKIP).
 struct Guard {
   enum class Kind : std::uint8_t { skip, channel, timer };
 
@@ -37,19 +38,20 @@ struct Guard {
   ChannelBase* channel = nullptr;
   Kind kind = Kind::skip;
   bool condition = true;
-  bool replicated = false;  ///< costs a replicator step for enabling and another for disabling
-  bool is_fair = false;     ///< also costs a division for enabling and for disabling, see fair_each
-  std::int64_t tick = 0;    ///< the guard is ready from this tick on, counted as in wait_until()
+  /// Each of its enabling and disabling also costs a step of the replicator.
+  bool replicated = false;
+  bool is_fair = false;   ///< each of these also costs a division, see fair_each
+  std::int64_t tick = 0;  ///< first tick at which the guard is ready, counted as in wait_until()
 };
 
-/// Waits until a guard is ready. chosen() is then its index; the caller executes its input. The
-/// condition of at least one guard must be true. Charges the instructions of an ALT: alt, altwt and
-/// altend once, enbc and disc for each guard. With a timer, charges talt, taltwt, enbt and dist. A
-/// guard on a cut link is never ready. The link of the chosen guard may still be cut during the
-/// input.
+/// Waits until a guard is ready. Afterwards chosen() is the guard's index, and the caller must
+/// execute the guard's input. The condition of at least one guard must be true. Charges the
+/// instructions of an ALT: alt, altwt and altend once, enbc and disc for each guard; with a timer,
+/// talt, taltwt, enbt and dist. A guard on a link that is cut is never ready. The link of the
+/// chosen guard may still be cut during the input.
 class [[nodiscard]] Select final : public machine::Operation, machine::Wait {
  public:
-  /// The guards must outlive the operation.
+  /// The guards must stay valid until the operation is complete.
   explicit Select(std::span<const Guard> guards);
   Select(const Select&) = delete;
   Select& operator=(const Select&) = delete;
@@ -67,8 +69,8 @@ class [[nodiscard]] Select final : public machine::Operation, machine::Wait {
   bool some_ready(const Process& self) const;
   Cycles cost_to_enable_all(const Process& self) const;
   void spend_enabling(Process& self);
-  // Each of these functions ends by calling the next one and returns its result, which is that of
-  // go_on().
+  // Each of these functions ends by calling the next one, or returns false if the process must
+  // wait. The result is that of go_on().
   bool spend_wait(Process& self, bool ready);
   bool wait(Process& self);
   bool spend_disabling(Process& self);
@@ -76,26 +78,27 @@ class [[nodiscard]] Select final : public machine::Operation, machine::Wait {
 
   std::span<const Guard> guards_;
   std::size_t chosen_ = 0;
-  machine::Seconds begin_{}, from_{};  // start of enabling and of disabling
+  machine::Seconds begin_{}, from_{};  // dates at which enabling and disabling began
   machine::Seconds cycle_{};           // mean duration of a cycle during enabling or disabling
-  Cycles enabling_{}, disabling_{};    // cost of all guards if none is ready
-  Cycles enabled_{};                   // cost of enabling charged so far
+  // Cost of enabling and of disabling all guards if none is ready.
+  Cycles enabling_{}, disabling_{};
+  Cycles enabled_{};  // part of the cost of enabling that has been charged
   Stage stage_ = Stage::comes;
   bool looks_at_others_ = false, has_timer_ = false;
 };
 
-/// Select as a function call, for a process with a stack.
+/// Select as an ordinary function, for a process with a stack.
 inline std::size_t select(std::span<const Guard> guards) {
   return this_process().carry_out(Select(guards)).chosen();
 }
 
-/// The guards of an ALT. More than 16 guards need an allocation on the host.
+/// The guards of an ALT. Up to 16 guards need no memory allocation on the host.
 using Guards = boost::container::small_vector<Guard, 16>;
 
-// Each argument of an ALT contains guards and two functions. begin(i, input) starts the input of
-// guard i, if it has one. Later, end(i, input) executes the guard's body. GuardedInput is an
-// Exchange without the await_resume() of its other derived classes, because end() fetches the
-// message.
+// Each argument of an ALT holds one or more guards and has two functions. begin(i, input) starts
+// the input of guard i, if this guard has one. Later, end(i, input) executes the guard's body.
+// GuardedInput has no await_resume() that returns the message, unlike other inputs, because end()
+// fetches the message.
 struct GuardedInput final : ChannelBase::Exchange {
   using Exchange::Exchange;
 };
@@ -106,8 +109,8 @@ inline void begin_input(ChannelBase& from, bool may_fail, MaybeInput& input) {
   input.emplace(from, may_fail);
 }
 
-/// `channel ? message` with a condition. An optional message stays empty if the link is cut before
-/// the whole message has arrived.
+/// A guard that inputs: condition & `channel ? message`. If `into` is an optional message, it stays
+/// empty when the link is cut before the whole message has arrived.
 template <class Message, class Into, class Then>
 struct InputGuard : Guard {
   static constexpr bool MAY_FAIL = !std::is_same_v<Into, Message>;
@@ -124,7 +127,7 @@ struct InputGuard : Guard {
   }
 };
 
-/// A guard without an input: SKIP or a timer.
+/// A guard that inputs nothing: SKIP, or a tick of the timer.
 template <class Then>
 struct PlainGuard : Guard {
   Then then;
@@ -140,12 +143,12 @@ template <class Message, class Into, class Then>
 auto when(Channel<Message>& from, Into& into, Then then) {
   return when(true, from, into, std::move(then));
 }
-/// condition & SKIP
+/// The guard `condition & SKIP`.
 template <class Then>
 auto otherwise(bool condition, Then then) {
   return PlainGuard<Then>{Guard(nullptr, condition), std::move(then)};
 }
-/// TIMER ? AFTER tick - 1
+/// The guard `TIMER ? AFTER tick - 1`, which is ready from `tick` on.
 template <class Then>
 auto after(std::int64_t tick, Then then) {
   return PlainGuard<Then>{Guard::at(tick, true), std::move(then)};
@@ -155,15 +158,15 @@ auto after(bool condition, std::int64_t tick, Then then) {
   return PlainGuard<Then>{Guard::at(tick, condition), std::move(then)};
 }
 
-/// The channel of an input of `each`; here the input is a pointer to a channel. Other kinds of
-/// input must define channel_of(input) in their namespace, and input_from(input), which executes
-/// the input and may return any type.
+/// Returns the channel of an input of `each`. This overload is for inputs that are pointers to
+/// channels. Another type of input needs two functions in its namespace: channel_of(input), and
+/// input_from(input), which executes the input and may return any type.
 template <class Message>
 ChannelBase& channel_of(Channel<Message>* input) {
   return *input;
 }
 
-/// A replicated guard, with one guard for each input.
+/// Replicated guards: one guard for each input.
 template <class Inputs, class Then>
 struct Replicated {
   const Inputs& inputs;
@@ -184,7 +187,8 @@ struct Replicated {
   void end(std::size_t i, const MaybeInput& /*over*/) {
     then(index(i), inputs[index(i)]->received());
   }
-  /// For inputs other than channels, in a process with a stack: executes the input and the body.
+  /// For inputs other than channels, in a process with a stack: executes the input and the guard's
+  /// body.
   void take(std::size_t i) {
     charge_turn();
     then(index(i), input_from(inputs[index(i)]));
@@ -196,17 +200,18 @@ struct Replicated {
   }
 };
 
-/// ALT i = 0 FOR SIZE inputs. Calls `then` with the index of the ready input and its message. occam
-/// leaves the choice between ready inputs open. Here the search starts at `first`, at no cost. Each
-/// guard costs its replicator steps in addition to the cost of a guard that is not replicated.
-/// `inputs`, usually pointers to channels, must outlive the ALT.
+/// ALT i = 0 FOR SIZE inputs. Calls `then` with the index of the input that was ready, and with its
+/// message. occam leaves open which ready input is chosen; here the search starts at index `first`,
+/// at no cost. Compared with a guard that is not replicated, each guard also costs steps of the
+/// replicator. `inputs`, which usually are pointers to channels, must outlive the ALT.
 template <class Inputs, class Then>
 auto each(const Inputs& inputs, std::size_t first, Then then) {
   return Replicated<Inputs, Then>{inputs, first, false, std::move(then)};
 }
 
-/// PRI ALT i = favourite FOR SIZE inputs, with VAL k IS i REM SIZE inputs (figures 4.12 and 4.14).
-/// For fairness, the simulated program itself rotates the favourite, and pays for the divisions.
+/// PRI ALT i = favourite FOR SIZE inputs, with VAL k IS i REM SIZE inputs (thesis, figures 4.12 and
+/// 4.14). The simulated program itself changes `favourite` for fairness, and pays for the
+/// divisions.
 template <class Inputs, class Then>
 auto fair_each(const Inputs& inputs, std::size_t favourite, Then then) {
   return Replicated<Inputs, Then>{inputs, favourite, true, std::move(then)};
@@ -226,8 +231,8 @@ std::size_t add_guards(const Replicated<Inputs, Then>& replicated, Guards& guard
   return replicated.size();
 }
 
-/// Calls `use` with the argument that contains guard number `chosen`, and with the guard's index in
-/// that argument.
+/// Finds the argument of an ALT that contains guard number `chosen`. Calls `use` with this argument
+/// and with the guard's index within it. `counts` holds the number of guards of each argument.
 template <class Use, class... Written>
 void use_chosen(std::size_t chosen, const std::size_t* counts, Use use, Written&... written) {
   const auto use_if_here = [&](auto& one) {
@@ -260,7 +265,7 @@ void pri_alt(Written&&... written) {
       written...);
 }
 
-/// A PRI ALT for a Proc: co_await alternative(...). The bodies of guards must not wait.
+/// A PRI ALT for a Proc: co_await alternative(...). The bodies of its guards must not wait.
 template <class... Written>
 class [[nodiscard]] Alternative final : public machine::Operation {
  public:
@@ -304,8 +309,8 @@ Alternative<Written...> alternative(Written... written) {
   return Alternative<Written...>(std::move(written)...);
 }
 
-/// Executes an ALT that has only inputs from `channels`. Stores the message and returns the index
-/// of its channel.
+/// Executes an ALT whose guards are inputs from `channels`; the search starts at `favourite`.
+/// Stores the message and returns the index of its channel.
 template <class Message>
 std::size_t fair_alt(std::size_t favourite, std::span<Channel<Message>* const> channels,
                      Message& message) {

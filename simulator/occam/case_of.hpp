@@ -15,8 +15,9 @@ struct Overloads : Cases... {
   using Cases::operator()...;
 };
 
-/// Calls the case for the alternative that the message holds and returns its result. The message is
-/// a variant, or a struct with a variant named `content`. Every alternative needs a case.
+/// Calls the function for the alternative that the message holds, and returns its result. The
+/// message is a variant, or a struct with a variant named `content`. Every alternative needs a
+/// function.
 template <class Message, class... Cases>
 decltype(auto) case_of(const Message& message, Cases... cases) {
   Overloads<Cases...> overloads{std::move(cases)...};

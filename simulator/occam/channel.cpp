@@ -35,7 +35,8 @@ void ChannelBase::check_may_take(Side side, Process& self) {
   End& end = end_of(side);
   const machine::Processor& here = self.processor();
   if (!end.place)
-    end_of(writer).place = end_of(reader).place = &here;  // first user of a soft channel
+    // The first user of a soft channel determines its processor.
+    end_of(writer).place = end_of(reader).place = &here;
   const bool is_here = end.place == &here;
   const auto is_free = [&] { return !end.taken_by || end.taken_by == &self; };
   if (is_here && is_free()) return;
@@ -59,14 +60,14 @@ void ChannelBase::check_may_take(Side side, Process& self) {
                   side == writer ? "outputs to" : "inputs from", name_, at.value, why));
 }
 
-// Ends the communication of one part of a message: the tag or size, or the rest. The last part
-// moves the message itself.
+// Called when one part of a message (the tag or size, or the rest) has been communicated. With the
+// last part, moves the message itself.
 void ChannelBase::move_part() {
   rest_to_come_ = std::exchange(rest_follows_, false);
   if (!rest_to_come_) move_message();
 }
 
-// Starts a transfer over the link, after both processes have arrived and been descheduled.
+// Starts a transfer over the link. Both processes have arrived and have been descheduled.
 void ChannelBase::transfer(Process& first, Process& second) {
   transfer_[0] = &first;
   transfer_[1] = &second;
@@ -85,21 +86,21 @@ void ChannelBase::end_transfer() {
 
 void ChannelBase::enable(Process& process) {
   alternative_ = {&process, process.own_time()};
-  alternative_wait_ = process.waits() + 1;  // the number of the wait that is about to begin
+  alternative_wait_ = process.waits() + 1;  // the wait that is about to begin will have this number
   const Party& output = end_of(writer).waiting;
   if (hard() && output.process) look_at(output.since, writer);
 }
 
-// Wakes the process that waits in an ALT, because an output waits from date `at` on. No effect if
-// another guard has already woken the process.
+// Makes the process that waits in an ALT ready, because an output waits from the date `at` on. Has
+// no effect if another guard has already woken the process.
 void ChannelBase::wake_alternative(Seconds at) {
   Process& waiting = *alternative_.process;
   if (waiting.state() == Process::State::blocked && waiting.waits() == alternative_wait_)
     waiting.processor().make_ready(waiting, std::max(at, alternative_.since));
 }
 
-// Makes a process wait at its end of the link from its own time on, which may be ahead of the
-// clock. Schedules an event only if another process may be affected, and then returns true.
+// Makes a process wait at its end of the link, from its own time on (which may be ahead of the
+// clock). Schedules an event only if the arrival can affect another process, and then returns true.
 bool ChannelBase::come_to_link(Side side, Process& process) {
   const Seconds date = process.blocked_since();
   end_of(side).waiting = {&process, date};
@@ -112,8 +113,8 @@ bool ChannelBase::come_to_link(Side side, Process& process) {
   return wakes_alternative && look_at(date, side);
 }
 
-// Calls look() when the clock reaches `date`. If that is now, returns whether look() had an effect;
-// otherwise returns true.
+// Calls look() when the clock reaches `date`. If the clock is already there, returns the result of
+// look(); otherwise returns true.
 bool ChannelBase::look_at(Seconds date, Side side) {
   if (date <= link_->now()) return look();
   link_->come_at(date, side, [this] {
@@ -122,8 +123,8 @@ bool ChannelBase::look_at(Seconds date, Side side) {
   return true;
 }
 
-// Starts a transfer, wakes an ALT or reports a cut, whichever is due. Returns true if that had an
-// effect.
+// Does what is due at the present date: starts a transfer, wakes a process in an ALT, or reports
+// that the link was cut. Returns true if this had an effect.
 bool ChannelBase::look() {
   const auto has_come = [&](const Party& p) { return p.process && p.since <= link_->now(); };
   Party &output = end_of(writer).waiting, &input = end_of(reader).waiting;
@@ -148,7 +149,7 @@ bool ChannelBase::look() {
   return matters;
 }
 
-// Cancels the current transfer if there is one.
+// Cancels the present transfer, if there is one.
 void ChannelBase::cancel_transfer() {
   if (!std::exchange(transfer_[0], nullptr)) return;
   transfer_[1] = nullptr;
@@ -180,7 +181,7 @@ bool ChannelBase::Exchange::go_on(Process& self) {
   return false;
 }
 
-// Executes the communication of one part of the message. Returns true when it is complete.
+// Executes the communication of one part of the message. Returns true when this part is complete.
 bool ChannelBase::Exchange::communicate(Process& self) {
   Party& partner = channel_->end_of(other_side()).waiting;
   switch (stage_) {
@@ -219,14 +220,14 @@ bool ChannelBase::Exchange::stop_at(Stage next) {
   return false;
 }
 
-// Cost of copying the message. An input copies as many bytes as the waiting output has.
+// Cost of copying the message. For an input, the waiting output determines the number of bytes.
 Cycles ChannelBase::Exchange::cost_to_copy(const machine::Model::Channel& costs) const {
   const std::uint64_t bytes = side_ == writer ? bytes_ : channel_->bytes_;
   return static_cast<std::int64_t>((bytes + 3) / 4) * costs.copy_word;
 }
 
-// Charges the cost before the rendezvous. Like pay and pay_for_late_partner, returns false if the
-// process must first yield the CPU.
+// Charges the cost of reaching the rendezvous. Returns false if the process must yield the CPU
+// before it goes on; pay() and pay_for_late_partner() do so too.
 bool ChannelBase::Exchange::pay_to_come(Process& self) const {
   const auto& costs = self.processor().model().channel;
   const bool is_outword = side_ == writer && bytes_ == 4;
@@ -239,8 +240,8 @@ bool ChannelBase::Exchange::pay_to_come(Process& self) const {
              wakes && channel_->alternative_.process ? wake : Cycles{});
 }
 
-// Charges the copy if the partner reached the soft channel while this process, of low priority, was
-// paying.
+// Charges the copy of the message. Called if the partner reached the soft channel while this
+// low-priority process was paying for its own arrival.
 bool ChannelBase::Exchange::pay_for_late_partner(Process& self) const {
   const auto& costs = self.processor().model().channel;
   const Cycles wake = channel_->joins_cpus() ? costs.wake_companion : Cycles{};
@@ -257,9 +258,9 @@ bool ChannelBase::Exchange::pay(Process& self, Cycles instructions, Cycles copy)
   return !(at_once ? self.must_sync() : self.must_sync_if_long());
 }
 
-// Completes a rendezvous when this process arrived second. If the partner has high priority and
-// this process low, the partner pre-empts it. This process may first execute up to its next
-// payment, which no other process can observe.
+// Completes a rendezvous for the process that arrived second. If the partner has high priority and
+// this process low priority, the partner pre-empts it. This process may still execute up to its
+// next payment, which no other process can observe.
 void ChannelBase::Exchange::meet(Process& self, Party partner) {
   ++channel_->use_.messages;
   channel_->use_.bytes += channel_->bytes_;
@@ -273,8 +274,8 @@ void ChannelBase::Exchange::wait_for_partner(Process& self) {
   if (side_ == writer && channel_->alternative_.process) channel_->wake_alternative(own.since);
 }
 
-// Moves the start of a wait that begins ahead of the clock. Events scheduled for the old date have
-// no effect.
+// Called when the own time of a waiting process has moved: moves the start of its wait. Events that
+// were scheduled for the old date have no effect.
 void ChannelBase::Exchange::on_stretch(Process& process, const machine::Stretch& /*stretch*/) {
   Party& own = channel_->end_of(side_).waiting;
   if (own.process != &process) return;
@@ -282,11 +283,12 @@ void ChannelBase::Exchange::on_stretch(Process& process, const machine::Stretch&
   if (channel_->hard()) channel_->come_to_link(side_, process);
 }
 
-// Ends the wait for a partner, or for the end of a transfer, after a cut of the link.
+// Called when the link has been cut: ends the wait for a partner, or for the end of a transfer.
 void ChannelBase::Exchange::on_cut(Process& process) {
   if (!channel_->cut()) return;
   if (process.blocked_since() > channel_->link_->now()) {
-    // Without may_fail_, an event would have no effect but to delay the report of a deadlock.
+    // Without may_fail_, the wait goes on for ever, so an event would only delay the report of a
+    // deadlock.
     if (may_fail_) channel_->look_at(process.blocked_since(), side_);
     return;
   }

@@ -1,8 +1,8 @@
 #pragma once
-// Synchronous, unbuffered, point-to-point channels. A transfer begins when both ends are ready. A
-// soft channel joins two processes that share a memory, on one processor or on companions. The CPU
-// of the process that arrives second copies the message. A hard channel is one direction of a link,
-// whose DMA engine moves the bytes.
+// Synchronous, unbuffered channels between two processes. A communication begins when both
+// processes have arrived. A soft channel joins two processes that share a memory: on one processor,
+// or on two companions. The CPU of the process that arrives second copies the message. A hard
+// channel is one direction of a link, whose DMA engine moves the bytes.
 #include <algorithm>
 #include <cstdint>
 #include <memory>
@@ -20,8 +20,8 @@ using machine::Proc;
 using machine::Process;
 using machine::this_process;
 
-/// A message without contents, one word long. Every message type has a member `bytes()`, its size
-/// on a channel, which may depend on the contents.
+/// A message without contents, one word long. Every type of message has a function bytes(), its
+/// length on a channel, which may depend on the contents.
 struct Signal {
   static constexpr std::uint64_t bytes() { return 4; }
 };
@@ -30,16 +30,17 @@ struct ChannelUse {
   std::uint64_t messages = 0, bytes = 0;
 };
 
-/// The untyped base of a channel: waiting processes and costs of the rendezvous.
+/// The part of a channel that does not depend on the message type: waiting processes, and costs of
+/// the rendezvous.
 class ChannelBase {
  public:
   explicit ChannelBase(std::string name);
-  /// Makes a hard channel, which must outlive the run. Throws Misuse if the link direction already
-  /// has a channel.
+  /// Makes a hard channel. The channel must outlive the run. Throws Misuse if the direction of the
+  /// link already has a channel.
   ChannelBase(std::string name, machine::LinkDirection& link);
-  /// Makes a soft channel within a processor, or between a processor and its companion. Waking a
-  /// process of the companion costs the model's channel.wake_companion. Throws Misuse for other
-  /// pairs of processors.
+  /// Makes a soft channel within one processor, or between a processor and its companion. To wake a
+  /// process on the companion costs channel.wake_companion of the model. Throws Misuse for any
+  /// other pair of processors.
   ChannelBase(std::string name, const machine::Processor& from, const machine::Processor& to);
   ChannelBase(const ChannelBase&) = delete;
   ChannelBase& operator=(const ChannelBase&) = delete;
@@ -47,30 +48,32 @@ class ChannelBase {
   const std::string& name() const { return name_; }
   const ChannelUse& use() const { return use_; }
   bool hard() const { return link_ != nullptr; }
-  /// True if the two ends are on different CPUs. Events at the opposite end are then known only up
-  /// to the present date.
+  /// True if the two ends are on different CPUs. What happens at the other end is then known only
+  /// up to the present date.
   bool joins_cpus() const { return joins_cpus_; }
-  /// True if the link has been cut. Inputs and outputs then block for ever, except those named
-  /// `_or_fail`, and guards are never ready.
+  /// True if the link has been cut. Inputs and outputs then block for ever, except those whose
+  /// names end in `_or_fail`. Guards of ALTs are then never ready.
   bool cut() const { return link_ && link_->is_cut(); }
 
-  /// The process whose output would end an ALT's wait on this channel; 0 if unknown.
+  /// Id of the last process that output to this channel; 0 if there was none. Deadlock reports
+  /// assume that it would end an ALT's wait.
   machine::ProcessId last_writer() const { return end_of(writer).user; }
-  /// For ALT: true if an output is waiting, or will wait from a known future date on.
+  /// True if an output waits now, or will wait from a known future date on. Used by ALTs.
   bool has_output() const { return end_of(writer).waiting.process != nullptr; }
-  /// True if an output is waiting at date `at`. Over a link, a date ahead of the clock is replaced
-  /// by the present date.
+  /// True if an output waits at the date `at`. For a link, a date ahead of the clock is replaced by
+  /// the present date.
   bool output_waits(machine::Seconds at) const {
     const Party& waiting = end_of(writer).waiting;
     return waiting.process && waiting.since <= (hard() ? std::min(at, link_->now()) : at) && !cut();
   }
-  /// For an ALT that finds no output: registers the process, which waits from its own time on. The
-  /// next output wakes it, even if that output is already known but waits from a later date on.
+  /// Used by an ALT that finds no output: registers `process`, which waits from its own time on.
+  /// The next output wakes it, even if this output is already known and will wait from a later date
+  /// on.
   void enable(Process& process);
   void disable() { alternative_ = {}; }
-  /// Updates the date of enabling after the own time of a process ahead of the clock has moved.
+  /// Changes the date of enable(), when the own time of its process, ahead of the clock, has moved.
   void move_enabling(machine::Seconds since) { alternative_.since = since; }
-  /// For ALT: reserves the input end for the process until leave_input(), see take().
+  /// Used by ALTs: reserves the input end for the process, until leave_input(). See take().
   void take_input(Process& process) { take(reader, process); }
   void leave_input() { leave(reader); }
 
@@ -79,13 +82,15 @@ class ChannelBase {
  protected:
   using Side = machine::LinkDirection::Side;
   static constexpr Side writer = Side::writer, reader = Side::reader;
-  /// The two parts of a message in bytes: the tag or size, if the protocol has one, and the rest.
+  /// The two parts of a message, in bytes: the tag or size (0 if the protocol has none), and the
+  /// rest.
   struct Parts {
     std::uint64_t first, rest;
   };
-  /// take() and leave() enclose every operation of a process. take() throws Misuse if another
-  /// process is using this end. It also throws for a process on the wrong processor: not at the
-  /// link's end (hard channel), or not where this end was used before (soft channel).
+  /// take() and leave() begin and end every operation of a process. take() throws Misuse if another
+  /// process is using this end of the channel, or if the process is on the wrong processor. On a
+  /// hard channel, the right processor is that at the link's end; on a soft channel, the first one
+  /// that used it.
   void take(Side side, Process& process) {
     End& end = end_of(side);
     if (end.place != &process.processor() || end.taken_by) check_may_take(side, process);
@@ -99,13 +104,14 @@ class ChannelBase {
  private:
   struct Party {
     Process* process = nullptr;
-    machine::Seconds since{};  // the process's own time at arrival, which may be ahead of the clock
+    // Own time of the process at its arrival, which may be ahead of the clock.
+    machine::Seconds since{};
   };
   struct End {
     Party waiting;  // the process that waits for its partner
     const Process* taken_by = nullptr;
-    const machine::Processor* place = nullptr;  // processor of this end's processes, once known
-    machine::ProcessId user = 0;                // last process at this end, for deadlock reports
+    const machine::Processor* place = nullptr;  // processor on which this end is used, once known
+    machine::ProcessId user = 0;  // last process that used this end, for deadlock reports
   };
 
   End& end_of(Side side) { return ends_[static_cast<std::size_t>(side)]; }
@@ -120,22 +126,22 @@ class ChannelBase {
   void cancel_transfer();
   void wake_alternative(machine::Seconds at);
 
-  // Members used by ALTs and most exchanges come first, to share cache lines.
+  // Members used by ALTs and most communications come first, so that they share cache lines.
   bool joins_cpus_ = false;
-  bool rest_follows_ = false;  // the part being sent is followed by another
+  bool rest_follows_ = false;  // another part follows the part that is being sent
   bool rest_to_come_ = false;  // the first part has arrived, the rest has not
   machine::LinkDirection* link_ = nullptr;
-  Party alternative_;                   // the process in an ALT with a guard on this channel
-  std::uint64_t alternative_wait_ = 0;  // number of that process's present wait
-  std::uint64_t bytes_ = 0;             // length of the current output
+  Party alternative_;  // the process in an ALT that has enabled a guard on this channel
+  std::uint64_t alternative_wait_ = 0;  // number of the wait of this process
+  std::uint64_t bytes_ = 0;             // length in bytes of the present output
   End ends_[2];                         // indexed by Side
   ChannelUse use_;
-  Process* transfer_[2] = {};  // the two processes of the current transfer, in order of arrival
+  Process* transfer_[2] = {};  // the two processes of the present transfer, by order of arrival
   std::string name_;
 };
 
-/// An output or input of a whole message. It lasts from the arrival of its process until the
-/// message has moved or, if failure is allowed, the link has been cut. A Proc may co_await it.
+/// An output or input of a whole message. It begins when its process arrives. It ends when the
+/// message has moved or, if failure is allowed, when the link has been cut. A Proc may co_await it.
 class [[nodiscard]] ChannelBase::Exchange : public machine::Operation, machine::Wait {
  public:
   Exchange(ChannelBase& channel, Parts output, bool may_fail)
@@ -171,18 +177,19 @@ class [[nodiscard]] ChannelBase::Exchange : public machine::Operation, machine::
   Cycles cost_to_copy(const machine::Model::Channel& costs) const;
 
   ChannelBase* channel_;
-  std::uint64_t bytes_ = 0, rest_ = 0;  // rest_: bytes after the first part
+  std::uint64_t bytes_ = 0, rest_ = 0;  // rest_: number of bytes after the first part
   Side side_;
   Stage stage_ = Stage::comes;
   bool is_second_ = false, may_fail_ = false, failed_ = false;
 };
 
-/// Division of a message into communications.
-/// - simple: one communication.
-/// - variant, occam's PROTOCOL with CASE, `channel ! tag; contents`: the tag (a byte), then the
-///   contents, if any.
-/// - counted, for an array, `channel ! size::message`: the size (one word of the message's bytes),
-///   then the rest.
+/// Parts in which a message is communicated:
+/// - simple: one part.
+/// - variant: occam's PROTOCOL with CASE, `channel ! tag; contents`. First the tag (a byte), then
+/// the
+///   contents, if there are any.
+/// - counted: an array, `channel ! size::message`. First the size (the first word of the message's
+///   bytes), then the rest.
 enum class Protocol : std::uint8_t { simple, variant, counted };
 
 template <class Message>
@@ -196,23 +203,24 @@ class Channel : public ChannelBase {
           Protocol protocol = Protocol::simple)
       : ChannelBase(std::move(name), from, to), protocol_(protocol) {}
 
-  /// `channel ! message`: blocks until the partner has received the message. The message's bytes()
-  /// exclude the tag of a variant, but include the size of a counted array.
+  /// Outputs a message: `channel ! message`. Blocks until the partner has received it. The
+  /// message's bytes() exclude the tag of a variant, but include the size of a counted array.
   void out(Message message) { this_process().carry_out(output(std::move(message))); }
-  /// Outputs the message and returns true, or returns false if the link is cut first. The partner
-  /// then receives no part of the message. A failed operation costs as much as one that has to
-  /// wait. (InputOrFail and OutputOrFail in occam's library.)
+  /// Outputs the message and returns true. If the link is cut before the whole message has moved,
+  /// returns false, and the partner receives no part of the message. A failed operation costs as
+  /// much as one that has to wait. (OutputOrFail in occam's library.)
   bool out_or_fail(Message message) {
     return this_process().carry_out(output_or_fail(std::move(message))).await_resume();
   }
-  /// `channel ? message`
+  /// Inputs a message: `channel ? message`.
   Message in() { return this_process().carry_out(input()).await_resume(); }
   /// Inputs a message; returns nothing if the link is cut before the whole message has arrived.
   std::optional<Message> in_or_fail() {
     return this_process().carry_out(input_or_fail()).await_resume();
   }
 
-  // Operations for a Proc: co_await channel.output(message), message = co_await channel.input().
+  // The next functions make operations for a Proc: co_await channel.output(message), and message =
+  // co_await channel.input().
   class OutputOrFail : public Exchange {
    public:
     using Exchange::Exchange;
@@ -246,7 +254,7 @@ class Channel : public ChannelBase {
     take(reader, this_process());
     return InputOrFail(*this);
   }
-  /// The message of a completed input; may be called only once.
+  /// The message of an input that is complete. May be called only once per message.
   Message received() { return std::move(incoming_); }
 
  private:
@@ -265,7 +273,7 @@ class Channel : public ChannelBase {
   Message outgoing_, incoming_;
 };
 
-// Free functions in the style of occam, for bodies of processes.
+// Free functions that look like occam, for the bodies of processes.
 template <class Message>
 void out(Channel<Message>& channel, Message message) {
   channel.out(std::move(message));
@@ -275,8 +283,8 @@ void in(Channel<Message>& channel, Message& message) {
   message = channel.in();
 }
 inline void in(Channel<Signal>& channel) { channel.in(); }
-/// Like out() and in(), but return false or nothing if the link is cut before the whole message has
-/// moved.
+/// Like out() and in(), but if the link is cut before the whole message has moved, they return
+/// false or no message.
 template <class Message>
 [[nodiscard]] bool out_or_fail(Channel<Message>& channel, Message message) {
   return channel.out_or_fail(std::move(message));
@@ -286,7 +294,7 @@ template <class Message>
   return channel.in_or_fail();
 }
 
-/// Cycles of instructions in compiled occam: `instructions` multiplied by the processor's software
+/// Cycles of instructions in compiled occam code: `instructions` times the processor's software
 /// factor.
 inline Cycles compiled(Cycles instructions) {
   return machine::round_to_cycles(this_process().processor().software_factor() *
@@ -294,9 +302,10 @@ inline Cycles compiled(Cycles instructions) {
 }
 /// Charges compiled(instructions).
 inline void charge(Cycles instructions) { this_process().charge(compiled(instructions)); }
-/// Charges a duration, not multiplied by the software factor; see Process::charge.
+/// Charges a duration, which is not multiplied by the software factor. See Process::charge.
 void charge(machine::Seconds duration);
-/// Charges an instruction given by its name in the model file's [instruction]: charge("lend").
+/// Charges an instruction, given by its name in section [instruction] of the model file:
+/// charge("lend").
 void charge(std::string_view instruction);
 
 }  // namespace occam

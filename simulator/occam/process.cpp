@@ -16,12 +16,12 @@ struct TimerWait : machine::Wait {
   std::string describe() const override { return "the timer"; }
 };
 
-// Number of complete ticks, with a small tolerance so that rounding errors do not lose one.
+// Number of ticks that are complete. A small tolerance keeps rounding errors from losing a tick.
 std::int64_t whole_ticks(double ticks) {
   return static_cast<std::int64_t>(std::floor(ticks * (1 + 1e-12) + 1e-9));
 }
 
-// The wait of a PAR's parent for its branches.
+// The wait of a process that executes a PAR, for the branches of the PAR.
 struct Join : machine::Wait {
   std::size_t running = 0;
   bool parent_waits = false;
@@ -44,7 +44,7 @@ void par(std::span<const Branch> branches) {
   const auto& costs = processor.model().scheduler;
   Join join;
   join.running = branches.size();
-  const Branch* own = nullptr;  // the branch that runs in this process
+  const Branch* own = nullptr;  // the branch that this process executes itself
   for (const Branch& branch : branches)
     if (branch.priority == self.priority()) own = &branch;
   charge(costs.par_setup);
@@ -62,7 +62,7 @@ void par(std::span<const Branch> branches) {
         processor.make_ready(self, this_process().own_time());
     });
     join.branches.push_back(&started);
-    self.sync();  // a high-priority branch may have taken the CPU
+    self.sync();  // a branch with high priority may have taken the CPU
   }
   if (own) {
     own->body();
