@@ -29,7 +29,7 @@ Kernels::Kernels(const Setup& setup, const radiosity::Mesh& mesh, const Params& 
   if (setup.cycles_per_host_s) scratch = make_state(mesh, params.solve.sends);
 }
 
-// Copying a colour between a table and a message takes a block move of its words.
+// To copy a colour between a table and a message takes a block move of the colour's words.
 MessageWork::MessageWork(const machine::Model& model)
     : identification(kernels::message_costs(model)),
       colour_copied{get_instruction(model, "move_setup").value +
@@ -58,7 +58,7 @@ void Application::run() {
   }
 }
 
-// Stores a message that arrived early because its sender is ahead.
+// Stores a message that has arrived before this process needs it, because its sender is ahead.
 void Application::keep(const Message& message) {
   case_of(
       read<AmpMessage>(message),
@@ -101,7 +101,7 @@ void Application::shoot(const Shot& shot) {
   charged_s_.emplace_back();
 }
 
-// Sends other processors the light that shared vertices have received.
+// Sends the light that shared vertices have received to the other processors that need it.
 void Application::give() {
   for (const Border& border : node_.share.out)
     for (std::size_t first = 0; first < border.vertices.size(); first += MessageBytes::MOST) {
@@ -135,8 +135,8 @@ void Application::light(const radiosity::Eye& eye, const Shot& shot, State& stat
     receive_in_centres(eye, sender, node_.share.patches, state, work);
 }
 
-// Executes `light` with geometry that may be on other processors. Before each access, charges the
-// work since the last one.
+// Executes `light` on geometry that may be on other processors. Before each access to the geometry,
+// charges the work done since the previous access.
 void Application::shoot_at_shared(const Shot& shot) {
   auto& kernels = common_.kernels;
   const double scale =
@@ -152,7 +152,7 @@ void Application::shoot_at_shared(const Shot& shot) {
   work_ += work;
 }
 
-// Returns the radiosity of as many vertices as fit into a message.
+// Returns the radiosity of vertices from index `asked.first` on, as many as fit into a message.
 Displayed Application::show(const Show& asked) const {
   const auto& vertices = node_.share.vertices;
   Displayed shown{asked.first, {}};
@@ -175,7 +175,8 @@ void Application::note_charged(Cycles cycles) {
   charged_s_.back() += static_cast<double>(cycles.value) / cpu.clock.value;
 }
 
-// Charges the making or reading of a message's header, and the copying of its colours.
+// Charges the making or the reading of a message's header, and the copying of the message's
+// colours.
 void Application::charge_message(Cycles kernels::MessageCosts::*identification,
                                  const AmpMessage& content) {
   const auto colours = static_cast<std::int64_t>(count_colours(content));
@@ -210,7 +211,7 @@ void Root::run() {
   send(network::make_global(AMP_PROCESS), Stop{});
 }
 
-// True under the condition that ends radiosity::solve.
+// True if the solution is complete: the condition by which radiosity::solve ends.
 bool Root::is_over(const Candidate& best) const {
   const auto& solve = common_.params.solve;
   return shots_ >= solve.shots || eval_share(best.unshot) <= solve.tolerance || !best.shot;
@@ -221,7 +222,8 @@ bool Root::is_time_to_show() const {
   return every > 0 && shots_ > 0 && shots_ % every == 0;
 }
 
-// Polls the processors one at a time (thesis, 5.3), so that the routers' buffers suffice.
+// Collects a frame from one processor after another (thesis, 5.3), so that the routers' buffers
+// suffice.
 void Root::take_frame(const Candidate& best) {
   Frame frame;
   frame.shots = shots_;

@@ -1,7 +1,8 @@
 #pragma once
-// The application process of a processor. In AMP, computing, tasks, data and control are separate
-// processes besides the router (figure 5.3). Here they are a single process, as 5.1 proposes for
-// IIRRA. In each round it executes:
+// The application process of a processor. In AMP, the system of the thesis's chapter 5.1,
+// computing, tasks, data and control are separate processes besides the router (figure 5.3). Here
+// they are a single process, as section 5.1 proposes for IIRRA. For each shot (one patch
+// distributing its light) it executes:
 //   SEQ
 //     SEQ i = 0 FOR children         -- in the order of arrival
 //       from.router ? candidate
@@ -20,8 +21,8 @@ namespace parallel_radiosity {
 
 using machine::Cycles;
 
-/// Kernels that all processes share. If costs are timed, the scratch states serve to repeat their
-/// calls.
+/// Kernels (numerical functions) that all processes share. If costs are host times, the kernels run
+/// again on the scratch objects to be timed.
 struct Kernels {
   Kernels(const Setup& setup, const radiosity::Mesh& mesh, const Params& params);
   kernels::KernelCost choose, receive, settle, draw;
@@ -29,50 +30,50 @@ struct Kernels {
   radiosity::State scratch;
 };
 
-/// Costs of a message for its sender or receiver, in addition to those of the routers.
+/// Costs of a message for its sender or its receiver, without those of the routers.
 struct MessageWork {
   explicit MessageWork(const machine::Model& model);
   kernels::MessageCosts identification;
-  Cycles colour_copied;  ///< into a message or out of it
+  Cycles colour_copied;  ///< cost of copying one colour into a message or out of it
 };
 
-/// State shared by all processes.
+/// State that all processes share.
 struct Common {
   const radiosity::Mesh& mesh;
   const Setup& setup;
   const Params& params;
   MessageBytes bytes;
   Kernels& kernels;
-  std::optional<shared_memory::SceneItems> items;  ///< set if geometry is distributed
+  std::optional<shared_memory::SceneItems> items;  ///< only if geometry is distributed
   int root = 0;
   kernels::ByModel<MessageWork> messages;
 };
 
-/// Position of a processor in the tree, and its access to the network.
+/// Position of a processor in the reduction tree, and its access to the network.
 struct Node {
   int id = 0, parent = 0;  ///< the root is its own parent
   std::size_t children = 0;
   Share share;
   network::Client* client = nullptr;
-  shared_memory::DataManager* manager = nullptr;  ///< set if geometry is distributed
+  shared_memory::DataManager* manager = nullptr;  ///< only if geometry is distributed
 };
 
 class Application {
  public:
   Application(const Common& common, const Node& node);
   virtual ~Application() = default;
-  /// Body of the process; returns on Stop.
+  /// Body of the process. Returns when it has received Stop.
   virtual void run();
 
   const Node& node() const { return node_; }
   const radiosity::State& state() const { return state_; }
   const renderer::Work& work() const { return work_; }
   Cycles kernel_cycles() const { return kernel_cycles_; }
-  /// Seconds charged for this process's kernels, by shot.
+  /// Duration in seconds of the cycles charged for this process's kernels, by shot.
   const std::vector<double>& charged_s() const { return charged_s_; }
 
  protected:
-  /// Returns the brightest patch among its own and those of its subtree.
+  /// Returns the brightest patch among those of this processor and of its subtree.
   Candidate reduce();
   void shoot(const radiosity::Shot& shot);
   network::Message wait_message();
@@ -81,7 +82,7 @@ class Application {
 
   const Common& common_;
   const Node node_;
-  radiosity::State state_;  ///< valid for its own vertices and patches only
+  radiosity::State state_;  ///< only entries of its own vertices and patches are valid
 
  private:
   Candidate find_best();
@@ -99,18 +100,18 @@ class Application {
   renderer::Work work_;
   Cycles kernel_cycles_{};
   std::vector<double> charged_s_ = {0};
-  // Messages that arrived before they were needed, from children and from processors that share
-  // vertices.
+  // Messages that arrived before they were needed: candidates from children, and light from
+  // processors that share vertices with this one.
   std::vector<Candidate> candidates_;
   std::vector<network::Message> borders_;
 };
 
-/// The application at the root of AMP's tree. Like all others, it computes. It also selects the
-/// next shot and is the display.
+/// The application at the root of the reduction tree. It computes, as all others do. It also
+/// selects the patch that shoots next, and it is the display.
 class Root : public Application {
  public:
-  /// `nodes` are those of all processors. `on_solved` is called when all processors have finished
-  /// the last shot.
+  /// `nodes` are the nodes of all processors. `on_solved` is called when all processors have
+  /// finished the last shot.
   Root(const Common& common, const Node& node, const std::vector<Node>& nodes,
        std::function<void()> on_solved)
       : Application(common, node), nodes_(nodes), on_solved_(std::move(on_solved)) {}

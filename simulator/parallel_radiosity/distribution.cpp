@@ -14,7 +14,8 @@ namespace {
 
 using List = std::vector<std::uint32_t>;
 
-// Divides the sequence of patches into consecutive parts of equal total weight.
+// Divides the sequence of patches into consecutive parts, one per processor, with about equal sums
+// of weights.
 std::vector<List> cut(const std::vector<double>& weights, int processors) {
   const double whole = std::accumulate(weights.begin(), weights.end(), 0.0);
   std::vector<List> lists(static_cast<std::size_t>(processors));
@@ -33,8 +34,8 @@ bool is_facing(const Patch& a, const Patch& b) {
   return dot(a.normal, way) > 0 && dot(b.normal, way) < 0;
 }
 
-// Estimates the work per shot for the vertices of each patch: a test, plus a ray if the patch faces
-// the sender. As senders, uses a sample of evenly spaced patches.
+// Estimates for each patch the work that a shot causes: a visibility test, and a ray if the patch
+// faces the patch that shoots. Sums over a sample of evenly spaced patches that shoot.
 std::vector<double> estimate_work(const Mesh& mesh) {
   constexpr std::size_t SENDERS = 64;
   constexpr double TEST = 0.1;  // relative to the work of a ray
@@ -49,7 +50,8 @@ std::vector<double> estimate_work(const Mesh& mesh) {
   return work;
 }
 
-// Bisects a list recursively, each time across the longest axis.
+// Bisects a list of patches recursively into `parts` parts, each time along the longest axis of the
+// list's bounding box.
 void bisect(const Mesh& mesh, std::span<std::uint32_t> list, std::size_t parts,
             std::vector<List>& into) {
   if (parts == 1) {
@@ -67,8 +69,8 @@ void bisect(const Mesh& mesh, std::span<std::uint32_t> list, std::size_t parts,
   bisect(mesh, list.subspan(middle), parts - half, into);
 }
 
-// Gives each processor a tile of every face. The larger tiles of a face go to the processors with
-// fewer patches.
+// Gives each processor a compact part (tile) of every face. The larger tiles of a face go to the
+// processors that have fewer patches so far.
 std::vector<List> tile(const Mesh& mesh, int processors) {
   std::vector<List> lists(static_cast<std::size_t>(processors));
   std::vector<std::size_t> by_load(lists.size());

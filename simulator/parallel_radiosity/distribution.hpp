@@ -1,17 +1,17 @@
 #pragma once
-// Distribution of patches over processors. AMP distributes equal numbers (thesis 5.1).
+// Distribution of patches over processors. AMP gives all processors equal numbers (thesis, 5.1).
 #include "renderer/radiosity/light/solve.hpp"
 
 namespace parallel_radiosity {
 
 enum class Distribution : std::uint8_t {
-  blocks,  ///< equal numbers of consecutive patches: whole walls, or strips of them
-  tiles,   ///< equal parts of every face, as compact as possible
-  work,    ///< consecutive patches of equal total work, estimated from the patches they face
+  blocks,  ///< equal numbers of consecutive patches: whole walls, or strips of walls
+  tiles,   ///< an equal part of every face, as compact as possible
+  work,    ///< consecutive patches of equal work, estimated from the patches they face
 };
 
-/// Vertices shared by two processors. In every shot, one of them sends the other the light of these
-/// vertices.
+/// Vertices shared with another processor. In every shot, one of the two processors sends the other
+/// the light of these vertices.
 struct Border {
   int other = 0;
   std::vector<std::uint32_t> vertices;  ///< in ascending order
@@ -19,17 +19,19 @@ struct Border {
 
 /// The part of the mesh assigned to a processor.
 struct Share {
-  std::vector<std::uint32_t> patches;   ///< in ascending order
-  std::vector<std::uint32_t> vertices;  ///< corners of its patches, in ascending order
-  std::vector<Border> out, in;          ///< border vertices to send and to receive
+  std::vector<std::uint32_t> patches;  ///< numbers of its patches, in ascending order
+  /// Numbers of the corners of its patches, in ascending order.
+  std::vector<std::uint32_t> vertices;
+  /// Shared vertices whose light is sent to, or received from, others.
+  std::vector<Border> out, in;
 };
 
-/// Assigns each patch to one processor and returns the processors' shares. The vertices of a share
-/// are the corners of its patches, so border vertices belong to several shares.
+/// Assigns each patch to one processor, and returns the share of each processor. The corners of a
+/// processor's patches are its vertices, so a vertex on a border belongs to several shares.
 std::vector<Share> distribute(const radiosity::Mesh& mesh, int processors, Distribution how);
 
-/// Assigns each shared vertex to one of its processors, in rotation. This processor computes the
-/// vertex's light and sends it to the others.
+/// Decides for each shared vertex which of its processors computes the vertex's light; takes the
+/// processors in rotation. This processor sends the light to the others.
 void exchange_borders(std::vector<Share>& shares, std::size_t vertices);
 
 }  // namespace parallel_radiosity

@@ -15,7 +15,7 @@ Image make_image(const std::string& name, Picture picture, const Display& displa
   return {name, at_s, [kept, display](const std::string& path) { save_png(path, *kept, display); }};
 }
 
-// Makes an image that can also be saved as EXR with its full dynamic range.
+// Makes an image that can also be saved as EXR, with colours that are not clipped.
 Image make_last_image(const std::string& name, const Picture& picture, const Display& display) {
   auto image = make_image(name, picture, display);
   image.save_exr = [picture](const std::string& path) { save_exr(path, picture); };
@@ -29,8 +29,8 @@ std::vector<radiosity::Rgb> light_of(const ProgramParams& params, const radiosit
   return vertices;
 }
 
-// Adds images of all frames except the last, and previews of all frames. Adds nothing for a single
-// frame.
+// If there are several frames, adds images of all frames except the last, and previews of all
+// frames.
 void add_previews(const ProgramParams& params, const renderer::View& view,
                   const radiosity::Mesh& mesh, const std::vector<Frame>& frames,
                   const Display& display, Pictures& shown) {

@@ -1,5 +1,5 @@
 #pragma once
-// Pictures of a radiosity run, and their comparison with a reference.
+// Pictures of a radiosity run, and their comparison with a reference solution.
 #include "renderer/radiosity/show/compare_pictures.hpp"
 #include "simulator/parallel_radiosity/program.hpp"
 #include "simulator/snapshots/recorder.hpp"
@@ -8,17 +8,17 @@ namespace parallel_radiosity {
 
 /// Measurements of the final picture.
 struct PictureSummary {
-  double radiosity_mean = 0;  ///< over patches whose material also exists in the reference
-  double exposure = 0;        ///< greater than 0
-  double reference_mean = 0;  ///< set only with a reference
-  std::optional<radiosity::PictureError> error;  ///< set only with a reference
+  double radiosity_mean = 0;  ///< mean over the patches whose material also exists in the reference
+  double exposure = 0;  ///< factor by which the picture was brightened for display; greater than 0
+  double reference_mean = 0;                     ///< only with a reference
+  std::optional<radiosity::PictureError> error;  ///< only with a reference
 };
 
-/// Draws an intermediate frame with reconstructed light and a z-buffer.
+/// Draws an intermediate frame with a z-buffer. The light within patches is interpolated.
 radiosity::Picture draw(const ProgramParams& params, const renderer::View& view,
                         const radiosity::Mesh& mesh, const Frame& frame);
 
-/// Draws a frame as displayed, with its own exposure; black if `frame` is null.
+/// Draws a frame as it is displayed, with an exposure of its own. Black if `frame` is null.
 renderer::Bitmap look(const ProgramParams& params, const renderer::View& view,
                       const radiosity::Mesh& mesh, const Frame* frame);
 
@@ -26,13 +26,13 @@ renderer::Bitmap look(const ProgramParams& params, const renderer::View& view,
 struct Pictures {
   PictureSummary summary;
   std::vector<programs::Image> images;
-  std::vector<snapshots::Snapshot> previews;  ///< all frames as drawn by the display
+  std::vector<snapshots::Snapshot> previews;  ///< every frame as the display draws it
   int width = 0;                              ///< in pixels
 };
 
-/// Makes the pictures "N-shots" of all frames except the last, and "picture" of the last one. With
-/// a reference, also makes "reference" and "difference". The difference is that of displayed
-/// values, as in figures 3.16 (c) and 3.18 (c).
+/// Makes a picture "N-shots" of each frame except the last, and "picture" of the last one. With a
+/// reference, also makes "reference" and "difference". The difference is that of displayed values
+/// (0 to 255), as in figures 3.16 (c) and 3.18 (c) of the thesis.
 Pictures show(const ProgramParams& params, const renderer::View& view, const radiosity::Mesh& mesh,
               const std::vector<Frame>& frames);
 

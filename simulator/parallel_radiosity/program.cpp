@@ -71,7 +71,7 @@ struct Measured {
   PictureSummary shown;
 };
 
-// Not a number if no time passed.
+// Mean load of all CPUs; not a number if no time passed.
 double eval_cpu_mean(const observe::Use& use) {
   double busy = 0;
   for (const auto& cpu : use.cpus)
@@ -173,8 +173,8 @@ Columns<Measured> picture_columns() {
        base::only_if(has_reference, base::lift_columns<Measured>(errors, error))});
 }
 
-// Columns for sizes, times, losses, loads and pictures. Columns of data managers and of the
-// reference are empty if these do not exist.
+// Columns for sizes, times, losses, loads and pictures. Columns about data managers or the
+// reference have empty cells if there are none.
 Columns<Measured> make_columns() {
   const auto data = [](const Measured& m) -> auto& { return m.result.data; };
   const auto loss = [](const Measured& m) -> auto& { return m.result.loss; };

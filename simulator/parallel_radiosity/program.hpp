@@ -1,5 +1,5 @@
 #pragma once
-// Radiosity as programs for experiments.
+// Declares the radiosity programs that experiments can run.
 #include "simulator/parallel_radiosity/radiosity.hpp"
 #include "simulator/parallel_radiosity/rooms.hpp"
 #include "simulator/programs/declare/program.hpp"
@@ -8,16 +8,16 @@ namespace parallel_radiosity {
 
 struct ProgramParams {
   RoomParams room;
-  Params machine;      ///< distribution and costs; its `solve` is set from `room`
-  double amplify = 1;  ///< factor for the difference image, 0 to 1e6
-  /// Part of the picture's central line in which the peak is searched, from 0 (left edge) to 1
+  Params machine;      ///< distribution and costs; the member `solve` is set from `room`
+  double amplify = 1;  ///< factor on the brightness of the difference image, 0 to 1e6
+  /// The part of the picture's central line in which the peak is searched: from 0 (left edge) to 1
   /// (right edge).
   double peak_from = 0, peak_to = 1;
 };
 
-/// The program "radiosity": progressive radiosity on a machine.
+/// The program "radiosity": progressive radiosity on a simulated machine.
 programs::Program make_radiosity();
-/// The program "scan_line": one line of a room's picture; no machine is simulated.
+/// The program "scan_line": one line of a room's picture. It simulates no machine.
 programs::Program make_scan_line();
 
 }  // namespace parallel_radiosity

@@ -25,11 +25,11 @@ shared_memory::DataParams data_params(const machine::Model& model, const Mesh& m
   return data;
 }
 
-// Parameters of the network. Buffers suffice for all messages in transit: from each processor a
-// candidate, a request or a reply, and its borders.
+// Parameters of the network. The buffers suffice for all messages that can be in transit: from each
+// processor a candidate, a request or a reply, and the light of its shared vertices.
 network::Params network_params(const Common& common, const shared_memory::DataParams& data,
                                const machine::Model& model, const std::vector<Share>& shares) {
-  std::size_t borders = 0;  // number of messages
+  std::size_t borders = 0;  // number of messages with light of shared vertices
   for (const Share& share : shares)
     for (const Border& border : share.out)
       borders += 1 + border.vertices.size() / MessageBytes::MOST;
@@ -43,8 +43,8 @@ network::Params network_params(const Common& common, const shared_memory::DataPa
   return params;
 }
 
-// Seconds charged, summed over all rounds: by the busiest processor of each round, and by the
-// average processor.
+// Seconds charged in all rounds (shots) together: by the busiest processor of each round (`most`),
+// and by a processor on average (`mean`).
 struct Rounds {
   double most = 0, mean = 0;
 };
@@ -67,11 +67,11 @@ Rounds sum_rounds(const std::vector<std::unique_ptr<Application>>& applications)
   return sum;
 }
 
-// Fractions of all processors' time during `time_s`.
+// Computes the fractions of the processors' time, during `time_s` seconds, that are useful or lost.
 Loss eval_loss(const radiosity::Mesh& mesh, const Params& params,
                const std::vector<std::unique_ptr<Application>>& applications, double time_s) {
   const Rounds rounds = sum_rounds(applications);
-  // a shot lights vertices, and with Simpson's rule also patch centres
+  // A shot lights all vertices. With Simpson's rule, it also lights the centres of patches.
   const std::size_t centres =
       params.solve.mean == radiosity::Mean::simpson ? mesh.patches.size() : 0;
   std::size_t done = centres;
@@ -139,7 +139,7 @@ class Amp {
     return view;
   }
 
-  // The picture of the last frame, drawn on request.
+  // Returns the picture of the last frame. Draws it only if it is new.
   const std::vector<std::uint8_t>& look() {
     if (root_->frames().size() > frames_looked_at_) {
       frames_looked_at_ = root_->frames().size();
@@ -235,7 +235,7 @@ class Amp {
   std::vector<Node> nodes_;
   std::vector<std::unique_ptr<Application>> applications_;
   Root* root_ = nullptr;
-  renderer::Bitmap bitmap_;  // last frame, for the live page
+  renderer::Bitmap bitmap_;  // picture of the last frame, for the live page
   std::size_t frames_looked_at_ = 0;
   observe::Use before_;
   std::optional<observe::Use> after_;

@@ -1,12 +1,12 @@
 #pragma once
-// Progressive radiosity on a machine, as in AMP (thesis 5.1; A. Chalmers and D. Paddon, "Parallel
+// Progressive radiosity on a machine, as in AMP (thesis, 5.1; A. Chalmers and D. Paddon, "Parallel
 // Processing of Progressive Refinement Radiosity Methods", 1991). Patches are distributed over the
-// processors. A reduction along a tree finds the brightest patch, which is broadcast. Each receiver
-// computes its form factors and updates its patches. The root of the topology is the root of the
-// tree and the display.
+// processors. In each step a reduction along a tree finds the brightest patch, and the root
+// broadcasts it. Every processor then computes the form factors from this patch to its own patches
+// and updates them. The root of the topology is the root of the tree and the display.
 //
-// Two things are not charged: distributing the patches, and comparing candidates on their way up.
-// Drawing pictures on the display is charged only if costs are timed.
+// Two things are not charged: distributing the patches, and comparing candidates on their way up
+// the tree. Drawing pictures on the display is charged only if costs are host times.
 #include <functional>
 #include <optional>
 
@@ -20,62 +20,65 @@ namespace parallel_radiosity {
 
 using programs::Setup;
 
-/// The illumination known to the display after a number of shots.
+/// The illumination that the display has after a number of shots.
 struct Frame {
   int shots = 0;
-  double at_s = 0;  ///< in seconds; when the frame was complete at the display
-  double unshot = 0;
-  std::vector<radiosity::Rgb> vertices;  ///< radiosity by vertex, without ambient light
+  double at_s = 0;                       ///< date in s at which the display had received all of it
+  double unshot = 0;                     ///< fraction of the light that has not been shot
+  std::vector<radiosity::Rgb> vertices;  ///< radiosity of each vertex, without ambient light
   radiosity::Rgb ambient;
 };
 
 struct Params {
-  radiosity::SolveParams solve;  ///< tolerance, shots and form factors
+  radiosity::SolveParams solve;  ///< tolerance, maximum number of shots, and form factors
   Distribution distribution = Distribution::tiles;
-  /// True: one processor computes a border vertex and sends it to the others. False: each processor
-  /// computes it.
+  /// If true, one processor computes the light of a shared vertex and sends it to the others. If
+  /// false, each processor computes the light itself.
   bool exchange = true;
   network::Method method = network::Method::green;
-  /// Number of shots between pictures sent to the display; 0 for the last picture only.
+  /// Number of shots between two pictures sent to the display; 0 means only the last picture.
   int show_every = 0;
-  /// Cache size of each processor's data manager in percent of the geometry's bytes, up to 100. 0:
-  /// every processor holds all faces and their hierarchy.
+  /// Cache size of each processor's data manager, in percent of the geometry's bytes, up to 100.
+  /// With 0, there are no data managers, and every processor holds all faces and their hierarchy.
   double cache_percent = 0;
-  /// Draws a frame's picture, so that the host time of drawing can be charged; drawing has no
-  /// operation counts. If null, drawing is not charged.
+  /// Draws the picture of a frame, so that the host time of drawing can be measured and charged.
+  /// Drawing has no operation counts. If null, drawing is not charged.
   std::function<void(const Frame&)> draw;
-  /// Draws a frame for the live page. Before the first frame, the argument is null and the picture
-  /// is black.
+  /// Draws the picture of a frame for the live page. Before the first frame the argument is null,
+  /// and the picture must be black.
   std::function<renderer::Bitmap(const Frame*)> look;
 };
 
-/// Fractions of the processors' time, which sum to 1.
+/// Fractions of the processors' time. They sum to 1.
 struct Loss {
-  double useful = 0;  ///< kernels, with each vertex counted once
-  /// Vertices that several processors compute because they own adjacent patches. Estimated from the
-  /// number of vertices, assuming that all take equal time.
+  double useful = 0;  ///< kernels, where each vertex counts only once
+  /// Repeated computation of vertices that several processors share, because they own adjacent
+  /// patches. Estimated from numbers of vertices, as if all vertices took equal time.
   double repeated = 0;
-  double unequal = 0;  ///< waiting for the busiest processor of each shot
-  /// All other time: reduction, broadcast, borders, pictures, routers, and data managers if
-  /// geometry is distributed.
+  double unequal = 0;  ///< waiting for the processor with the most work in each shot
+  /// All other time: reduction, broadcast, light of shared vertices, pictures, routers, and data
+  /// managers if geometry is distributed.
   double messages = 0;
 };
 
 struct Result {
-  /// Time until all processors have finished the last shot. Includes sending intermediate pictures.
+  /// Time until all processors have finished the last shot. Includes the sending of intermediate
+  /// pictures.
   double time_s = 0;
-  double total_s = 0;  ///< until the display has received the last frame
+  double total_s = 0;  ///< time until the display has received the last frame
   int shots = 0;
   std::vector<Frame> frames;  ///< the last frame is the solution
   Loss loss;
-  renderer::Work work;                      ///< total over all processors
-  std::uint64_t vertices_done_max = 0;      ///< maximum number per processor and shot
-  machine::Cycles kernel_cycles{};          ///< charged to all processors
+  renderer::Work work;  ///< sum over all processors
+  /// Maximum number of vertices that a processor computes in a shot.
+  std::uint64_t vertices_done_max = 0;
+  machine::Cycles kernel_cycles{};          ///< cycles charged for kernels on all processors
   std::vector<kernels::KernelUse> kernels;  ///< the kernels called on any processor
-  observe::Use use;                         ///< use of the machine during time_s
-  shared_memory::DataUse data;              ///< filled only if cache_percent > 0
+  observe::Use use;                         ///< use of the machine up to time_s
+  shared_memory::DataUse data;              ///< empty unless cache_percent > 0
   network::RouterUse routers;
-  /// If not `done`, results cover the run up to this end and may lack frames.
+  /// Reason for the end of the run. If it is not `done`, results cover the time up to this end, and
+  /// frames may be missing.
   machine::End end = machine::End::done;
   std::uint64_t events = 0;
 };
@@ -85,8 +88,8 @@ void check(const machine::Model& model, const radiosity::Mesh& mesh, int process
            const Params& params);
 
 /// Runs the program. The solution equals that of radiosity::solve bit for bit. Throws
-/// base::BadInput as `check` does, or if patches, geometry and buffers exceed a processor's memory.
-/// Also throws machine::Fault.
+/// base::BadInput if check() would, or if patches, geometry and buffers exceed a processor's
+/// memory. Also throws machine::Fault.
 Result run_radiosity(const Setup& setup, const radiosity::Mesh& mesh, const Params& params);
 
 }  // namespace parallel_radiosity

@@ -1,5 +1,5 @@
-// One line of a room's picture, interpolated in two ways, and the same line of a reference (figure
-// 3.9).
+// One line of a room's picture, interpolated in two ways, and the same line of a reference (thesis,
+// figure 3.9).
 
 #include "simulator/parallel_radiosity/program.hpp"
 
@@ -21,7 +21,7 @@ struct LineParams {
 
 constexpr std::array<const char*, 3> PICTURES = {"bilinear", "bicubic", "fine"};
 
-// One pixel of the line in all three pictures.
+// One pixel of the line in all three pictures: the two interpolations and the reference.
 struct Pixel {
   int x = 0;
   std::array<int, 3> displayed{};  // 0 to 255
@@ -29,7 +29,7 @@ struct Pixel {
   bool emits = false;
 };
 
-// The number of the line, from the top.
+// Number of the line, counted from 0 at the top.
 int find_line(const LineParams& params, const Picture& picture) {
   if (params.line >= picture.height)
     base::refuse("program.line",
@@ -38,7 +38,8 @@ int find_line(const LineParams& params, const Picture& picture) {
   return params.line < 0 ? picture.height / 2 : params.line;
 }
 
-// Adds the values of picture `number`. The line starts at pixel `first`.
+// Adds the values of the picture with index `number`. The line starts at pixel `first` of the
+// picture.
 void add_picture(std::vector<Pixel>& line, std::size_t number, const Picture& picture,
                  const radiosity::Display& display, std::size_t first, Channel channel) {
   const auto shown = make_rgb8(picture, display);
