@@ -8,8 +8,9 @@ using occam::this_process;
 
 namespace {
 
-constexpr std::size_t MOST_NOTED = 64;  // accesses; while the queue is full, the application waits
-constexpr std::uint64_t WORD = 4;       // bytes per access
+// Number of queued accesses; while the queue is full, the application waits.
+constexpr std::size_t MOST_NOTED = 64;
+constexpr std::uint64_t WORD = 4;  // bytes of a queued access
 
 }  // namespace
 
@@ -36,7 +37,7 @@ void CompanionManager::access(Item item) {
   auto& self = this_process();
   const std::size_t record = manager_.record_of(item);
   self.charge(costs_.look_up);
-  self.sync();  // so that the cache reflects all earlier actions of the manager
+  self.sync();  // the cache must reflect all earlier actions of the manager
   if (!manager_.holds(record)) {
     out(orders_, Order{record});
     in(fetched_);
@@ -71,8 +72,8 @@ void CompanionManager::run_manager() {
   }
 }
 
-// Applies all queued accesses to the LRU list before a record arrives. The cache then evicts the
-// same records as on a single processor.
+// Executes an order of the application. Before a record is fetched, applies all queued accesses to
+// the LRU list, so that the cache evicts the same records as on a single processor.
 void CompanionManager::obey(Order order) {
   if (noted_.size() == MOST_NOTED) note_first();
   if (!order.record) return;

@@ -110,7 +110,7 @@ void DataManager::take(Message message) {
       });
 }
 
-// The process of figure 5.20, except waiting.acknowledge, which is in fetch().
+// The process of figure 5.20 of the thesis, without waiting.acknowledge, which is in fetch().
 void DataManager::look() {
   network::Handed handed;
   for (bool serving = true; serving;)
@@ -118,8 +118,8 @@ void DataManager::look() {
             occam::otherwise(true, [&] { serving = false; }));
 }
 
-// Waits for a message. An idle process polls once per period and finds all messages that have
-// arrived by then. Polls that find nothing are skipped in the simulation.
+// Waits for a message. With `period` > 0, models a process that polls once per period, and returns
+// at the first poll after the arrival. Polls that find nothing need not be simulated.
 void DataManager::wait_for_message(Seconds period) {
   const Seconds since = this_process().now();
   const occam::Guard guards[] = {occam::Guard(&client_.from_router())};

@@ -1,6 +1,7 @@
 #pragma once
-// A scene as items of virtual shared memory. Items are the objects and the boxes of their hierarchy
-// ("clusters") (5.1.2.1). Every processor holds all surfaces, lights and the view.
+// A scene as items of virtual shared memory. The items are the objects and the boxes of their
+// bounding hierarchy ("clusters"; thesis, 5.1.2.1). Surfaces, lights and the view are not items:
+// every processor holds all of them.
 #include "renderer/trace/intersect.hpp"
 #include "simulator/shared_memory/data_manager.hpp"
 
@@ -11,9 +12,9 @@ constexpr int BOX_ITEMS = 0, OBJECT_ITEMS = 1;
 
 class SceneItems {
  public:
-  /// The model determines the sizes of records. Objects are numbered by kind, in the order of the
-  /// hierarchy's leaves; boxes are numbered depth first. Neighbouring items therefore have similar
-  /// numbers.
+  /// The model determines the sizes of records. Objects are numbered kind by kind, in the order of
+  /// the hierarchy's leaves; boxes are numbered depth first. Objects or boxes that are close to
+  /// each other therefore have close numbers.
   SceneItems(const machine::Model& model, const renderer::Scene& scene);
 
   const Catalogue& catalogue() const { return catalogue_; }
@@ -25,15 +26,17 @@ class SceneItems {
 
  private:
   Catalogue catalogue_;
-  std::vector<int> number_of_box_;  // by index in the hierarchy, including leaves
+  std::vector<int> number_of_box_;  // by index in the hierarchy, which includes leaves
   std::array<int, 4> first_of_kind_{};
 };
 
 /// Reads the scene for a kernel through a data manager. Before each read, charges the work counted
-/// since the last one, so that time passes as in a program that computes between accesses.
+/// since the previous read, so that simulated time passes between accesses as it would in the
+/// program.
 class SceneReader : public renderer::Access {
  public:
-  /// `scale` multiplies the cost of counted work. The sum then equals the cost of a timed kernel.
+  /// `scale` is a factor on the cost of counted work. If costs are host times, it makes the sum
+  /// equal to the kernel's measured time.
   SceneReader(const SceneItems& items, DataManager& manager, const machine::OperationCosts& costs,
               double scale)
       : items_(items), manager_(manager), costs_(costs), scale_(scale) {}
@@ -46,7 +49,7 @@ class SceneReader : public renderer::Access {
     charge(done);
     manager_.access(items_.object(place));
   }
-  /// Charges this_process() for the part of `done` that has not been charged yet.
+  /// Charges this_process() with the part of the work `done` that has not been charged yet.
   void charge(const renderer::Work& done);
   Cycles charged() const { return charged_; }
 

@@ -10,8 +10,8 @@ using occam::this_process;
 
 namespace {
 
-// DM: manager with a cache for the local application. Reads by other processors do not change the
-// LRU list.
+// Data manager (DM) with a cache for the local application. Reads by other processors do not change
+// the cache's LRU list.
 class ItemManager : public CacheManager {
  public:
   ItemManager(DataManagerMeans means, const Catalogue& catalogue, const DataParams& params)
@@ -63,14 +63,16 @@ class ItemManager : public CacheManager {
   const Catalogue& catalogue_;
   const DataParams params_;
   std::optional<std::size_t> asked_;
-  std::vector<Waiting> waiting_;  // WRQu: requests of others for the record asked_
+  // Queue WRQu: requests of other processors for the record `asked_`.
+  std::vector<Waiting> waiting_;
 };
 
 struct DiskWait : machine::Wait {
   std::string describe() const override { return "the disk"; }
 };
 
-// Reads a record from the host's disk over the host link; the process blocks meanwhile.
+// Reads a record from the host computer's disk over its link; the process blocks until it has
+// arrived.
 void read_disk(std::uint64_t bytes) {
   auto& self = this_process();
   const auto& disk = self.processor().model().disk;
@@ -80,14 +82,16 @@ void read_disk(std::uint64_t bytes) {
   self.block(wait);
 }
 
-// DMS: manager of the coordinator. Its cache serves other processors and can be read by the local
-// application. Missing records are read from the disk; meanwhile the manager serves no requests.
+// Data manager of the coordinator (DMS). Its cache is for other processors; the local application
+// can read it too. Missing records are read from the disk; during that time the manager serves no
+// requests.
 class ItemServer : public DataManager {
  public:
   ItemServer(DataManagerMeans means, const Catalogue& catalogue)
       : DataManager(std::move(means)), catalogue_(catalogue) {}
 
-  // Local accesses that miss bypass the cache, so that they do not evict items requested by others.
+  // A local access to an item that is not in the cache does not insert it, so that it does not
+  // evict items that other processors requested.
   void access(Item item) override {
     look();
     this_process().charge(costs_.look_up);
@@ -118,7 +122,7 @@ class ItemServer : public DataManager {
   const Catalogue& catalogue_;
 };
 
-// Assignment of pages to processors.
+// Assigns pages to processors, in consecutive blocks of about equal length.
 struct Pages {
   Pages(const Catalogue& catalogue, int items_of_page, int processors)
       : catalogue(catalogue),
@@ -137,12 +141,13 @@ struct Pages {
   }
 
   const Catalogue& catalogue;
-  std::size_t items_of_page, count;  // items per page; number of pages
-  std::uint64_t bytes;               // items_of_page times the size of the largest item
+  std::size_t items_of_page, count;  // number of items in a page; number of pages
+  std::uint64_t bytes;  // size of a page: items_of_page times the size of the largest item
   std::size_t processors;
 };
 
-// Manager with a resident block of pages, and a cache for pages of other processors.
+// Data manager with a block of pages that stays in its memory, and a cache for pages of other
+// processors.
 class PageManager : public CacheManager {
  public:
   PageManager(DataManagerMeans means, const Pages& pages)
@@ -168,7 +173,7 @@ class PageManager : public CacheManager {
   }
 
   const Pages pages_;
-  const int here_;  // this processor
+  const int here_;  // number of this processor
 };
 
 class WholeManager : public DataManager {
