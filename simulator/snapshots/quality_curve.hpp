@@ -1,15 +1,16 @@
 #pragma once
-// Quality of a growing picture as numbers and as an animation. Each intermediate picture is
-// compared with the final one.
+// Quality of a growing picture over time, as numbers and as an animation. Each intermediate picture
+// is compared with the final one.
 #include "simulator/programs/declare/program.hpp"
 #include "simulator/snapshots/recorder.hpp"
 
 namespace snapshots {
 
-/// Quality over time, where quality is the structural similarity to the final picture.
+/// Summary of the quality over time. Quality is the structural similarity to the final picture.
 struct Figures {
-  std::optional<double> area;                       ///< mean quality over the run
-  std::optional<double> to_50_s, to_90_s, to_99_s;  ///< seconds to 50, 90, 99 % quality
+  std::optional<double> area;  ///< mean quality during the run, 0 to 1
+  /// Seconds until the quality stays at least 50, 90, 99 %.
+  std::optional<double> to_50_s, to_90_s, to_99_s;
 };
 base::Columns<Figures> figure_columns();
 
@@ -17,12 +18,12 @@ struct QualityCurve {
   std::vector<base::Row> rows;  ///< rows of growth.csv
   Figures figures;
 };
-/// Compares each picture with the last one. Returns an empty result without pictures. `width` is
-/// the image width and `max_cell` the side of the largest cells, both in pixels.
+/// Compares each picture with the last one. Without pictures, the result is empty. `width` is the
+/// width of the image, `max_cell` the side of the largest image cells, both in pixels.
 QualityCurve make_quality_curve(const std::vector<Snapshot>& pictures, int width, int max_cell);
 
-/// Makes an animation in WebP that lasts MOVIE_S seconds. Each picture is shown in proportion to
-/// its actual time on the display. The last picture stays LAST_S seconds longer.
+/// Makes an animation in WebP format. It lasts MOVIE_S seconds, in which each picture is shown in
+/// proportion to its time on the display, plus LAST_S seconds for the last picture.
 programs::Image make_movie(const std::string& name, const std::vector<Snapshot>& pictures,
                            int width);
 inline constexpr double MOVIE_S = 6, LAST_S = 2;

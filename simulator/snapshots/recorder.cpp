@@ -40,7 +40,7 @@ void Recorder::take(double now_s, const std::function<Snapshot()>& look) {
     growth_.push_back(look());
     growth_.back().at_s = static_cast<double>(next_growth_++) * growth_interval_s_;
     if (growth_.size() < 2 * static_cast<std::size_t>(schedule_.growth)) continue;
-    // Keeps every second picture and doubles the interval.
+    // Keeps every second picture and doubles the interval between pictures.
     for (std::size_t i = 0; 2 * i < growth_.size(); ++i) std::swap(growth_[i], growth_[2 * i]);
     growth_.resize((growth_.size() + 1) / 2);
     growth_interval_s_ *= 2;

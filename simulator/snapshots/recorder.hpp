@@ -1,5 +1,5 @@
 #pragma once
-// Recorder of the growing picture on the display. It works outside the simulated machine and takes
+// Recorder of the growing picture on the display. It is outside the simulated machine, so it takes
 // no simulated time.
 #include <cstdint>
 #include <functional>
@@ -10,35 +10,37 @@
 
 namespace snapshots {
 
-/// The displayed picture at one time.
+/// The displayed picture at one moment.
 struct Snapshot {
-  double at_s = 0;                           ///< in seconds since the first task
-  std::optional<std::uint64_t> rays = {};    ///< number of rays shown
-  std::optional<std::uint64_t> cycles = {};  ///< cycles charged to kernels so far
+  double at_s = 0;                           ///< seconds since the first task
+  std::optional<std::uint64_t> rays = {};    ///< number of rays shown in the picture
+  std::optional<std::uint64_t> cycles = {};  ///< cycles charged for kernels so far
   std::vector<std::uint8_t> rgb8;
 };
 
 /// Times at which the picture is recorded.
 struct Schedule {
-  std::vector<double> at_s;  ///< in seconds since the first task, ascending
-  double every_s = 0;        ///< interval of further times, at most 1000; 0 for none
-  int growth = 0;            ///< minimum number of further times at equal intervals; 0 for none
+  std::vector<double> at_s;  ///< times in seconds since the first task, ascending
+  double every_s = 0;        ///< interval in s between further times, at most 1000; 0 for none
+  int growth = 0;            ///< minimum number of further times, at equal intervals; 0 for none
 };
 
-/// Records pictures at the times of a Schedule. The picture changes only when the display
-/// paints. The display must call note() before each change.
+/// Records pictures at the times of a Schedule. The display must call note() before each change of
+/// its picture.
 class Recorder {
  public:
-  /// `monitor` may be null. Its observer is also notified before each change.
+  /// `monitor` may be null. If it has an observer, note() also tells this observer of each change.
   explicit Recorder(Schedule snapshot_times, const observe::RunMonitor* monitor = nullptr);
 
   /// Records the picture if a recording time lies between the previous call and `now_s`. `look`
-  /// returns the picture; the recorder sets its time. Called by the painting process.
+  /// returns the picture; the recorder fills in its time. Must be called by the process that
+  /// paints.
   void note(double now_s, const std::function<Snapshot()>& look);
-  /// Records the final picture and ends the recording.
+  /// Records the final picture. No recording may follow.
   void end(double now_s, const std::function<Snapshot()>& look);
 
-  /// pictures() are those for at_s and every_s of the schedule, growth() those for its growth.
+  /// pictures() returns the pictures for at_s and every_s of the schedule, growth() those for its
+  /// growth.
   const std::vector<Snapshot>& pictures() const { return pictures_; }
   const std::vector<Snapshot>& growth() const { return growth_; }
 
@@ -51,7 +53,7 @@ class Recorder {
   std::size_t next_at_ = 0;
   std::int64_t next_multiple_ = 1;
   double growth_interval_s_ = 1e-3;
-  std::int64_t next_growth_ = 0;  // number of intervals
+  std::int64_t next_growth_ = 0;  // number of intervals up to the next picture of growth_
   std::vector<Snapshot> pictures_, growth_;
 };
 
