@@ -6,7 +6,7 @@
 
 namespace programs {
 
-// Each function is defined in the source file of its program's name.
+// Each of these functions is in the source file with the name of its program.
 Program make_message();
 Program make_soft();
 Program make_both_ways();

@@ -1,4 +1,4 @@
-// An ALT over n guards that waits for a single output.
+// An ALT with n guards that waits for a single output.
 #include "simulator/programs/declare/support.hpp"
 
 namespace programs {

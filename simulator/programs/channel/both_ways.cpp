@@ -1,4 +1,4 @@
-// Messages in both directions of one link at once.
+// Messages in both directions of one link at the same time.
 //
 //   p0: sender --->  p1: receiver
 //   p0: receiver <--- p1: sender

@@ -1,4 +1,4 @@
-// Commstime, the benchmark of context switches and soft channels on one transputer.
+// Commstime, a benchmark of context switches and soft channels on one transputer.
 //
 //            .------- a -------.
 //            v                 |
@@ -6,8 +6,8 @@
 //            ^                 |
 //            '- succ <--- c ---'            (a: succ to prefix)
 //
-// Besides channels, it charges the other instructions of the compiled occam program: the jump back
-// of a WHILE, an iteration of a replicated SEQ, and an addition.
+// In addition to channels, the program charges the other instructions of the compiled occam
+// program: the jump back of a WHILE, an iteration of a replicated SEQ, and an addition.
 #include "simulator/programs/declare/support.hpp"
 
 namespace programs {
@@ -48,7 +48,7 @@ void successor(Wire& from, Wire& to, std::int64_t loops) {
   Number n;
   for (std::int64_t i = 0; i < loops; ++i) {
     in(from, n);
-    occam::charge("ldc");  // stands for adc, which takes the same time
+    occam::charge("ldc");  // in place of the addition adc, which takes as long
     ++n.value;
     out(to, n);
     turn();

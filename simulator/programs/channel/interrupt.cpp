@@ -1,4 +1,5 @@
-// A router at high priority on a processor that computes at low priority.
+// A processor with a router at high priority and a computation at low priority, which each message
+// interrupts.
 //
 //   p0: sender ===> p1: router, and a computation ===> p2: receiver
 #include "simulator/programs/declare/support.hpp"
@@ -23,8 +24,8 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   Seconds sum, sent;
   machine[0].start("sender", Priority::high, [&] {
     for (std::int64_t i = 0; i < messages; ++i) {
-      // The machine becomes idle between two messages. Their distance is not a round number, so
-      // that they interrupt the computation at varying points.
+      // The next message is sent when the previous one has been handled. The interval is not a
+      // round number, so that messages interrupt the computation at varying points.
       occam::wait_until(occam::ticks(START + static_cast<double>(i) * Seconds{1.237e-3}));
       sent = now();
       out(machine.channels[0], Message{params.bytes});

@@ -1,4 +1,4 @@
-// A single message over a link, which measures communication between two processors.
+// A single message over a link. Measures the time of communication between two processors.
 #include "simulator/programs/declare/support.hpp"
 
 namespace programs {

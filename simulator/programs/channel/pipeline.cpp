@@ -1,4 +1,4 @@
-// A saturated pipeline in which every stage inputs, computes and outputs.
+// A full pipeline in which every stage inputs, computes and outputs.
 #include "simulator/programs/declare/support.hpp"
 
 namespace programs {
@@ -32,7 +32,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
     });
   }
   run_machine(setup, machine);
-  // Measures the second half only, when the pipeline is full.
+  // Measures only the second half of the messages, during which the pipeline is full.
   const std::size_t half = arrivals.size() / 2;
   const Seconds took = arrivals.back() - arrivals[half];
   const double period = took.value / static_cast<double>(arrivals.size() - 1 - half);

@@ -53,7 +53,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
     }
   });
   run_machine(setup, machine);
-  // Measures the middle half, while all sources still have messages to send.
+  // Measures the middle half of the messages, during which all sources still have messages to send.
   const std::size_t n = arrivals.size(), a = n / 4, b = n - 1 - n / 4;
   const double period = (arrivals[b] - arrivals[a]).value / static_cast<double>(b - a);
   return Measured{period, static_cast<double>(k) * period, machine.now()};

@@ -12,7 +12,7 @@ using shared_memory::DataUse;
 
 constexpr int FINISHED = shared_memory::FIRST_FREE_PROCESS, GO_ON = FINISHED + 1;
 
-// Times of one pass on one processor, and its data manager's counts at the end of the pass.
+// Start and end of one pass on one processor, and the counts of its data manager at the end.
 struct Mark {
   Seconds start{}, end{};
   DataUse use;
@@ -98,8 +98,9 @@ class Test {
   const DataLoad& load_;
   const network::Routing& routing_;
   shared_memory::VirtualMemory& memory_;
-  std::vector<std::vector<Mark>> marks_;  // by pass and processor
-  std::vector<double> wanted_;            // cumulative weights of items 0 to k, for random choice
+  std::vector<std::vector<Mark>> marks_;  // by pass, then by processor
+  // Sums of the weights of items 0 to k, from which items are drawn at random.
+  std::vector<double> wanted_;
 };
 
 }  // namespace
@@ -136,7 +137,7 @@ const base::Names<bool> COORDINATOR_IS = {{"idle", false}, {"working", true}};
 
 struct Params {
   RouterParams routers;
-  DataLoad load;  // cache sizes, coordinator and scheme come from the members below
+  DataLoad load;  // cache sizes, coordinator and scheme are set from the members below
   double cache_percent = 9, server_cache_percent = 0;
   int coordinator = -1;
   Scheme scheme = Scheme::in_path;
@@ -227,7 +228,7 @@ base::Fields<Params> make_fields() {
             [](auto& p) -> auto& { return p.load.seed; }, "seed for the accesses")}});
 }
 
-// Inserts requests_at_coordinator after requests.
+// Makes the columns. Inserts requests_at_coordinator behind the column requests.
 base::Columns<DataPass> make_columns() {
   auto data = base::lift_columns<DataPass>(shared_memory::data_columns(), &DataPass::use);
   data.insert(

@@ -1,5 +1,5 @@
 #pragma once
-// Planned failures of links and processors during a program's run.
+// Failures of links and processors that an experiment plans for a program's run.
 #include <vector>
 
 #include "simulator/machine/machine.hpp"
@@ -10,12 +10,12 @@ namespace programs {
 struct PlannedFault {
   double at_s = 0;
   int a = 0;
-  int b = -1;  ///< other end of the link from a; -1 if processor a itself stops
+  int b = -1;  ///< processor at the other end of the link; -1 if processor a itself stops
 
   bool operator==(const PlannedFault&) const = default;
 };
 
-/// Schedules the faults. `find` returns the processor for a number used in the faults.
+/// Schedules the faults. `find` returns the machine's processor for a number in the faults.
 void plan_faults(machine::Machine& machine, const std::vector<PlannedFault>& faults, auto find) {
   for (const PlannedFault& fault : faults)
     if (fault.b < 0)

@@ -1,6 +1,6 @@
 #pragma once
-// Declaration of a program: parameters, requirements, measured results and run function. The
-// laboratory knows programs only through these declarations.
+// Declaration of a program: parameters, required parts of the experiment, measured results, and the
+// function that runs it. The laboratory, which runs experiments, knows programs only through these.
 #include <any>
 #include <functional>
 #include <memory>
@@ -21,57 +21,61 @@ namespace programs {
 using base::column;
 using base::Row;
 
-/// Environment of a program's run, in addition to its parameters.
+/// What a program's run is given, in addition to its parameters.
 struct Setup {
   const machine::Model& model;
   topologies::Topology topology;           ///< a single processor if the program uses no network
-  observe::RunMonitor* monitor = nullptr;  ///< limit and trace of the run; may be null
-  topologies::RoutingTable routes = {};    ///< empty unless Uses::routes
-  std::optional<topologies::TreeLinks> tree = {};  ///< broadcast tree; default: one per sender
-  std::vector<PlannedFault> faults = {};           ///< empty unless Uses::faults
-  std::optional<double> cycles_per_host_s = {};    ///< cycles charged per second of host time
-  bool profile = false;                            ///< true: measure the host time of kernels
+  observe::RunMonitor* monitor = nullptr;  ///< time limit and trace of the run; may be null
+  topologies::RoutingTable routes = {};    ///< empty unless the program declares Uses::routes
+  /// Tree for broadcasts; if absent, each sender has one.
+  std::optional<topologies::TreeLinks> tree = {};
+  std::vector<PlannedFault> faults = {};  ///< empty unless the program declares Uses::faults
+  /// If set, host time is charged: cycles per second.
+  std::optional<double> cycles_per_host_s = {};
+  bool profile = false;  ///< if true, measures the host time of kernels
   machine::EngineParams engine = {};
-  OtherModels others = {};  ///< empty unless Uses::others
+  OtherModels others = {};  ///< empty unless the program declares Uses::others
 
   const machine::Model& model_of(int id) const { return programs::model_of(others, id, model); }
 };
 
-/// A computed picture. Equal runs save equal bytes.
+/// A computed picture. When a run is repeated, `save` writes the same bytes.
 struct Image {
-  std::string name;            ///< such as "picture": unique letters, digits and "-"
-  std::optional<double> at_s;  ///< completion time of an intermediate picture
-  std::function<void(const std::string& path)> save;  ///< writes the format of `extension`
-  /// Writes the full range as OpenEXR.
+  std::string name;            ///< unique name of letters, digits and "-", such as "picture"
+  std::optional<double> at_s;  ///< for an intermediate picture: time in s at which it was complete
+  std::function<void(const std::string& path)> save;  ///< writes a file of the type `extension`
+  /// Writes an OpenEXR file, in which colours are not clipped.
   std::function<void(const std::string& path)> save_exr = nullptr;
-  /// True: the file name omits the sweep's point unless several images have the same name.
+  /// If true, the file name does not contain the point of the sweep, unless several images have one
+  /// name.
   bool is_named = false;
   const char* extension = ".png";  ///< extension of the file that `save` writes
 };
 
-/// Load of a resource and its cause.
+/// Load of a resource and the reason for it.
 struct Load {
   std::string resource;
-  double busy = 0;    ///< fraction of the time
-  std::string doing;  ///< cause of the load, as a sentence
+  double busy = 0;    ///< fraction of the time, 0 to 1
+  std::string doing;  ///< reason for the load, as a sentence
 };
 
 /// Results of a run in addition to its rows.
 struct Extras {
   std::vector<std::string> notes = {};  ///< sentences about the run
   std::vector<Image> images = {};
-  std::vector<Row> growth = {};           ///< rows of growth.csv: the picture's quality over time
-  machine::End end = machine::End::done;  ///< if not `done`, the rows cover the run up to this end
-  bool is_saturated = false;              ///< true: queues grow without bound
-  std::optional<observe::Use> use = {};   ///< use of resources, for run.json
+  std::vector<Row> growth = {};  ///< rows of growth.csv: quality of the picture over time
+  /// If not `done`, the rows describe the time up to this end.
+  machine::End end = machine::End::done;
+  bool is_saturated = false;             ///< true if queues grow without bound
+  std::optional<observe::Use> use = {};  ///< use of processors and links, for run.json
   std::vector<Load> loads = {};
-  std::uint64_t events = 0;                      ///< number of simulated events, if counted
-  std::optional<double> kernel_host_s = {};      ///< host time of kernels, only with Setup::profile
-  std::vector<observe::KernelUse> kernels = {};  ///< filled only for timed costs
+  std::uint64_t events = 0;                  ///< number of simulated events, if counted
+  std::optional<double> kernel_host_s = {};  ///< host time of kernels in s; only if Setup::profile
+  std::vector<observe::KernelUse> kernels = {};  ///< only if costs are host times
 };
 
-/// Results of a run: one row, or several rows that are distinguished by the columns in
-/// Program::parts.
+/// Results of a run: one or several rows. If several, the columns named in Program::parts tell them
+/// apart.
 template <class R>
 struct Outcome : Extras {
   std::vector<R> rows;
@@ -84,95 +88,101 @@ struct Outcome : Extras {
 
 using Parameter = base::Field<std::any>;
 
-/// A list of tables in the experiment file, such as [[stage]]. Each table is a record.
+/// A list of tables in the experiment file, such as [[stage]]. Each table is one record of the
+/// list.
 struct RecordList {
   std::string key, help;
-  std::vector<Parameter> fields;  ///< the fields of a record
+  std::vector<Parameter> fields;  ///< fields of a record
   std::function<std::any()> make_record;
   std::function<void(std::any& params)> clear;
-  /// Appends the record to the list. Throws BadInput if entries are unknown or missing.
+  /// Appends the record to the list. Throws BadInput if its fields are unknown or missing.
   std::function<void(std::any& params, const std::any& record)> append;
 };
 
-/// A column in a program's table of results, for the manual.
+/// Name and meaning of a column in a program's table of results, for the manual.
 struct ColumnHelp {
   std::string name, help;
 };
 
-/// The optional parts of an experiment that a program uses. The experiment must not contain other
-/// parts.
+/// The optional parts of an experiment that a program uses. If a program does not use a part, the
+/// experiment must not contain it.
 struct Uses {
   bool network = false;  ///< the program uses [network]
-  bool routes = false;   ///< the program uses routes and trees of [network]
+  bool routes = false;   ///< the program uses the routes and trees of [network]
   bool faults = false;   ///< the program uses [[fault]]
-  bool timed = false;    ///< the program supports run.cost = "timed"
+  bool timed = false;    ///< the program can charge host times: run.cost = "timed"
   bool others = false;   ///< the program uses [[processor]]
-  bool threads = false;  ///< supports --threads: processors share only constant data on the host
+  /// It can run with --threads, because its processors share only constant data on the host.
+  bool threads = false;
 };
 
-/// A plot that reports show by default: a result over the axes of the sweep.
+/// A plot that reports show unless the experiment says otherwise: a result over the axes of the
+/// sweep.
 struct UsualPlot {
   std::string column, title;
 };
 
-/// A drawing of the network with the loads of processors and links.
+/// A drawing of the network that shows the loads of processors and links.
 struct NetworkDrawing {
-  /// A processor outside the topology.
+  /// A processor that is not part of the topology.
   struct Outsider {
     std::string name;
-    std::string to = {};  ///< the processor that it is linked to: an earlier outsider; "": the root
+    /// The processor it is linked to: an earlier outsider, or "" for the topology's root.
+    std::string to = {};
   };
-  /// Name of a processor of the topology in Use.
+  /// Returns the name, in observe::Use, of a processor of the topology.
   std::string (*name)(const topologies::Topology& topology, int id);
   std::vector<Outsider> outsiders = {};
 };
 
-/// What tables and reports show of a program's results. Each default applies also to experiments
-/// with several programs.
+/// What tables and reports show of a program's results. The defaults also apply to experiments that
+/// run several programs.
 struct Shows {
-  std::vector<std::string> leading = {};  ///< columns that come first, even if they are not axes
-  std::vector<std::string> summary = {};  ///< results in short tables; default: all
-  std::vector<std::string> loads = {};    ///< columns of a second table; default: no such table
-  std::vector<UsualPlot> plots = {};      ///< default: a plot of the first result
-  std::optional<NetworkDrawing> network = {};  ///< default: no drawing
+  /// Columns that come first, even if they are not axes of the sweep.
+  std::vector<std::string> leading = {};
+  std::vector<std::string> summary = {};  ///< results shown in short tables; if empty, all
+  std::vector<std::string> loads = {};    ///< columns of a second table; if empty, there is none
+  std::vector<UsualPlot> plots = {};      ///< if empty, a plot of the first result
+  std::optional<NetworkDrawing> network = {};  ///< if absent, the network is not drawn
 };
 
-/// A program whose parameters are stored in a std::any.
+/// A program. Its parameters are stored in a std::any, because their type differs between programs.
 struct Program {
   std::string name, help;
   Uses uses;
-  std::vector<std::string> parts;  ///< columns that distinguish the rows of one run
+  std::vector<std::string> parts;  ///< columns that tell the rows of one run apart
   std::vector<Parameter> parameters;
   std::vector<RecordList> lists = {};
   std::vector<ColumnHelp> columns;
   std::any defaults;
   std::function<Outcome<Row>(const Setup&, const std::any&)> run;
-  /// Checks that go beyond the ranges of parameters, before anything runs. Throws BadInput.
+  /// Checks parameters beyond their ranges, before anything runs. Throws BadInput.
   std::function<void(const Setup&, const std::any&)> check;
-  /// Columns that are known before a run. Tables show them with the axes.
+  /// Columns whose values are known before a run. Tables show them beside the axes of the sweep.
   std::function<Row(const std::any&)> describe = {};
-  /// Points with equal keys must produce equal images. Without this function, images are not
-  /// compared.
+  /// Runs for which this function returns equal keys must produce equal images. If it is empty,
+  /// images are not compared.
   std::function<std::string(const std::any&)> picture_key = {};
-  bool shows_picture = false;  ///< the picture is visible during the run
-  /// Returns the parameter whose value makes `key` irrelevant, or "" if there is none. An
-  /// irrelevant key cannot be an axis.
+  bool shows_picture = false;  ///< true if the picture can be watched during the run
+  /// Returns the parameter whose value makes the parameter `key` irrelevant, or "" if there is
+  /// none. An irrelevant parameter cannot be an axis of a sweep.
   std::function<std::string(const std::any&, const std::string& key)> voids = {};
-  /// Name of the column with the number of working processors.
+  /// Name of the column that holds the number of working processors.
   std::string processors = "processors";
-  int services = 0;              ///< number of service processors, not counted in this column
-  bool shows_parameters = true;  ///< true: each parameter is a column of the results
+  int services = 0;              ///< number of other processors, which this column does not count
+  bool shows_parameters = true;  ///< if true, each parameter is a column of the results
   Shows shows = {};
 
   const Parameter* find(std::string_view name) const;  ///< null if there is none
   const RecordList* find_list(std::string_view key) const;
 };
 
-/// The key of a parameter in the experiment file: its name if that contains a section, otherwise
-/// "program." and its name.
+/// The key of a parameter in the experiment file. This is its name if the name contains a section,
+/// otherwise "program." followed by its name.
 std::string key_of(const Parameter& parameter);
 
-/// A program with typed parameters P and results R. Only name, help and run are required.
+/// Declaration of a program with parameters of type P and results of type R. Only name, help and
+/// run are required.
 template <class P, class R>
 struct Declaration {
   std::string name, help;
@@ -219,16 +229,16 @@ Program make_program(const Declaration<P, R>& d) {
   return program;
 }
 
-/// Thrown if a run was interrupted and has no measurements.
+/// Thrown if a run was interrupted before it had any measurements.
 struct Unfinished : machine::Fault {
   using Fault::Fault;
 };
 
-/// Runs a program's machine to its end. `view` is shown by a live page. Throws Unfinished and the
+/// Runs a program's machine to its end. A live page shows `view`. Throws Unfinished and the
 /// exceptions of the simulation.
 void run_machine(const Setup& setup, machine::Machine& machine,
                  const observe::ControlPanel& view = {});
-/// Like run_machine, for a program without an end: runs it up to `date`.
+/// Does the same as run_machine for a program that does not end by itself: runs it up to `date`.
 void run_machine_until(const Setup& setup, machine::Machine& machine, machine::Seconds date,
                        const observe::ControlPanel& view = {});
 

@@ -1,5 +1,5 @@
 #pragma once
-// Common parts of programs that use routers: parameters, network, and costs of an application.
+// Parts shared by programs that use routers: parameters, network, and costs of an application.
 #include <optional>
 
 #include "simulator/network/network.hpp"
@@ -7,16 +7,16 @@
 
 namespace programs {
 
-/// Names of the methods for avoiding deadlock. The farm's [data] accepts all except naive.
+/// Names of the methods by which routers avoid deadlock. The farm accepts all of them except naive.
 inline const base::Names<network::Method> METHODS = {{"green", network::Method::green},
                                                      {"chalmers", network::Method::chalmers},
                                                      {"acyclic", network::Method::acyclic},
                                                      {"naive", network::Method::naive}};
 
-/// Parameters of the routers, stored in the member `routers` of a program's parameters.
+/// Parameters of the routers. A program's parameters contain them as the member `routers`.
 struct RouterParams {
   network::Method method = network::Method::green;
-  bool pointers = true;  ///< false: messages within a processor are copied
+  bool pointers = true;  ///< if false, messages within a processor are copied
   std::uint64_t buffers = 64;
 };
 
@@ -33,27 +33,27 @@ inline base::Fields<RouterParams> router_fields() {
                "messages that a router has room for")};
 }
 
-/// The fields of the routers followed by `others`.
+/// Joins the fields of the routers and the fields `others`.
 template <class P>
 base::Fields<P> with_routers(const base::Fields<P>& others) {
   return base::join(base::lift_all<P>(router_fields(), &P::routers), {others});
 }
 
-/// The field "message_bytes": length of a message's contents.
+/// The field "message_bytes": length of a message's contents in bytes.
 template <class P, class Access>
 base::Field<P> message_bytes_field(Access access) {
   return base::Declare<P>::whole("message_bytes", access, 0, 1e9, "bytes",
                                  "contents of a message; its identification adds 20 bytes");
 }
 
-/// The column "most_held": maximum number of messages held by one router.
+/// The column "most_held": maximum number of messages in the queues of one router.
 template <class R>
 base::Column<R> most_held_column(std::size_t R::*most_held) {
   return base::column("most_held", most_held, "largest number of messages held by one router");
 }
 
-/// Adds counts and queue lengths of the routers to the view. The network's processors have the ids
-/// `first`, `first` + 1, ... in the machine.
+/// Adds message counts and queue lengths of the routers to a live view. In the machine, the
+/// network's processors have the ids `first`, `first` + 1, ...
 inline void show(observe::ControlPanel& view, const network::Network& network, int first = 0) {
   const int count = network.routing().processors();
   view.gauges.push_back(
@@ -82,7 +82,8 @@ inline void check_two_processors(const Setup& setup) {
                 "found one processor, expected at least two");
 }
 
-/// `longest` is the maximum length of a message's contents in bytes.
+/// Makes the parameters of a network. `longest` is the maximum length of a message's contents in
+/// bytes.
 inline network::Params network_params(const RouterParams& routers, std::uint64_t longest) {
   network::Params params;
   params.method = routers.method;
@@ -96,12 +97,13 @@ inline network::Routing routing_of(const Setup& setup, network::Method method) {
   return network::make_routing(method, setup.topology, setup.routes, setup.tree);
 }
 
-/// A machine for programs in compiled occam. The model determines the size of its memory.
+/// A machine for programs in compiled occam. The size of the memories comes from the model.
 struct CompiledMachine : Machine {
   CompiledMachine(const Setup& setup, int count) : Machine(setup, count, machine::Code::compiled) {}
 };
 
-/// A compiled machine with the topology's processors, a network of routers, and the setup's faults.
+/// A machine for compiled programs that has the processors of the topology, a network of routers,
+/// and the faults of the setup.
 struct RouterMachine : CompiledMachine {
   RouterMachine(const Setup& setup, const network::Params& params)
       : CompiledMachine(setup, setup.topology.processors) {
@@ -112,7 +114,8 @@ struct RouterMachine : CompiledMachine {
     plan_faults(
         *this, setup.faults, [this](int id) -> auto& { return (*this)[id]; });
   }
-  /// Starts an `application` process on every processor and passes it its client.
+  /// Starts a process on every processor that calls `application` with the processor's router
+  /// client.
   template <class Application>
   void start_all(Application application) {
     for (int id = 0; id < static_cast<int>(processors().size()); ++id)
@@ -129,7 +132,7 @@ struct RouterMachine : CompiledMachine {
   std::optional<network::Network> network;
 };
 
-/// Charges an operation of a compiled application.
+/// Charges an operation of a compiled application, given by its name in the model.
 inline void compute(const char* operation) {
   compute(get_compiled(this_process().processor().model(), operation));
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Common parts of the small programs.
+// Parts shared by the small programs.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -17,21 +17,22 @@ using occam::Priority;
 using occam::Seconds;
 using occam::this_process;
 
-/// A message without contents, of arbitrary length.
+/// A message of given length whose contents do not matter.
 struct Message {
   std::uint64_t length = 0;
   std::uint64_t bytes() const { return length; }
 };
 
-constexpr std::uint64_t MEMORY = 1 << 20;  ///< in bytes, for bare code, which allocates nothing
-constexpr Seconds START{1024e-6};          ///< by this date every process waits for input
+/// Memory in bytes of processors with bare code, which allocates nothing.
+constexpr std::uint64_t MEMORY = 1 << 20;
+constexpr Seconds START{1024e-6};  ///< at this date every process is waiting for input
 
 inline Seconds now() { return this_process().now(); }
 inline void wait_for_start() { occam::wait_until(occam::ticks(START)); }
 inline void compute(Cycles cycles) { this_process().charge(cycles); }
 
-/// A machine with unconnected processors p0, p1, ... If there are as many as in the topology, they
-/// have its labels instead.
+/// A machine with unconnected processors p0, p1, ... If it has as many processors as the topology,
+/// they have the topology's labels instead.
 struct Machine : machine::Machine {
   Machine(const Setup& setup, int count, machine::Code code = machine::Code::bare)
       : machine::Machine(setup.model, code, setup.engine) {
@@ -47,7 +48,7 @@ struct Machine : machine::Machine {
   machine::Processor& operator[](int id) const { return *processors()[id]; }
 };
 
-/// A line of processors p0 - p1 - ..., with a channel from each to its successor.
+/// A line of processors p0 - p1 - ..., with a channel from each processor to the next one.
 struct Line : Machine {
   Line(const Setup& setup, int count) : Machine(setup, count) {
     for (int id = 0; id + 1 < count; ++id) {
@@ -59,19 +60,19 @@ struct Line : Machine {
   std::deque<Channel<Message>> channels;
 };
 
-/// The field "bytes": length of a message.
+/// The field "bytes": length of a message in bytes.
 template <class P, class Access>
 base::Field<P> bytes_field(Access access, double low = 1) {
   return base::Declare<P>::whole("bytes", access, low, 1e9, "bytes", "length of a message");
 }
 
-/// The field "seed" of a random stream. `help` states its purpose.
+/// The field "seed" of a stream of random numbers. `help` says what the numbers are for.
 template <class P, class Access>
 base::Field<P> seed_field(Access access, const std::string& help) {
   return base::Declare<P>::whole("seed", access, 0, 1e15, "", help);
 }
 
-/// The field "seed" with all non-negative integers allowed.
+/// A field "seed" that accepts every non-negative integer.
 template <class P, class Access>
 base::Field<P> whole_seed_field(Access access, const std::string& help) {
   auto field = seed_field<P>(access, help);
@@ -80,7 +81,8 @@ base::Field<P> whole_seed_field(Access access, const std::string& help) {
   return field;
 }
 
-/// The cell that identifies a processor: its label, or its number if the topology has no labels.
+/// The value that names a processor in a table: its label, or its number if the topology has no
+/// labels.
 inline base::Cell processor_cell(const topologies::Topology& topology, int id) {
   if (topology.labels.empty()) return static_cast<std::int64_t>(id);
   return topology.labels.at(id);

@@ -1,5 +1,5 @@
-// Broadcast from the root along the spanning tree. Each processor forwards the message to its
-// children, either in parallel (PAR) or in sequence (SEQ).
+// Broadcast of a message from the root along the spanning tree. Each processor forwards the message
+// to its children, either in parallel (PAR) or one after another (SEQ).
 #include "simulator/programs/declare/support.hpp"
 
 namespace programs {

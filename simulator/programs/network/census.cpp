@@ -1,4 +1,5 @@
-// Transit load of each processor, computed from a network's routes without simulation.
+// Number of routes through each processor, computed from the routes of a network without
+// simulation.
 
 #include "simulator/programs/declare/support.hpp"
 
@@ -13,7 +14,7 @@ struct Params {
   Pairs pairs = Pairs::all;
 };
 
-// What a processor must do for others.
+// Work of a processor for others: routes through it, and neighbours with lower numbers.
 struct Measured {
   base::Cell processor;
   int routes_through = 0, lower_neighbours = 0;
@@ -28,8 +29,8 @@ int next_of(const Setup& setup, const Around& around, int from, int to) {
   throw base::InvariantBroken("a route leaves by a port without a link");
 }
 
-// Number of ordered pairs, and for each processor the number of pairs whose route passes through
-// it.
+// For each processor, the number of ordered pairs of other processors whose route passes through
+// it; and the number of all pairs.
 struct Passed {
   std::vector<int> through;
   int pairs = 0;
@@ -49,8 +50,8 @@ Passed count_passed(const Setup& setup, const Params& params, const Around& arou
   return passed;
 }
 
-// Makes a note that names the processor with the most routes. Makes none if all processors are
-// neighbours.
+// Makes a note that names the processor with the most routes through it. Makes none if there are no
+// such routes, because all processors are neighbours.
 std::vector<std::string> describe_busiest(const topologies::Topology& topology,
                                           const Passed& passed) {
   const auto most = std::ranges::max_element(passed.through);

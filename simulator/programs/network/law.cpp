@@ -1,5 +1,5 @@
 // A program with a fixed serial fraction. The first processor executes the serial part, then all
-// processors share the rest (Amdahl's and Gustafson's laws, thesis Eq 2.2, 2.3 and 4.29).
+// processors share the rest (Amdahl's and Gustafson's laws; thesis, Eq 2.2, 2.3 and 4.29).
 #include "simulator/network/store_and_forward.hpp"
 #include "simulator/programs/declare/support.hpp"
 
@@ -7,9 +7,10 @@ namespace programs {
 
 namespace law {
 
-constexpr std::uint64_t ORDER_BYTES = 16;  // message size of a share or of its result
+constexpr std::uint64_t ORDER_BYTES = 16;  // length of a message with a share or its result
 
-// Sends every other processor its share, computes a share itself, and waits for the results.
+// Process of the first processor: sends every other processor its share of the work, computes a
+// share itself, and waits for the results.
 void master(network::StoreAndForward& network, int processors, Cycles serial, Cycles share) {
   compute(serial);
   for (int id = 1; id < processors; ++id)
@@ -37,8 +38,9 @@ struct Measured {
 Outcome<Measured> run(const Setup& setup, const Params& params) {
   const int n = setup.topology.processors;
   const double s = params.serial_fraction, work = params.work_cycles;
-  const double share = (1 - s) * work / (params.scaled ? 1 : n);  // parallel work of a processor
-  const double total = s * work + n * share;                      // work of the whole program
+  // Cycles of parallel work on each processor.
+  const double share = (1 - s) * work / (params.scaled ? 1 : n);
+  const double total = s * work + n * share;  // cycles of the whole program
   const auto cycles = [](double c) { return Cycles{std::llround(c)}; };
   Machine machine(setup, n);
   network::StoreAndForward network(machine, setup.topology);

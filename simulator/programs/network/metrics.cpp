@@ -1,4 +1,4 @@
-// Distances in a network, for comparison with textbooks; nothing is simulated.
+// Distances in a network, for comparison with textbooks. Simulates nothing.
 #include "topologies/graph/metrics.hpp"
 
 #include "simulator/programs/declare/program.hpp"
@@ -10,7 +10,7 @@ namespace metrics {
 
 struct Params {};
 
-// Rows and columns of a mesh or torus. Any other network has one row.
+// Rows and columns of a mesh or torus. Any other network counts as one row.
 struct Grid {
   int rows = 1, columns = 1;
 };

@@ -1,5 +1,5 @@
-// A farm of equal tasks: the first processor distributes them, all others work. Throughput is
-// limited either by the workers or by the first processor.
+// A farm of equal tasks. The first processor distributes the tasks, and all others work on them.
+// Either the workers or the first processor limit the throughput.
 #include "simulator/network/store_and_forward.hpp"
 #include "simulator/programs/declare/support.hpp"
 
@@ -18,7 +18,7 @@ struct Measured {
   double throughput_per_s = 0, cpu_busy_centre = 0;
 };
 
-constexpr int AHEAD = 2;  // number of tasks at a worker or in transit to it
+constexpr int AHEAD = 2;  // number of tasks that each worker has or that are on the way to it
 
 struct Farm {
   network::StoreAndForward& network;
@@ -29,7 +29,8 @@ struct Farm {
     out(network.into(from), network::Pointer{{from, to, length}});
   }
 
-  // Sends the next task in reply to each result. An empty task stops a worker.
+  // Process of the first processor: sends a worker the next task for each result that arrives. When
+  // no task is left, sends a message of STOP_BYTES instead, which stops the worker.
   void coordinate(int workers, std::vector<Seconds>& results) const {
     std::int64_t sent = 0;
     for (int turn = 0; turn < AHEAD; ++turn)
@@ -55,7 +56,7 @@ struct Farm {
       send(id, 0, params.bytes);
     }
   }
-  static constexpr std::uint64_t STOP_BYTES = 1;  // less than the size of any task
+  static constexpr std::uint64_t STOP_BYTES = 1;  // less than the length of any task
 };
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
@@ -69,8 +70,8 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   for (int id = 1; id <= workers; ++id)
     machine[id].start("worker", Priority::low, [&, id] { farm.work(id); });
   run_machine(setup, machine);
-  // Measures the middle of the run, when all workers have tasks. Counts whole rounds, because
-  // results come in bursts.
+  // Measures the middle of the run, when all workers have tasks. Results come in bursts, so only
+  // whole rounds are counted (one result from each worker).
   const auto round = static_cast<std::size_t>(workers);
   const std::size_t rounds = results.size() / round, a = rounds / 4 * round,
                     b = a + rounds / 2 * round;

@@ -28,7 +28,8 @@ TrafficResult run_traffic(const Setup& setup, const std::vector<Arrival>& arriva
   network::StoreAndForward network(machine, setup.topology);
   TrafficResult result;
   result.deliveries.resize(arrivals.size());
-  std::vector<std::vector<std::uint64_t>> to_send(n);  // indices into `arrivals`, by source
+  // Indices into `arrivals`, by sending processor.
+  std::vector<std::vector<std::uint64_t>> to_send(n);
   std::vector<std::size_t> to_receive(n);
   for (std::size_t i = 0; i < arrivals.size(); ++i) {
     to_send[arrivals[i].from].push_back(i);
@@ -60,7 +61,7 @@ TrafficResult run_traffic(const Setup& setup, const std::vector<Arrival>& arriva
 
 namespace traffic {
 
-// Mean number of packets in the network during part of the window.
+// Mean number of packets in the network between two dates in seconds.
 double mean_inside(const std::vector<Delivery>& deliveries, double from_s, double to_s) {
   double inside_s = 0;
   for (const auto& d : deliveries)
@@ -82,7 +83,7 @@ struct Measured {
   bool is_saturated = false;
 };
 
-constexpr double MOST_PACKETS = 1e7;  // each packet takes some 100 bytes of host memory
+constexpr double MOST_PACKETS = 1e7;  // a packet takes about 100 bytes of host memory
 
 std::vector<Arrival> make_arrivals(const Setup& setup, const Params& params) {
   const int n = setup.topology.processors;
@@ -103,8 +104,8 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   const auto arrivals = make_arrivals(setup, params);
   const auto result = run_traffic(setup, arrivals, params.bytes);
   const double window_s = params.window_s;
-  // Counts only packets sent in the second half of the window, when queues have reached their usual
-  // length.
+  // Counts only packets sent in the second half of the window. By then the queues have reached
+  // their usual length.
   double sum_s = 0, count = 0;
   for (const auto& d : result.deliveries)
     if (d.sent_s > window_s / 2) sum_s += d.received_s - d.sent_s, ++count;

@@ -1,5 +1,5 @@
 #pragma once
-// Packets offered to a network of routers at given dates, and their delays.
+// Packets that processors send at given dates over a network of routers, and their delays.
 #include <vector>
 
 #include "simulator/programs/declare/program.hpp"
@@ -7,12 +7,14 @@
 namespace programs {
 
 struct Arrival {
-  std::int64_t at_us;  ///< date of the offer in whole microseconds, ascending for each source
+  /// Date in whole microseconds at which it is offered; ascending for each sender.
+  std::int64_t at_us;
   int from, to;
 };
 
-/// Makes uniform traffic: each processor sends a Poisson stream of `packets_per_s` to random others
-/// during `window_us`. A seed gives the same packets on every machine.
+/// Makes uniform traffic: during `window_us` microseconds, each processor sends a Poisson stream of
+/// `packets_per_s` packets to other processors chosen at random. The packets depend only on the
+/// arguments, not on the machine's speed.
 std::vector<Arrival> make_uniform_traffic(int processors, double packets_per_s, double window_us,
                                           std::uint64_t seed);
 
@@ -22,13 +24,13 @@ struct Delivery {
 
 struct TrafficResult {
   std::vector<Delivery> deliveries;  ///< one for each arrival, in the same order
-  double link_busy_max = 0;          ///< fraction of time of the busiest link direction
-  std::size_t longest_queue = 0;     ///< in packets
-  std::uint64_t links = 0;           ///< total number of links passed by all packets
+  double link_busy_max = 0;          ///< load of the busiest link direction, 0 to 1
+  std::size_t longest_queue = 0;     ///< maximum number of packets in a queue
+  std::uint64_t links = 0;           ///< sum over all packets of the links they passed
 };
 
-/// Simulates store-and-forward routing of packets of `bytes` bytes on the topology of `setup`,
-/// until all have arrived.
+/// Simulates store-and-forward routing of packets with `bytes` bytes on the topology of `setup`,
+/// until all packets have arrived.
 TrafficResult run_traffic(const Setup& setup, const std::vector<Arrival>& arrivals,
                           std::uint64_t bytes);
 

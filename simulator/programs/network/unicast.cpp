@@ -1,4 +1,4 @@
-// A single packet through an idle network of routers, to a processor `hops` links away.
+// A single packet through an otherwise idle network of routers, to a processor `hops` links away.
 #include "simulator/network/store_and_forward.hpp"
 #include "simulator/programs/declare/support.hpp"
 

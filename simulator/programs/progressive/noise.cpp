@@ -1,4 +1,5 @@
-// Noise of distributed rays as a function of the number of samples; no machine is simulated.
+// Noise of rays with random directions, as a function of the number of samples. Simulates no
+// machine.
 #include "renderer/files/load_scene.hpp"
 #include "renderer/quality/quality.hpp"
 #include "renderer/trace/render.hpp"
@@ -21,7 +22,8 @@ struct Measured {
   std::optional<double> exponent, rays_share, rmse_share;
 };
 
-// Renders with `samples` samples per pixel. The random numbers differ for each value of `samples`.
+// Renders the image with `samples` samples per pixel. The seed depends on `samples`, so that two
+// images with different numbers have independent noise.
 renderer::Rendering render_with(const renderer::Scene& scene, renderer::Params image, int samples,
                                 double adaptive = 0) {
   image.sampling.pixel_samples = samples;
@@ -30,7 +32,7 @@ renderer::Rendering render_with(const renderer::Scene& scene, renderer::Params i
   return renderer::render(scene, image);
 }
 
-// Compares images with a reference and adds a row for each.
+// Compares images with a reference image, and adds a row of results for each.
 class Rows {
  public:
   explicit Rows(renderer::Samples reference) : reference_(std::move(reference)) {}
@@ -85,7 +87,7 @@ Outcome<Measured> run(const Setup&, const Params& params) {
     Measured& row = rows.add(samples, render(samples), name(samples));
     const double before = samples > 1 ? (&row - 1)->rmse : 0;
     if (before > 0 && row.rmse > 0)
-      // rounded to make the result independent of the library's logarithm
+      // Rounded to float, so that the result does not depend on the library's logarithm.
       row.exponent = static_cast<float>(std::log(row.rmse / before) / std::log(4.0));
   }
   return std::move(rows.outcome);

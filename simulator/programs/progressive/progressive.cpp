@@ -1,4 +1,5 @@
-// The sequential ray tracer with increasing realism (thesis, 4.2) on a single processor.
+// The sequential ray tracer that refines its image step by step (thesis, 4.2), on a single
+// processor.
 #include "renderer/progressive/progressive.hpp"
 
 #include "renderer/files/load_scene.hpp"
@@ -17,7 +18,7 @@ using renderer::progressive::StepCounts;
 struct Params {
   base::Source scene{"room:27", ""};
   renderer::Params image;
-  Step step;  // the final step, without its depth and area
+  Step step;  // the last step; its depth and area come from `image`
   int max_cell = 16;
   renderer::progressive::StepKind kind = renderer::progressive::StepKind::cells;
 };
@@ -60,7 +61,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
     Progressive progressive(scene, params.image, params.max_cell);
     for (const Step& step : make_steps(params.kind, params.max_cell, last_step(params))) {
       const auto counts = progressive.advance(step);
-      // If a level adds no rays, deeper levels cannot add any.
+      // If a level of the shading trees adds no rays, deeper levels cannot add any.
       if (params.kind == renderer::progressive::StepKind::depth && counts.rays.fresh.total() == 0)
         break;
       const auto cost = costs(counts.rays.work.counts);

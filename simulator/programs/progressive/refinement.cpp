@@ -1,5 +1,5 @@
-// Quality of a picture during two passes of samples, in a given order of pixels, and the length of
-// the queue of quadrants. No machine is simulated, so there are no times.
+// Quality of a picture while two passes of samples are taken in a given order of pixels, and the
+// length of the queue of quadrants. No machine is simulated, so the results contain no times.
 #include "renderer/progressive/refinement.hpp"
 
 #include <cmath>
@@ -27,7 +27,7 @@ struct Params {
 struct Measured {
   int percent = 0;
   std::uint64_t samples = 0, rays = 0;
-  double sampled = 0;  // fraction of the pixels
+  double sampled = 0;  // fraction of the pixels that have a sample
   std::optional<std::uint64_t> queue, queue_peak;
   double ssim = 0, rmse = 0;
 };

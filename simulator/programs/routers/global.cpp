@@ -1,5 +1,5 @@
-// A sequence of GLOBAL messages from the root (table 5.3). Every other processor answers after each
-// message, or only after the last one.
+// A sequence of GLOBAL messages from the root (thesis, table 5.3). Every other processor answers
+// each message, or only the last one.
 #include "simulator/programs/declare/routers.hpp"
 
 namespace programs {
@@ -22,7 +22,8 @@ struct Global {
   const Params& params;
   int others;
 
-  // Sends while the number of unanswered messages is within the window; otherwise receives answers.
+  // Process of the root: sends the next message while fewer than `window` messages are unanswered;
+  // otherwise receives an answer. If only the last message is answered, sends all without waiting.
   void ask(Client& client) const {
     std::int64_t sent = 0;
     const std::int64_t rounds = params.answers == Answers::each ? params.messages : 1;

@@ -1,4 +1,5 @@
-// InPathTo requests along a line, which processors on the route sometimes answer (5.1.1.3).
+// Requests that travel along a line (InPathTo), and that processors on the route sometimes answer
+// (thesis, 5.1.1.3).
 
 #include "base/random.hpp"
 #include "simulator/programs/declare/routers.hpp"
@@ -10,10 +11,10 @@ namespace in_path {
 
 using network::Client;
 
-constexpr int ASKED = 0, ASKING = 1;  // process numbers
+constexpr int ASKED = 0, ASKING = 1;  // numbers of the processes that answer and that ask
 
-// Answers requests. On the route, answers a request with `probability` and otherwise returns it to
-// the router. At its destination, answers every request.
+// Process that answers requests. At a request's destination, answers always. On the route, answers
+// with `probability`, and otherwise returns the request to the router.
 void answer(Client& client, double probability, std::uint64_t seed) {
   this_process().set_server();
   base::Random random(seed, client.processor());

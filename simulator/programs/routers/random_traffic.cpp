@@ -1,5 +1,5 @@
-// Random messages from every processor: measures CPU time of the routers and of the sending
-// application (table 5.2).
+// Random messages from every processor. Measures the CPU time of the routers and of the
+// applications that send the messages (thesis, table 5.2).
 #include "base/random.hpp"
 #include "simulator/programs/declare/routers.hpp"
 
@@ -19,7 +19,8 @@ struct Talk {
   const Params& params;
   int processors;
 
-  // Body of a sequential process (LSGP), which receives messages until its next one is due.
+  // Body of the only application process of a processor. It receives messages until it must send
+  // the next one.
   void run(Client& client) const {
     base::Random random(params.seed, client.processor());
     network::Handed handed;

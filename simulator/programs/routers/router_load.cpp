@@ -1,5 +1,5 @@
-// Load-latency curve of routers. All processors offer messages at a given rate, and sinks receive
-// them immediately. The curve ends where queues grow without bound or overflow.
+// Latency of routers as a function of the load. All processors send messages at a given rate, and
+// sink processes receive them at once. At the highest loads, queues grow without bound or overflow.
 #include "base/random.hpp"
 #include "simulator/programs/declare/routers.hpp"
 
@@ -12,8 +12,9 @@ using network::Message;
 
 struct Seen {
   double sum_s = 0;
-  std::uint64_t offered = 0, count = 0;  // messages offered in the window; of these, received
-  std::uint64_t in_window = 0;           // number of messages received in the window
+  // Messages offered in the measuring window, and how many of these arrived.
+  std::uint64_t offered = 0, count = 0;
+  std::uint64_t in_window = 0;  // number of messages that arrived in the window
 };
 
 struct Params {
@@ -29,8 +30,8 @@ struct Offers {
 
   double end_s() const { return params.warm_up_s + params.window_s; }
 
-  // Offers a Poisson stream of messages. A message counts as offered even while it waits for the
-  // router.
+  // Process that sends a Poisson stream of messages. A message that waits for the router to accept
+  // it already counts as offered.
   void offer(Client& client, Seen& seen) const {
     base::Random random(params.seed, client.processor());
     for (double at_s = 0; (at_s += random.exponential() / rate_per_s) < end_s();) {
@@ -67,7 +68,7 @@ void check_messages(const Offers& offers) {
                 "found {:.3g} messages, expected at most {:.3g}", messages, MOST_MESSAGES);
 }
 
-// Starts a source and a sink per processor, each with its own channel to or from the router.
+// Starts a source and a sink process on each processor. Each of them has its own router client.
 void start_clients(const Offers& offers, RouterMachine& on, std::vector<Seen>& seen) {
   for (int id = 0; id < offers.processors; ++id) {
     on[id].start(on[id].name() + ".source", Priority::high,
@@ -103,7 +104,7 @@ Measured measure(const Offers& offers, const RouterMachine& on, const Seen& all,
                  bool has_overflowed) {
   const auto& params = offers.params;
   const double now_s = on.now().value;
-  // After an overflow of buffers: only the part of the window before the overflow.
+  // If buffers overflowed, measures only the part of the window before the overflow.
   const double window_s = has_overflowed ? now_s - params.warm_up_s : params.window_s;
   const double time_s = std::max(now_s, params.warm_up_s + window_s);
   Measured m{.offered_per_s = offers.rate_per_s,

@@ -1,5 +1,5 @@
-// Soak test of routers: all processors exchange random messages of every kind, and the fate of each
-// message is checked.
+// Long test of routers with random load. All processors exchange random messages of every kind, and
+// the program checks what became of each message.
 #include <fmt/ranges.h>
 
 #include <set>
@@ -35,10 +35,10 @@ struct Planned {
   int from = 0, to = 0;
   Mode mode{};
   std::uint64_t length = 0;
-  double pause_s = 0;  // delay before the message
+  double pause_s = 0;  // delay before the message is sent, in seconds
 };
 
-// Makes the plan of messages. A seed gives the same plan on every machine.
+// Makes the plan of messages. It depends only on the arguments, not on the machine's speed.
 std::vector<Planned> make_plan(int processors, const Params& params) {
   base::Random random(params.seed);
   std::vector<Planned> plan(params.messages);
@@ -56,8 +56,8 @@ std::vector<Planned> make_plan(int processors, const Params& params) {
   return plan;
 }
 
-// True if the process on this processor answers the offered message. Each message is answered on
-// every fourth processor; its number determines on which.
+// True if the process on processor `here` answers an offered (InPathTo) message. One in four
+// processors answers a given message; the message's number determines which ones.
 bool answers(const Message& message, int here) {
   return (message.number * 0x9e3779b97f4a7c15ULL >> 32) % 4 == static_cast<unsigned>(here) % 4;
 }
@@ -72,7 +72,7 @@ class Account {
           const std::vector<Planned>& plan)
       : routing_(routing), on_(on), plan_(plan), deliveries_(plan.size()), returns_(plan.size()) {}
 
-  // After a fault, routes change, so any processor may answer an InPathTo message.
+  // Called after a fault, which changes routes: any processor may then answer an InPathTo message.
   void expect_any_route() { all_on_the_way_ = true; }
 
   void send(std::size_t number) {
@@ -115,7 +115,7 @@ class Account {
   }
 
   Measured result;
-  std::vector<std::string> notes;  // lost messages, by sender and receiver
+  std::vector<std::string> notes;  // lost messages, grouped by sender and receiver
 
  private:
   bool on_the_way(const Planned& sent, int here) const {
@@ -127,7 +127,7 @@ class Account {
     return false;
   }
 
-  // Adds notes on lost messages, by sender and receiver.
+  // Adds notes about lost messages, grouped by sender and receiver.
   void name_lost() {
     std::map<std::pair<int, int>, std::vector<std::size_t>> lost;
     for (const std::size_t number : was_sent_) {
@@ -155,12 +155,14 @@ class Account {
   const std::vector<Planned>& plan_;
   std::set<std::size_t> was_sent_;
   std::uint64_t links_ = 0;
-  std::vector<std::vector<int>> deliveries_;  // receivers, by message
+  std::vector<std::vector<int>> deliveries_;  // processors that received it, by message
   std::vector<std::vector<int>> returns_;     // processors that returned it, by message
-  std::map<std::tuple<int, int, int>, std::uint64_t> last_;  // number of the last message plus 1
+  // By sender, receiver and mode: 1 + number of the latest message.
+  std::map<std::tuple<int, int, int>, std::uint64_t> last_;
 };
 
-// Sends the planned messages and receives others in between; afterwards only receives.
+// Process that sends the planned messages, receives other messages in between, and afterwards only
+// receives.
 void live(Client& client, const std::vector<Planned>& plan, Account& account) {
   const int here = client.processor();
   network::Handed handed;
@@ -192,7 +194,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   check_two_processors(setup);
   RouterMachine on(setup, network_params(params.routers, params.longest));
   const auto plan = make_plan(setup.topology.processors, params);
-  // a copy of the routing, because cuts change that of the network
+  // A copy of the routing: when a link is cut, the routing of the network itself changes.
   const network::Routing before = routing_of(setup, params.routers.method);
   Account account(before, on, plan);
   on.on_failure([&account](const machine::Failure&) { account.expect_any_route(); });
