@@ -14,7 +14,7 @@ using base::Columns;
 
 namespace {
 
-// Mean load of the processors with this role.
+// Mean load of the processors with this role, split into work and routing.
 Load load_of(const observe::Use& use, Role role, const char* name, const char* work) {
   double busy_s = 0, high_s = 0, n = 0;
   for (const auto& cpu : use.cpus)
@@ -32,7 +32,7 @@ Load load_of_workers(const observe::Use& use) {
   return load_of(use, Role::worker, "workers", "tasks");
 }
 
-// All workers of one model.
+// All workers whose processors have the same model.
 struct Alike {
   std::string model;
   int count = 0;

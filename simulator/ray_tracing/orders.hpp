@@ -1,6 +1,7 @@
 #pragma once
-// The user's orders, sorted by time: those of the script and, in a live run, manual orders. A
-// manual order has the same effect as if it were part of the script.
+// The user's orders, sorted by time: those of the script (the experiment file) and, in a live run,
+// orders that a person gives by hand. A manual order has the same effect as if it were in the
+// script.
 #include <algorithm>
 #include <any>
 #include <cmath>
@@ -16,15 +17,15 @@ class Orders {
  public:
   using Order = ray_tracing::Order<Limits>;
 
-  /// `is_live` allows manual orders. Without manual orders, the user leaves after the script's last
-  /// order. The last order is always a Leave.
+  /// `is_live` allows manual orders. If they are not allowed, the user leaves after the last order
+  /// of the script. The list of orders always ends with a Leave.
   Orders(const std::vector<Order>& script, bool is_live)
       : orders_(script.begin(), script.end()), is_open_(is_live) {}
 
   bool has_any() const { return is_open_ || !orders_.empty(); }
 
-  /// Called by the user's process: waits until the next order is due and returns its number, from
-  /// 0. Times count from `begun`.
+  /// Called by the process that stands for the user: waits until the next order is due, and returns
+  /// the order's number, from 0. The times of orders count from the date `begun`.
   std::size_t next(machine::Seconds begun) {
     user_ = &machine::this_process();
     begun_ = begun;
@@ -37,8 +38,9 @@ class Orders {
   }
   const Order& operator[](std::size_t number) const { return orders_.at(number); }
 
-  /// Inserts a manual order. Called from outside the machine, between events; see
-  /// observe::ControlPanel::TakeOrder. `check` throws for orders that the program does not allow.
+  /// Inserts a manual order, and returns its time as at_s (see observe::ControlPanel::TakeOrder).
+  /// Called from outside the machine, between events. `check` throws for orders that the program
+  /// does not allow.
   double take(const OrderRecord<Limits>& record, machine::Seconds after,
               const std::function<void(const std::vector<Order>&)>& check) {
     if (!user_ || !is_open_)
@@ -46,8 +48,8 @@ class Orders {
           user_ ? "[[order]]: found one after the picture was complete, expected it earlier"
                 : "[[order]]: found one before the first task, expected it later");
     const double tick_s = occam::date_of(*user_, 1).value;
-    // If the user's process is ahead of the clock, it has already decided that no order comes
-    // before its own time.
+    // If the own time of the user's process is ahead of the clock, the process has already found
+    // that no order is due before this own time. The new order must therefore be later.
     const bool is_blocked = user_->state() == machine::Process::State::blocked;
     const auto own = is_blocked ? user_->blocked_since() : user_->own_time();
     const double from_s = std::max(after, own).value;
@@ -69,8 +71,8 @@ class Orders {
     return dated.at_s;
   }
 
-  /// Lets the user of a live page give orders. `is_null` is true if no step within the limits is
-  /// left; `check` is as in take().
+  /// Lets the user of a live page give orders. `is_null` returns true if no step within the limits
+  /// is left. For `check` see take().
   void show(observe::ControlPanel& view, std::function<bool()> is_null,
             std::function<void(const std::vector<Order>&)> check) {
     view.waits_for_user = [this, is_null] { return is_null() && waits_for_manual_order(); };
@@ -80,14 +82,14 @@ class Orders {
     };
   }
 
-  /// True if the user's process is waiting for a manual order and none is pending.
+  /// True if the user's process waits for a manual order and has not been given one.
   bool waits_for_manual_order() const { return waits_for_manual_order_ && next_ == orders_.size(); }
-  /// Ends manual orders, so that the user leaves after the last pending order.
+  /// Allows no further manual orders, so that the user leaves after the last order in the list.
   void close() { is_open_ = false; }
 
  private:
-  // Like occam::wait_until, with two differences. The wait ends before all other events of its
-  // date, regardless of when it began. A manual order may end it earlier.
+  // Waits as occam::wait_until does, with two differences: the wait ends before all other events of
+  // its date, no matter when it began, and a manual order may end it earlier.
   void wait_for_time() {
     const auto& timer = user_->processor().model().timer;
     const bool is_past = user_->own_time() >= date_of_next();
@@ -127,8 +129,8 @@ class Orders {
     waits_for_order_ = false;
   }
 
-  // Wakes the user's process if it waits for a manual order or for a later order. If it is still
-  // busy with the previous order, it will find the new one itself.
+  // Wakes the user's process if it waits for a manual order or for the time of a later order. If it
+  // is still busy with the previous order, it will find the new order without this.
   void wake(machine::Seconds date) {
     if (waits_for_order_) user_->processor().wake_first_at(date, *user_, user_->waits());
   }

@@ -1,5 +1,5 @@
 #pragma once
-// Order of the pixels of an image, image.order.
+// The order in which the pixels of an image are computed: the key image.order.
 #include "base/fields.hpp"
 
 namespace ray_tracing {
@@ -7,7 +7,7 @@ namespace ray_tracing {
 enum class PixelOrder : std::uint8_t {
   cells,     ///< the program's own order of image cells
   scan,      ///< row by row
-  quadrants  ///< order of the queue of quadrants, see renderer::progressive::QuadrantQueue
+  quadrants  ///< order of a queue of quadrants, see renderer::progressive::QuadrantQueue
 };
 
 template <class P>

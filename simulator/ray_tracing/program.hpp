@@ -1,5 +1,5 @@
 #pragma once
-// Declaration that the ray tracing programs share. M are the parameters of a program's machine.
+// Declaration shared by the ray tracing programs. M is the type of a program's own parameters.
 #include "simulator/programs/declare/support.hpp"
 #include "simulator/ray_tracing/busy.hpp"
 #include "simulator/ray_tracing/data.hpp"
@@ -12,14 +12,15 @@ namespace ray_tracing {
 
 template <class M>
 struct ProgramParams {
-  M machine;                         ///< [image], [[stage]], [[order]] and the program's section
-  std::optional<SharedParams> data;  ///< set if any key of [data] is present
+  M machine;  ///< sections [image], [[stage]], [[order]], and the program's own section
+  std::optional<SharedParams> data;  ///< only if the experiment contains a key of [data]
   SceneChoice scene;
 
   bool shares_data() const { return data && data->cache_percent > 0; }
 };
 
-/// The field "weights", a list with the members `of` of W. It sets `member` of P.
+/// The field "weights", a list of numbers that are stored in the members `of` of type W. `member`
+/// is the member of P that holds the W.
 template <class P, class W, std::size_t N, class Member>
 base::Field<P> weights_field(double W::*const (&of)[N], Member member, const std::string& expected,
                              const std::string& help) {
@@ -43,7 +44,7 @@ base::Field<P> weights_field(double W::*const (&of)[N], Member member, const std
       "weights", {.kind = base::Domain::Kind::list, .expected = expected}, "", help, set, get);
 }
 
-/// The fields for limits of a ray's influence factor and level.
+/// The fields for limits on the influence factor and the tree level of rays.
 template <class Limits>
 base::Fields<Limits> ray_limit_fields() {
   using D = base::Declare<Limits>;
@@ -55,8 +56,8 @@ base::Fields<Limits> ray_limit_fields() {
                    "deepest tree level of transmitted rays and their descendants")};
 }
 
-/// All fields. `memory` are those of [machine], and `own` those of the section with the program's
-/// name.
+/// All fields of a program. `memory` are those of the section [machine], and `own` those of the
+/// section with the program's name.
 template <class M>
 base::Fields<ProgramParams<M>> program_fields(const std::string& program,
                                               const base::Fields<M>& memory,
@@ -70,13 +71,13 @@ base::Fields<ProgramParams<M>> program_fields(const std::string& program,
        base::lift_all<P>(renderer::param_fields(), image, "image."),
        base::lift_all<P>(own, &P::machine, program + "."),
        base::lift_all<P>(snapshot_fields(), snapshot_times, program + "."),
-       // In the last place, so that the key "order" without a section means the program's own
-       // instead of image.order.
+       // This field is the last one, so that the key "order" without a section means the program's
+       // own order, not image.order.
        base::lift_all<P>(base::Fields<M>{pixel_order_field(&M::pixels)}, &P::machine, "image."),
        base::lift_optional<P>(data_fields(), &P::data)});
 }
 
-/// Measurements of a run. R is a Rendering, for which the program defines find_loads().
+/// Measurements of a run. R is derived from Rendering, and the program defines find_loads(R).
 template <class R>
 struct Measured {
   Measured(R result, DataFigures figures)
@@ -92,7 +93,7 @@ struct Measured {
   Loads loads;
 };
 
-/// The outcome of a run. R is a Measured.
+/// Makes the outcome of a run. R is derived from Measured.
 template <class M, class R>
 programs::Outcome<R> make_outcome(const programs::Setup& setup, const ProgramParams<M>& params,
                                   R measured) {
@@ -106,7 +107,7 @@ programs::Outcome<R> make_outcome(const programs::Setup& setup, const ProgramPar
   return outcome;
 }
 
-/// Makes a program, and declares what all ray tracing programs have in common.
+/// Makes a program, and adds the declarations that all ray tracing programs share.
 template <class Limits, class M, class R>
 programs::Program make_program(programs::Declaration<ProgramParams<M>, R> d,
                                const base::Fields<Limits>& limits) {

@@ -15,7 +15,7 @@ namespace {
 
 bool is_of_stage(const KeyImage& image) { return image.name.starts_with("stage"); }
 
-// End of each stage except the last: the date at which its key image was saved.
+// For each stage except the last, the date of its end: a key image was saved at this date.
 std::vector<Cell> stage_cells(const Rendering& r) {
   std::vector<Cell> cells;
   for (const auto& image : r.key_images)

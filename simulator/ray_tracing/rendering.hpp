@@ -1,12 +1,12 @@
 #pragma once
-// Results of a run, common to all ray tracing programs: pictures, columns and extras.
+// Results of a run that all ray tracing programs have: pictures, columns, and results for reports.
 #include "renderer/trace/render.hpp"
 #include "simulator/ray_tracing/scene.hpp"
 #include "simulator/snapshots/quality_curve.hpp"
 
 namespace ray_tracing {
 
-/// The picture at the end of a stage, or at an order of the user.
+/// The picture as it was at the end of a stage, or when the user gave an order.
 struct KeyImage {
   machine::Seconds at;
   std::string name;
@@ -15,48 +15,51 @@ struct KeyImage {
 
 struct Rendering {
   renderer::Samples samples;
-  std::vector<std::uint8_t> rgb8;                     ///< final picture of the display
-  std::vector<KeyImage> key_images;                   ///< at the ends of stages and at orders
-  std::vector<snapshots::Snapshot> pictures, growth;  ///< see snapshots::Recorder
+  std::vector<std::uint8_t> rgb8;    ///< final picture on the display
+  std::vector<KeyImage> key_images;  ///< at the ends of stages and at orders
+  /// Pictures that snapshots::Recorder has recorded.
+  std::vector<snapshots::Snapshot> pictures, growth;
   renderer::RayCounts rays;
-  double time_s = 0;                        ///< from the first task to the last ray displayed
-  double setup_s = 0;                       ///< time before the first task
-  std::optional<double> order_to_pixel_s;   ///< longest time from an order to a changed pixel
-  bool is_aborted = false;                  ///< true if the user aborted the run
-  observe::Use use;                         ///< use of the machine during time_s
-  machine::ProcessId coordination = 0;      ///< the process that coordinates the others
-  machine::End end = machine::End::done;    ///< if not `done`, measurements end there
+  double time_s = 0;   ///< seconds from the first task until the last ray is displayed
+  double setup_s = 0;  ///< seconds before the first task
+  std::optional<double> order_to_pixel_s;  ///< longest time from an order until it changes a pixel
+  bool is_aborted = false;                 ///< true if the user aborted the run
+  observe::Use use;                        ///< use of the machine during these time_s seconds
+  machine::ProcessId coordination = 0;     ///< id of the process that coordinates the others
+  /// If not `done`, measurements describe the time up to this end.
+  machine::End end = machine::End::done;
   std::uint64_t events = 0;                 ///< number of simulated events
   std::vector<observe::KernelUse> kernels;  ///< kernels called on any processor
-  std::vector<std::string> notes;           ///< orders without effect, removed links
+  std::vector<std::string> notes;           ///< about orders without effect and removed links
 };
 
-/// Renders, with the sequential renderer, the picture that every run of these parameters ends with.
-/// Returns an empty list if `goes_on` returns false.
+/// Renders the picture with which every run of these parameters ends, with the sequential renderer.
+/// Returns an empty list as soon as `goes_on` returns false.
 std::vector<std::uint8_t> render_sequentially(const renderer::Scene& scene,
                                               const renderer::Params& params,
                                               const std::function<bool()>& goes_on);
 
-// Groups of columns that all programs share.
+// The next functions return groups of columns that all programs share.
 
-/// The columns time_s and time_per_ray_ms, and columns for the speed-up. The latter are empty,
-/// because they depend on other runs.
+/// The columns time_s and time_per_ray_ms, and columns for the speed-up. Speed-up columns are empty
+/// here, because they depend on other runs of the sweep.
 base::Columns<Rendering> speed_columns();
 /// The column "rays", and one column for each kind of ray.
 base::Columns<Rendering> ray_columns();
 /// The columns order_to_pixel_s, setup_s and total_s.
 base::Columns<Rendering> time_columns();
-/// Columns for the end of each stage and for the lit fraction of its key image, and the column
-/// aborted.
+/// Columns for the end of each stage, and for the fraction of lit pixels in its key image. Also the
+/// column aborted.
 base::Columns<Rendering> stage_columns();
 
-/// Results of a run besides its rows, and quality over time.
+/// Results of a run besides its rows, and the picture's quality over time.
 struct Given {
-  programs::Extras extras;    ///< without loads and results of Setup::profile
-  snapshots::Figures growth;  ///< empty if growth was not recorded
+  programs::Extras extras;    ///< without the loads, and without the results of Setup::profile
+  snapshots::Figures growth;  ///< empty if quality over time was not recorded
 };
-/// Collects the results. Images are the final picture, key images, pictures at the requested times,
-/// and the growth as an animation. `max_cell` is the side of the largest cells in pixels.
+/// Collects these results. The images are the final picture, key images, pictures at the requested
+/// times, and an animation of the growing picture. `max_cell` is the side of the largest image
+/// cells in pixels.
 Given make_given(const programs::Setup& setup, const SceneChoice& scene,
                  const renderer::Params& image, int max_cell, const Rendering& rendering);
 

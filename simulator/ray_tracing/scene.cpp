@@ -11,7 +11,8 @@ namespace ray_tracing {
 
 namespace {
 
-// True if the source determines the scene's size, so that `objects` has no effect.
+// True if the source alone determines the number of objects, so that the key `objects` has no
+// effect.
 bool has_own_objects(const SceneChoice& scene) { return scene.source.text != "spheres"; }
 
 }  // namespace

@@ -1,18 +1,19 @@
 #pragma once
-// The scene of a ray tracing program, [scene], with names and keys of its images.
+// The scene of a ray tracing program: the section [scene], and the names and keys of its images.
 #include "renderer/trace/params.hpp"
 #include "simulator/programs/declare/program.hpp"
 
 namespace ray_tracing {
 
 struct SceneChoice {
-  base::Source source{"spheres", ""};  ///< "spheres" generates a scene with `objects` spheres
-  std::int64_t objects = 200;          ///< number of spheres in a generated scene
+  /// "spheres" stands for a generated scene of `objects` spheres.
+  base::Source source{"spheres", ""};
+  std::int64_t objects = 200;  ///< number of spheres in that scene
 };
 /// The fields scene.source and scene.objects.
 base::Fields<SceneChoice> scene_fields();
 
-/// The argument for renderer::load_scene: "spheres" and 200 objects give "spheres:200".
+/// The argument to pass to renderer::load_scene: "spheres:200" for "spheres" and 200 objects.
 std::string scene_source(const SceneChoice& scene);
 
 /// Numbers of records in a scene.
@@ -20,20 +21,21 @@ struct SceneSize {
   std::size_t boxes = 0, objects = 0;
 };
 SceneSize size_of(const renderer::Scene& scene);
-/// Caches the result, because the points of a sweep share few scenes.
+/// Caches its results, because many points of a sweep have the same scene.
 SceneSize size_of(const SceneChoice& scene);
 
-// Declarations that describe a program by its scene, see programs::Program.
+// Functions for the declaration of a program (programs::Program) that depend on the scene.
 
-/// The column "objects". It does not count the floor below generated spheres.
+/// The column "objects". Does not count the floor below generated spheres.
 programs::Row describe(const SceneChoice& scene);
-/// Text of all parameters that determine the image of a run.
+/// A text that contains all parameters on which the image of a run depends.
 std::string picture_key(const SceneChoice& scene, const renderer::Params& image);
-/// If the source itself determines the number of objects, scene.objects has no effect: then returns
-/// "scene.source" for this key. Otherwise returns "".
+/// If `key` is scene.objects and has no effect, because the source itself determines the number of
+/// objects, returns "scene.source". Otherwise returns "".
 std::string find_void(const SceneChoice& scene, const std::string& key);
 
-/// Name for pictures of the scene, such as "spheres-200": letters, digits and dashes.
+/// Name for pictures of the scene, such as "spheres-200". It consists of letters, digits and
+/// dashes.
 std::string picture_name(const SceneChoice& scene);
 
 }  // namespace ray_tracing

@@ -1,6 +1,7 @@
 #pragma once
-// The user's interaction with a growing picture: [[stage]] lists successive limits for the
-// interactive phase, and [[order]] the orders. Each program defines its type Limits and the fields.
+// The user's interaction with a growing picture. [[stage]] in the experiment file lists successive
+// limits for the interactive phase, and [[order]] lists orders of the user. Each program defines
+// its own type Limits and the fields of Limits.
 #include <fmt/format.h>
 
 #include "simulator/programs/declare/program.hpp"
@@ -9,36 +10,36 @@ namespace ray_tracing {
 
 struct NonInteractive {};  ///< leave the interactive phase now
 struct Interactive {};     ///< return to the interactive phase
-struct Abort {};           ///< send no further tasks: end with the present picture
-struct Leave {};           ///< the user leaves; the run continues to its end
-struct Save {              ///< save the present picture
+struct Abort {};           ///< send no further tasks and end with the picture as it is
+struct Leave {};           ///< the user leaves, and the run continues to its end
+struct Save {              ///< save the picture as it is
   std::string name;        ///< part of the file name
 };
 
-/// An order of the user. Its time counts from the first task.
+/// An order of the user. Its time is in seconds since the first task.
 template <class Limits>
 struct Order {
   machine::Seconds at;
   std::variant<NonInteractive, Interactive, Abort, Leave, Save, Limits> what;
 };
 
-/// An [[order]] as given in an experiment file.
+/// An [[order]] as written in an experiment file.
 template <class Limits>
 struct OrderRecord {
   double at_s = 0;
   bool non_interactive = false, interactive = false, abort = false, leave = false;
   std::string save;
-  std::optional<Limits> limits;  ///< set if the record contains any limit
+  std::optional<Limits> limits;  ///< only if the record contains any limit
 };
 
 /// True if `name` can be part of a file name: at most 40 letters, digits and dashes.
 bool is_picture_name(const std::string& name);
-/// Throws base::BadInput if two names are equal, or if a name starts like those of the program's
-/// own pictures (stage, order, shown, growth, borders).
+/// Throws base::BadInput if two names are equal, or if a name starts as the program's own pictures
+/// do (stage, order, shown, growth, borders).
 void check_saved_names(const std::vector<std::string>& names);
 
-/// Throws base::BadInput if orders are not sorted by time, if one follows a Leave, or if names of
-/// pictures are invalid.
+/// Throws base::BadInput if orders are not sorted by time, if an order follows a Leave, or if names
+/// of pictures are invalid.
 template <class Limits>
 void check_script(const std::vector<Order<Limits>>& script) {
   std::vector<std::string> names;
@@ -56,8 +57,8 @@ void check_script(const std::vector<Order<Limits>>& script) {
           fmt::format("order {}: found one after the user has left, expected none", i + 1));
 }
 
-/// The fields at_s, non_interactive, interactive, abort, leave and save, followed by those of the
-/// limits.
+/// The fields of an [[order]]: at_s, non_interactive, interactive, abort, leave and save, and those
+/// of the limits.
 template <class Limits>
 base::Fields<OrderRecord<Limits>> order_fields(const base::Fields<Limits>& limit_fields) {
   using Record = OrderRecord<Limits>;
@@ -88,7 +89,7 @@ base::Fields<OrderRecord<Limits>> order_fields(const base::Fields<Limits>& limit
       {base::lift_optional<Record>(limit_fields, &Record::limits)});
 }
 
-/// Converts a record to an order. Throws base::BadInput if the record does not contain exactly one
+/// Converts a record to an order. Throws base::BadInput unless the record contains exactly one
 /// order.
 template <class Limits>
 Order<Limits> make_order(const OrderRecord<Limits>& record) {
@@ -108,9 +109,9 @@ Order<Limits> make_order(const OrderRecord<Limits>& record) {
   return orders[0];
 }
 
-/// Makes a list of tables in the experiment file, stored in a program's parameters P. `list` is a
-/// pointer to a member of P, or a function from P& to a reference. `append` converts a record to an
-/// element of the list.
+/// Declares a list of tables in the experiment file, which is stored in a program's parameters of
+/// type P. `list` is a pointer to a member of P, or a function from P& to a reference to the list.
+/// `append` converts a record to an element of the list.
 template <class P, class Record, class Access, class Append>
 programs::RecordList make_list(const std::string& key, const std::string& help,
                                const base::Fields<Record>& fields, Access list, Append append) {
@@ -127,8 +128,8 @@ programs::RecordList make_list(const std::string& key, const std::string& help,
           }};
 }
 
-/// Makes the lists [[stage]] and [[order]]. `stages` and `script` are the members of P with the
-/// vectors of Limits and of Order<Limits>.
+/// Declares the lists [[stage]] and [[order]]. `stages` and `script` give access to the members of
+/// P that hold the vectors of Limits and of Order<Limits>.
 template <class P, class Limits, class Stages, class Script>
 std::vector<programs::RecordList> make_lists(const base::Fields<Limits>& limit_fields,
                                              Stages stages, Script script) {

@@ -1,5 +1,5 @@
 #pragma once
-// Keys for recording the growing picture, in a program's section.
+// Keys in a program's section that determine when the growing picture is recorded.
 #include "base/fields.hpp"
 #include "renderer/trace/params.hpp"
 #include "simulator/snapshots/recorder.hpp"
@@ -9,8 +9,8 @@ namespace ray_tracing {
 /// The fields show_at_s, show_every_s and growth.
 base::Fields<snapshots::Schedule> snapshot_fields();
 
-/// Checks that the recorded pictures fit into the host's memory and into an animation. Throws
-/// base::BadInput that names the key in `section`, such as "farm".
+/// Checks that the recorded pictures fit into the host's memory and into an animation. Otherwise
+/// throws base::BadInput that names the key in the section `section`, for instance "farm".
 void check_snapshots(const std::string& section, const snapshots::Schedule& snapshot_times,
                      const renderer::Params& image);
 
