@@ -1,4 +1,5 @@
-// Image cells, their orders, and the display's picture, compared with a simple oracle.
+// Image cells, the orders in which they are sampled, and the picture on the display. Compares the
+// picture with a simple computation.
 #include "simulator/farm/rays/cells.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +16,7 @@ namespace {
 
 using renderer::Area;
 
-// A primary ray of a pixel.
+// Returns a primary ray of the pixel with number `sample`.
 template <class Sample>
 renderer::Ray ray_of(Sample sample) {
   renderer::Ray ray;
@@ -30,7 +31,7 @@ Cells random_cells(std::mt19937_64& random) {
   return {.width = WIDTH, .max_cell = 1 << random() % 5};
 }
 
-// Samples of random pixels in random order, with several contributions each.
+// Returns contributions to random pixels in random order, several for each pixel.
 std::vector<std::pair<std::uint32_t, renderer::Rgb>> random_contributions(std::mt19937_64& random) {
   std::vector<std::pair<std::uint32_t, renderer::Rgb>> all;
   const auto share = random() % 100;
@@ -45,7 +46,8 @@ std::vector<std::pair<std::uint32_t, renderer::Rgb>> random_contributions(std::m
   return all;
 }
 
-// The expected picture: each pixel shows the sample of the smallest cell that has one.
+// The expected picture: each pixel shows the sample of the smallest cell around it that has a
+// sample.
 std::vector<std::uint8_t> constant_picture(const renderer::Samples& samples,
                                            const std::set<std::uint32_t>& there,
                                            const Cells& cells) {
@@ -88,7 +90,7 @@ TEST(FrameBuffer, PointsLightOnePixelEach) {
   EXPECT_EQ(work[renderer::Op::pixel_drawn], 3u);
 }
 
-// The picture does not depend on the order of contributions.
+// The picture must not depend on the order in which contributions arrive.
 TEST(FrameBuffer, ShowsTheSameInAnyOrder) {
   for (const auto light : {CellLight::constant, CellLight::point, CellLight::smooth})
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -109,7 +111,8 @@ TEST(FrameBuffer, ShowsTheSameInAnyOrder) {
     }
 }
 
-// A cell may be halved twice at once: samples 2 pixels away came before those 4 away.
+// A cell with a side of 8 pixels shrinks twice at once if the samples 2 pixels away arrive before
+// those 4 pixels away. The picture must be the same as in the usual order.
 TEST(FrameBuffer, SmoothCellsAreRepaintedWhenTheyShrinkTwice) {
   const auto paint = [](std::vector<std::uint32_t> samples) {
     FrameBuffer picture(16, 16, {.width = 16, .max_cell = 8}, CellLight::smooth);
@@ -121,7 +124,7 @@ TEST(FrameBuffer, SmoothCellsAreRepaintedWhenTheyShrinkTwice) {
   EXPECT_EQ(paint({0, 2, 32, 34, 4, 64, 68}), paint({4, 64, 68, 0, 2, 32, 34}));
 }
 
-// Cells end at the border of the rendered area.
+// Cells must be cut off at the border of the rendered area.
 TEST(FrameBuffer, PaintsNothingOutsideItsArea) {
   const Area area{5, 3, 10, 9};
   for (const auto light : {CellLight::constant, CellLight::smooth}) {
@@ -148,7 +151,7 @@ TEST(FrameBuffer, IsTheImageWhenAllSamplesAreThere) {
   }
 }
 
-// Four samples at the corners of a cell of 4 pixels yield a ramp.
+// The four corners of a cell with a side of 4 pixels have samples, which must yield a linear ramp.
 TEST(FrameBuffer, SmoothCellsAreBilinear) {
   FrameBuffer picture(8, 8, {.width = 8, .max_cell = 4}, CellLight::smooth);
   renderer::Work work;
@@ -165,8 +168,8 @@ TEST(FrameBuffer, SmoothCellsAreBilinear) {
   EXPECT_GT(work[renderer::Op::pixel_interpolated], 16u);
 }
 
-// A pixel shows the mean of the samples that have begun. In the end this is the sum of the
-// contributions, each weighted by 1 / pixel_samples.
+// A pixel must show the mean of those of its samples whose primary ray has arrived. In the end this
+// equals the sum of the contributions, each of which has the weight 1 / pixel_samples.
 TEST(FrameBuffer, ShowsTheMeanOfSamples) {
   renderer::Sampling sampling;
   sampling.pixel_samples = 4;
@@ -176,7 +179,7 @@ TEST(FrameBuffer, ShowsTheMeanOfSamples) {
     renderer::Ray ray = ray_of(5);
     ray.pass = static_cast<std::uint16_t>(pass);
     picture.add(ray, {0.12 * (pass + 1) / 4, 0, 0}, work);
-    ray.level = 2;  // a contribution of another ray of the sample
+    ray.level = 2;  // a contribution of a child ray
     picture.add(ray, {0, 0.2 / 4, 0}, work);
     const double mean = 0.12 * (pass + 2) / 2;
     EXPECT_EQ(picture.rgb8()[15], renderer::make_rgb8(renderer::Rgb{mean, 0, 0})[0]) << pass;
@@ -187,7 +190,7 @@ TEST(FrameBuffer, ShowsTheMeanOfSamples) {
   FrameBuffer means(4, 4, {.width = 4, .max_cell = 1}, CellLight::constant, {}, sampling);
   for (const double red : {0.2, 0.6, 0.7}) means.add(ray_of(3), {red, 0, 0}, work);
   EXPECT_NEAR(means.samples().get(3).r, 0.5, 1e-9);
-  // Samples have different weights.
+  // finish() replaces the sums by those of samples with unequal weights.
   renderer::Samples::Sums sums;
   add(sums, renderer::Rgb{3 * 0.6, 0, 0});
   means.finish({3, sums}, work);
@@ -195,8 +198,8 @@ TEST(FrameBuffer, ShowsTheMeanOfSamples) {
   EXPECT_EQ(means.rgb8()[9], 153);
 }
 
-// Samples of quadrants come in any order. Each pixel has the colour of the latest quadrant in the
-// queue.
+// Samples of quadrants arrive in any order. Each pixel must have the colour of that quadrant around
+// it which comes last in the queue.
 TEST(FrameBuffer, PaintsQuadrants) {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -228,8 +231,8 @@ TEST(FrameBuffer, PaintsQuadrants) {
   }
 }
 
-// The size and place of a cell identify its samples. Division yields every sample exactly once,
-// except those of the largest cells.
+// The samples of the largest cells, and the samples made by dividing every cell, must together be
+// all samples, each exactly once.
 TEST(Cells, AreDividedIntoAllSamples) {
   for (const int max_cell : {1, 2, 8, 32}) {
     const Cells cells{.width = WIDTH, .max_cell = max_cell, .order = CellOrder::adaptive};
@@ -264,7 +267,8 @@ TEST(Cells, ComeInTheirOrder) {
   EXPECT_EQ(take().size(), 4u);
 }
 
-// Cells begin at the corner of the area, so that every pixel of the area belongs to one.
+// Cells must begin at the corner of the rendered area, so that each of its pixels belongs to a
+// cell.
 TEST(Cells, BeginAtTheArea) {
   const Cells cells{.width = WIDTH, .max_cell = 8, .x = 5, .y = 3};
   EXPECT_EQ(cells.size_of(3 * WIDTH + 5), 8);

@@ -1,4 +1,4 @@
-// The farm with blocks of pixels as tasks, and its bottleneck.
+// The farm with blocks of pixels as tasks, the transfer of the scene, and the farm's bottleneck.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -41,7 +41,7 @@ TEST(FarmBlocks, ImageAndRaysEqualTheSequentialRenderers) {
   }
 }
 
-// The blocks tile the area: every pixel is in exactly one.
+// Every pixel of the area must belong to exactly one block.
 TEST(FarmBlocks, TileTheArea) {
   const std::uint64_t seed = 42;
   std::mt19937_64 random(seed);
@@ -59,8 +59,8 @@ TEST(FarmBlocks, TileTheArea) {
   }
 }
 
-// For a block, a worker does the work that the centre does in a farm of rays. One worker is
-// therefore nearly as fast, without messages for every ray.
+// If tasks are blocks, a worker also does the shading, which otherwise the central processors do.
+// One worker must be charged the cycles of all shading trees.
 TEST(FarmBlocks, OneWorkerTakesTheTreesCycles) {
   const auto scene = renderer::make_spheres(100);
   run_isolated([&] {
@@ -80,7 +80,8 @@ TEST(FarmBlocks, WithWholePixelsThereAreNoStagesOrOrders) {
   EXPECT_THROW(check(block_params(0, 8)), base::BadInput);
 }
 
-// Every link of the tree carries the whole scene once. The image is unchanged.
+// If the scene is sent to the workers, the time before the first task must exceed the transfer over
+// one link. The image must stay the same.
 TEST(FarmScene, IsSentDownEveryLink) {
   const auto scene = renderer::make_spheres(60);
   for (const bool blocks : {false, true}) {
@@ -91,7 +92,7 @@ TEST(FarmScene, IsSentDownEveryLink) {
       const auto oracle = renderer::render(scene, params.image);
       const auto farm = run(params, "tree:9", scene);
       const double least = double(object_count(scene) * get_bytes(model, "object")) /
-                           model.link.one_way_rate;  // time over one link, s
+                           model.link.one_way_rate;  // seconds over one link
       EXPECT_TRUE(farm.samples == oracle.samples);
       EXPECT_GT(farm.setup_s, least);
     });
@@ -104,8 +105,8 @@ std::string limit_of(const Params& params, const std::string& topology, int sphe
   });
 }
 
-// One worker is always busy. Twelve workers with cheap rays wait for the centre. Many workers with
-// few blocks wait for the last block.
+// The expected bottlenecks: a single worker is always busy; twelve workers with cheap rays wait for
+// the coordination process; many workers with few blocks wait for the last block.
 TEST(FarmBottleneck, IsWhatOthersWaitFor) {
   EXPECT_EQ(limit_of(small_params(), "tree:1", 60), "workers");
   EXPECT_EQ(limit_of(small_params(), "tree:12", 60), "coordination");
@@ -113,7 +114,8 @@ TEST(FarmBottleneck, IsWhatOthersWaitFor) {
   EXPECT_EQ(limit_of(block_params(8, 9), "tree:40", 60), "tasks");
 }
 
-// Waiting time equals the CPU's idle time, since the database has only one process.
+// The database processor runs a single process. Its waiting time and the CPU's busy time must
+// therefore add up to the whole time.
 TEST(FarmBottleneck, WaitsFillTheTimeThatTheCpuDoesNot) {
   const auto sum = isolated([&] {
     const auto use = run(small_params(), "tree:5", renderer::make_spheres(60)).use;

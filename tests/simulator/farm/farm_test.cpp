@@ -1,4 +1,4 @@
-// The farm: on any machine, its picture equals the sequential renderer's.
+// The farm: on any machine, its picture must equal that of the sequential renderer.
 #include "simulator/farm/farm.hpp"
 
 #include <fmt/format.h>
@@ -15,7 +15,8 @@
 namespace farm {
 namespace {
 
-// Runs the farm. Returns its difference from the sequential renderer, or "".
+// Runs the farm. Returns how its picture differs from the sequential renderer's, or "" if it does
+// not.
 std::string compare(const std::string& topology, const renderer::Scene& scene,
                     const Params& params) {
   return isolated([&]() -> std::string {
@@ -38,7 +39,7 @@ TEST(Farm, ImageEqualsTheSequentialRenderersOnEveryTopology) {
   }
 }
 
-// Workers of two models are on a board with double links. Faster workers do proportionally more.
+// Workers of two processor models share the tasks. The faster ones must do proportionally more.
 TEST(Farm, MixedMachinesShareTheWorkBySpeed) {
   EXPECT_EQ(
       isolated([]() -> std::string {
@@ -61,14 +62,15 @@ TEST(Farm, MixedMachinesShareTheWorkBySpeed) {
           of[cpu.model] += has_role(cpu, Role::worker) ? static_cast<double>(cpu.tasks.value()) : 0;
         }
         if (sum != farm.tasks) return fmt::format("{} tasks, not {}", sum, farm.tasks);
-        // There are two workers of each model. A slow one passes on the rays of all others.
+        // There are two workers of each model. One of the slow workers also routes the rays of all
+        // others, which lowers its own number of tasks.
         const double ratio = of["t805-30"] / of["t800-20"];
         return ratio > 1.45 && ratio < 1.75 ? "" : fmt::format("{} times as much", ratio);
       }),
       "");
 }
 
-// User settings change the order of rays, never the picture.
+// Settings of the user change the order of rays, but must not change the picture.
 TEST(Farm, ImageDoesNotDependOnLimitsOrdersSeedsOrCells) {
   const auto scene = make_glass_scene();
   for (std::uint64_t seed = 1; seed <= 25; ++seed) {
@@ -90,8 +92,8 @@ TEST(Farm, ImageDoesNotDependOnLimitsOrdersSeedsOrCells) {
   }
 }
 
-// The transfer of the scene, which precedes the first task, takes longer than 0.05 s, the order's
-// time.
+// The transfer of the scene takes longer than 0.05 s, the time of the order. The order must still
+// take effect 0.05 s after the first task.
 TEST(Farm, OrdersCountFromTheFirstTask) {
   run_isolated([] {
     Params params = small_params();
@@ -105,7 +107,7 @@ TEST(Farm, OrdersCountFromTheFirstTask) {
   });
 }
 
-// The second order is executed; the others have no effect.
+// Only the second order can be executed. Notes must name the others and say why they had no effect.
 TEST(Farm, OrdersWithoutAnEffectAreNamed) {
   run_isolated([] {
     Params params = small_params();
@@ -138,7 +140,7 @@ TEST(Farm, TwoRunsAreTheSameToTheLastBit) {
   EXPECT_EQ(run(), run());
 }
 
-// Measurement begins with the first task and excludes the transfer of the scene.
+// The measured period must begin with the first task, after the transfer of the scene.
 TEST(Farm, UseDoesNotCountTheScene) {
   const auto bytes_with = [](std::uint32_t scene_message) {
     return isolated([&] {
@@ -155,7 +157,7 @@ TEST(Farm, UseDoesNotCountTheScene) {
   EXPECT_EQ(bytes_with(64), bytes_with(0));
 }
 
-// A task is a ray. Its answer is the ray, with the hit if there is one.
+// Each task is a ray. The answer contains the ray, and also the hit if there is one.
 TEST(Farm, MissesAreShorterThanHits) {
   run_isolated([] {
     const auto scene = renderer::parse_scene(
@@ -180,13 +182,14 @@ TEST(Farm, MissesAreShorterThanHits) {
   });
 }
 
-// Eq 4.24 and 4.25: the rays in the farm are never more than its buffers. The waiting feelers are
-// never more than these rays can create. A worker has a buffer in its router, in each sender,
-// before and in its application, and in its results router. The coordinator has one in its sender.
+// Eq 4.24 and 4.25 of the thesis. The number of rays in the farm must not exceed the number of
+// buffers: a worker has one in its router, one in each sender, two in its application and one in
+// its results router; the coordinator has one in its sender. The number of waiting shadow feelers
+// must not exceed the number that these rays can create.
 TEST(Farm, RaysInFarmAndFeelersAreBounded) {
   for (int workers : {1, 2, 5, 13}) {
     const std::size_t buffers = 1 + static_cast<std::size_t>(workers) * 4 +
-                                // one sender buffer per child
+                                // A sender has a buffer for each child.
                                 static_cast<std::size_t>(workers - 1);
     run_isolated([&] {
       const auto r = run_farm({machine::load_model("t805-25"),
@@ -199,8 +202,8 @@ TEST(Farm, RaysInFarmAndFeelersAreBounded) {
   }
 }
 
-// More workers are never slower while the centre is not the bottleneck. The speed-up never exceeds
-// their number.
+// More workers must not be slower as long as the coordinator is not the bottleneck. The speed-up
+// must not exceed the number of workers.
 TEST(Farm, SpeedUpGrowsAndStaysBelowTheNumberOfWorkers) {
   const auto scene = renderer::make_spheres(400);
   auto time = [&](int workers) {
@@ -256,7 +259,8 @@ TEST(Farm, FaultsSayWhoAndWhat) {
   }
 }
 
-// Messages take no other route, so the farm waits for the part that is cut off.
+// Messages of the farm take no other route. If a link is cut, the farm must wait for the lost
+// workers until it deadlocks, unless it had already finished.
 TEST(Farm, ACutLinkIsADeadlockUnlessTheFarmIsOver) {
   const auto run_cut = [](double at_s) {
     return isolated([&] {
@@ -278,12 +282,12 @@ TEST(Farm, ACutLinkIsADeadlockUnlessTheFarmIsOver) {
   }
 }
 
-// The initial rays fit into memory, their descendants do not.
+// The initial rays fit into the memory of the database, but their child rays do not.
 TEST(Farm, TheDatabaseCanRunOutOfMemory) {
   try {
     isolated([] {
       Params params = small_params();
-      // memory for the program and the initial rays
+      // Memory for the program and for the initial rays.
       params.database_memory = 131072 + 80 * 24 * 18;
       run_farm({machine::load_model("t805-25"), topologies::make_topology("tree:1")},
                renderer::make_spheres(60), params);
@@ -298,7 +302,7 @@ TEST(Farm, TheDatabaseCanRunOutOfMemory) {
   }
 }
 
-// Areas are checked against the size of the picture.
+// Areas of stages and orders must be checked against the size of the picture.
 TEST(Farm, AreasOfStagesAndOrdersAreWithinThePicture) {
   const auto error_of = [](const Params& params) {
     try {

@@ -1,4 +1,5 @@
-// The farm with timed kernels: which kernels are timed, and that repetition changes nothing.
+// The farm with costs from host timings: which kernels are timed, and that repeating a kernel's
+// calls for the timing changes no result.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -22,7 +23,7 @@ std::map<std::string, std::uint64_t> calls_of(const Result& result) {
   for (const auto& kernel : result.kernels) {
     calls[kernel.name] = kernel.calls;
     EXPECT_GT(kernel.counted.value, 0) << kernel.name;
-    // A cycle takes one nanosecond, and the time of each call is rounded to whole cycles.
+    // A cycle stands for one nanosecond here, and the time of each call is rounded to whole cycles.
     EXPECT_NEAR(double(kernel.charged.value), kernel.host_s * 1e9, double(kernel.calls))
         << kernel.name;
   }
@@ -41,7 +42,8 @@ TEST(FarmTimed, RaysShadingAndDisplayAreTimed) {
     EXPECT_TRUE(farm.rays == oracle.rays);
     const auto hits = oracle.work[renderer::Op::surface_shaded];
     auto calls = calls_of(farm);
-    // a call for an occluded feeler shades no surface
+    // A call for an occluded shadow feeler shades no surface, so there may be more calls than
+    // shaded surfaces.
     EXPECT_GE(calls["shading"], hits);
     calls.erase("shading");
     EXPECT_EQ(calls, (Calls{{"ray", oracle.rays.total()}, {"display", oracle.rays.total()}}));
@@ -60,7 +62,8 @@ TEST(FarmTimed, BlocksAreTimed) {
   });
 }
 
-// A block that has waited for data is charged, when it continues, as if it had had all data.
+// While a block is rendered, it waits for scene data. It must be charged as much as if all data had
+// been present.
 TEST(FarmTimed, BlocksThatWaitForDataAreTimed) {
   const auto scene = renderer::make_spheres(20);
   run_isolated([&] {

@@ -1,4 +1,4 @@
-// The stores of the ray database, compared with a simple oracle.
+// The stores of the ray database, compared with a simple list.
 #include "simulator/farm/rays/ray_stores.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,8 @@ double largest_factor(const renderer::Ray& ray) {
   return std::max({ray.influence.r, ray.influence.g, ray.influence.b});
 }
 
-// The keys of 4.3.4, smaller ones first. Each key decides if all keys before it are equal.
+// The criteria of section 4.3.4 of the thesis, where lower values come first. Each criterion
+// decides only if all criteria before it are equal.
 std::tuple<int, double, int, int> keys_of(const renderer::Ray& ray) {
   return {ray.pass, -largest_factor(ray), ray.level, -cell_size(ray) * (ray.is_urgent ? 4 : 1)};
 }
@@ -55,16 +56,17 @@ bool is_within(const renderer::Ray& ray, const Limits& limits) {
          largest_factor(ray) >= limits.min_influence && size >= limits.min_cell && is_observed;
 }
 
-// A searched list with the behaviour of the stores.
+// The expected behaviour of the stores: a list that is searched.
 struct Oracle {
   std::vector<renderer::Ray> rays;
   Limits limits;
 
-  // Ranks: 0 feelers, 1 rays within the limits, 2 rays beyond.
+  // Order of the stores: 0 for shadow feelers, 1 for rays within the limits, 2 for rays beyond
+  // them.
   int rank(const renderer::Ray& r) const {
     return r.kind == renderer::RayKind::shadow ? 0 : is_within(r, limits) ? 1 : 2;
   }
-  // True if `taken` may come first; then removes an equal ray.
+  // If the stores may return `taken` first, removes an equal ray from the list and returns true.
   bool take(const renderer::Ray& taken) {
     const auto same = std::ranges::find_if(rays, [&](const renderer::Ray& r) {
       return r.sample == taken.sample && r.kind == taken.kind && r.through == taken.through &&
@@ -111,7 +113,8 @@ TEST(RayStores, GiveEveryRayOnceByPriority) {
   }
 }
 
-// First samples of pixels come first, whatever their influence, level and weights.
+// The first samples of all pixels must come first, whatever their influence factors, levels and
+// weights.
 TEST(Priority, FirstSamplesOfPixelsComeFirst) {
   renderer::Ray first, second;
   first.influence = {0.001, 0, 0};
@@ -124,8 +127,9 @@ TEST(Priority, FirstSamplesOfPixelsComeFirst) {
   }
 }
 
-// The sum of the largest influence factor, 1 / level, and log(cell size) / log(largest cell), each
-// with a weight. Two rays with nearly equal sums may come in either order.
+// The priority must be the sum of the largest influence factor, 1 / level, and log(cell size) /
+// log(largest cell size), each multiplied by its weight. Two rays with nearly equal sums may come
+// in either order.
 TEST(Priority, IsTheWeightedSumOfItsKeys) {
   std::mt19937_64 random(1);
   for (int i = 0; i < 2000; ++i) {
@@ -149,7 +153,7 @@ TEST(RayStores, CountTheirWork) {
   strong.influence = {1, 1, 1};
   stores.add(weak, work);
   EXPECT_EQ(work.heap_step, 0u);
-  stores.add(strong, work);  // the strong ray rises above the weak one in the heap
+  stores.add(strong, work);  // the strong ray is exchanged with the weak one in the heap
   EXPECT_EQ(work.heap_step, 1u);
   EXPECT_EQ(work.record_stored, 2u);
   EXPECT_EQ(work.ray_classified, 2u);
@@ -157,7 +161,7 @@ TEST(RayStores, CountTheirWork) {
   EXPECT_EQ(stores.peaks().heap, 2u);
 }
 
-// A heap of n rays has depth log2(n), and no operation takes more steps.
+// A heap of n rays has log2(n) levels; no operation may exchange more rays than that.
 TEST(RayStores, HeapStepsAreLogarithmic) {
   std::mt19937_64 random(7);
   RayStores stores(CELLS, {});

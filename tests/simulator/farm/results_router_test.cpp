@@ -1,4 +1,4 @@
-// The multiplexer of a worker's results (figure 4.12).
+// The results router of a worker, which merges results from several inputs (thesis, figure 4.12).
 #include <gtest/gtest.h>
 
 #include <array>
@@ -14,9 +14,8 @@ using occam::isolated_numbers, occam::Lab, occam::Numbers, occam::Processor, occ
 
 constexpr int WAYS = 4, ROUNDS = 6;
 
-// Runs the results router. Returns the number of the input from which each result came, in the
-// order of output, and -1 for the stop. Each input sends its results as fast as possible, then a
-// stop.
+// Runs the results router. Each input sends its results as fast as possible, then Stop. Returns, in
+// the order of output, the number of the input from which each result came, and -1 for Stop.
 Numbers run_results_router() {
   return isolated_numbers([] {
     Lab lab;
@@ -41,7 +40,7 @@ Numbers run_results_router() {
         active = !answer.stop();
         const auto* hit = std::get_if<Intersection>(&answer.content);
         found.push_back(hit ? static_cast<double>(hit->ray.sample) : -1);
-        compute(10'000);  // by then, every input has a result waiting
+        compute(10'000);  // when this has passed, every input has a result waiting
       }
     });
     lab.machine.run();

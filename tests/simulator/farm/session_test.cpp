@@ -1,4 +1,4 @@
-// The user's view of the growing picture, and the effects of orders.
+// The growing picture as the user sees it, and the effects of the user's orders.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -41,14 +41,15 @@ std::ptrdiff_t black_pixels(const std::vector<std::uint8_t>& rgb8) {
   return n;
 }
 
-// The first rays come from the top, which has two mirrors; the last ones hit nothing. Hence no ray
-// returns to the database and makes it ask again.
+// The first rays come from the top of the scene, where two mirrors are; the last ones hit nothing.
+// At the end of the phase no child ray thus makes the coordination ask the database again. New
+// limits must nevertheless take effect at once.
 TEST(Session, RaysThatNewLimitsAdmitAreAskedForAtOnce) {
   const auto scene = renderer::parse_scene(
       "v\nfrom 0 -4 0\nat 0 0 0\nup 0 0 1\nangle 40\nhither 0.01\nresolution 24 24\n"
       "b 0.2 0.4 0.7\nf 1 1 1 0.1 0.9 20 0 1\ns -0.4 0 1 0.4\ns 0.4 0 1 0.4\n",
       "mirrors");
-  // The total time, and the time of the interactive phase.
+  // Returns the total time and the time of the interactive phase, in seconds.
   const auto run_with = [&](std::vector<Order> script) {
     return test::isolated_numbers([&]() -> std::vector<double> {
       Params params = small_params();
@@ -70,7 +71,7 @@ TEST(Session, RaysThatNewLimitsAdmitAreAskedForAtOnce) {
   }
 }
 
-// Whatever the order, cells, weights and session, the result is the sequential renderer's image.
+// Whatever the order, cells, weights and user's orders, the result must be the sequential image.
 TEST(Session, EndsWithTheImage) {
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -101,7 +102,7 @@ TEST(Session, EndsWithTheImage) {
   }
 }
 
-// The result is also equal with several samples per pixel, a lens, area lights and rough surfaces.
+// The same must hold with several samples per pixel, a lens, area lights and rough surfaces.
 TEST(Session, EndsWithTheImageOfSeveralSamples) {
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -128,8 +129,8 @@ TEST(Session, EndsWithTheImageOfSeveralSamples) {
   }
 }
 
-// In a key image, a pixel is black only if the scene is black there. The mean level of each key
-// image is near that of the last.
+// In a saved picture (key image), a pixel may be black only if it is black in the final picture.
+// The mean level of each key image must be near that of the last one.
 TEST(Session, KeyImagesAreWholePictures) {
   for (const auto light : {CellLight::constant, CellLight::smooth}) {
     const std::string told = isolated([light] {
@@ -157,11 +158,12 @@ TEST(Session, PointsAreDark) {
                        pixels - black_pixels(result.key_images[1].rgb8),
                        mean_level(result.key_images[0].rgb8) < 0.05 * mean_level(result.rgb8));
   });
-  // the first stage has 3 x 3 cells of 8 pixels, the second 12 x 9 cells of 2
+  // The first stage has 3 x 3 cells with sides of 8 pixels, the second 12 x 9 cells of 2 pixels.
   EXPECT_EQ(told, "9 108 true");
 }
 
-// The first limits are exhausted long before the order comes. The farm waits for it.
+// All rays within the first limits are traced long before the order comes. The farm must wait for
+// it.
 TEST(Session, TheNullModeWaitsForTheNextOrder) {
   const std::string told = isolated([] {
     Params params = staged_params();
@@ -209,7 +211,7 @@ TEST(Session, AnAbortEndsWithThePictureAsItIs) {
       << told;
 }
 
-// The preview appears before the first ray, and is painted over.
+// The preview must appear before the first ray, and rays must paint over it.
 TEST(Session, APreviewComesFirst) {
   const std::string told = isolated([] {
     Params params = small_params();
@@ -223,7 +225,7 @@ TEST(Session, APreviewComesFirst) {
   EXPECT_EQ(told, "preview true true");
 }
 
-// An order that comes together with the last rays has no effect.
+// Orders that arrive together with an abort, but after it, must have no effect.
 TEST(Session, NothingIsOrderedAfterAnAbort) {
   const std::string told = isolated([] {
     Params params = small_params();
@@ -237,7 +239,8 @@ TEST(Session, NothingIsOrderedAfterAnAbort) {
             "run was already aborted 3");
 }
 
-// Every classification is a pause that grows with the number of rays.
+// Each change of limits reclassifies all rays. The pause must grow with the number of rays, here
+// about fourfold.
 TEST(Session, ReorderingTakesItsTime) {
   const auto pause_s = [](int factor) {
     return test::isolated_numbers([&] {
@@ -253,7 +256,7 @@ TEST(Session, ReorderingTakesItsTime) {
   EXPECT_LT(ratio, 5);
 }
 
-// Observation changes nothing, and the last observed picture is the image.
+// Recording snapshots must not change the run, and the last snapshot must be the final image.
 TEST(Session, LookingCostsNothing) {
   const double blind_s =
       test::isolated_numbers([] { return std::vector{run(small_params()).time_s}; })[0];

@@ -1,4 +1,4 @@
-// The farm with a scene distributed over its workers: its results and times.
+// The farm with a scene that is distributed over its workers: results and times.
 #include "simulator/farm/shared_farm.hpp"
 #include "base/errors.hpp"
 
@@ -52,8 +52,8 @@ std::string describe(const SharedParams& data) {
                      data.waiting_queue, int(data.method));
 }
 
-// There is one access for each test of a box or object in the sequential renderer. Each access is
-// either local or a request.
+// The image must equal that of the sequential renderer. The farm must make one access for each test
+// of a box or object there. Each access is either local or a request.
 void expect_equal(const farm::Params& params, const std::string& topology,
                   const renderer::Scene& scene, const SharedParams& data) {
   run_isolated([&] {
@@ -94,7 +94,8 @@ TEST(SharedFarm, ImageEqualsTheSequentialRenderers) {
       }
 }
 
-// If all records fit, a worker requests none twice, and the disk reads each once.
+// If every cache holds the whole scene, a worker must request each record at most once, and each
+// record must be read once from the disk.
 TEST(SharedFarm, OfACacheThatHoldsAllEveryRecordIsAskedForOnce) {
   const auto scene = renderer::make_spheres(60);
   run_isolated([&] {
@@ -105,8 +106,8 @@ TEST(SharedFarm, OfACacheThatHoldsAllEveryRecordIsAskedForOnce) {
   });
 }
 
-// If requests are not offered to processors on their route (InPathTo), only the coordinator answers
-// them, and no waiting queue does.
+// If requests are not offered to processors on their route (Mode::in_path_to), only the coordinator
+// may answer them, and no waiting queue is used.
 TEST(SharedFarm, RequestsAreAnsweredOnTheWayOnlyIfTheyAreOffered) {
   const auto scene = renderer::make_spheres(60);
   SharedParams data = shared_params(20);
@@ -124,8 +125,8 @@ TEST(SharedFarm, RequestsAreAnsweredOnTheWayOnlyIfTheyAreOffered) {
   expect_answers(false, false);
 }
 
-// One worker with everything in its cache takes the kernel's cycles, accesses * data_access, and
-// little else.
+// A single worker that finds everything in its cache must take the cycles of the kernel, plus
+// accesses * data_access, and little else.
 TEST(SharedFarm, AnAccessTakesTheModelsCycles) {
   const auto scene = renderer::make_spheres(20);
   run_isolated([&] {
@@ -143,8 +144,8 @@ TEST(SharedFarm, AnAccessTakesTheModelsCycles) {
   });
 }
 
-// The memory is enough for program, buffers and 10 % of the scene, but not for a farm in which
-// every worker has the whole scene.
+// The workers' memory is enough for the program, buffers and 10 % of the scene, but not for the
+// whole scene. The shared farm must run; the ordinary farm must run out of memory.
 TEST(SharedFarm, RendersWhatWorkersCannotHold) {
   const auto scene = renderer::make_spheres(800);
   auto params = small_block_params(8, 6);
