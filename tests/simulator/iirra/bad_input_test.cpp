@@ -1,4 +1,4 @@
-// Refused input, named in the message.
+// Input that must be refused, with a message that names the key.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/iirra/iirra_support.hpp"
@@ -78,7 +78,8 @@ TEST(IirraInput, StagesAndOrdersAreLookedAt) {
   EXPECT_NE(error_of(params).find("\"a\""), std::string::npos) << error_of(params);
 }
 
-// On a line, the coordinator's neighbour is between the coordinator and all others.
+// On a line, a display beside the coordinator separates the coordinator from the workers. The tree
+// of green balancing cannot pass the display, so this must be refused.
 TEST(IirraInput, GreensTreeGoesRoundTheDisplay) {
   auto params = small_params();
   params.balance = BalanceMethod::green;
@@ -90,7 +91,7 @@ TEST(IirraInput, GreensTreeGoesRoundTheDisplay) {
   EXPECT_EQ(error_of(params, "tree:5"), "");
 }
 
-// Input is refused before anything runs.
+// run_iirra must refuse such input before anything runs.
 TEST(IirraInput, ARunRefusesToo) {
   auto params = small_params();
   params.max_cell = 3;

@@ -1,4 +1,4 @@
-// IIRRA on nodes with two processors that share a memory: results and times.
+// IIRRA on nodes of two processors that share a memory: results and times.
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
@@ -57,7 +57,7 @@ TEST(DoubleNode, ImageEqualsTheRenderers) {
         });
 }
 
-// With one worker, tasks do not move, so only the work of the nodes differs.
+// There is one worker, so tasks do not move, and only the work within the node differs.
 TEST(DoubleNode, IsFasterThanOneProcessor) {
   const auto eval_time = [](bool is_double) {
     return test::isolated_numbers(
@@ -66,7 +66,8 @@ TEST(DoubleNode, IsFasterThanOneProcessor) {
   EXPECT_LT(eval_time(true).at(0), eval_time(false).at(0));
 }
 
-// The CPUs that compute are workers. The others route, and sort lists of accesses.
+// In each node, the processor that computes counts as worker. The other routes messages and updates
+// the LRU list of the cache.
 TEST(DoubleNode, HasTwoRoles) {
   test::run_isolated([&] {
     const auto twice = run("mesh:3x3", 20, true);

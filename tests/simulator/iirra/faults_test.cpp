@@ -1,4 +1,4 @@
-// Stopping processors and cut links. The run always ends, either with the right image or with a
+// Stopped processors and cut links. The run must always end, either with the right image or with a
 // fault that names the cause.
 #include <gtest/gtest.h>
 
@@ -8,9 +8,9 @@
 namespace iirra {
 namespace {
 
-constexpr unsigned LIMIT_S = 20;  // host time, s; a run takes well under one second
+constexpr unsigned LIMIT_S = 20;  // host time in s; a run takes well under one second
 
-// "right" or "wrong" for the image, or the exception, such as "machine::Fault: ...".
+// Returns "right" or "wrong" for the image, or the exception thrown, such as "machine::Fault: ...".
 std::string outcome(const Params& params, const std::string& topology,
                     const programs::PlannedFault& fault) {
   try {
@@ -43,7 +43,8 @@ TEST(IirraFaults, AProcessorThatStopsIsNamed) {
     }
 }
 
-// Each balancing method sends messages of its own kinds, which must all go around the cut link.
+// Each balancing method has message types of its own. All of them must be routed around the cut
+// link.
 TEST(IirraFaults, ACutLinkIsGoneAround) {
   for (int balance = 0; balance < 7; ++balance)
     for (const std::uint64_t seed : {1, 2, 3}) {
@@ -69,8 +70,8 @@ TEST(IirraFaults, ACutLinkIsGoneAround) {
     }
 }
 
-// Without another route, a part of the picture is missing, or some workers do not learn that the
-// run ends.
+// There is no other route, so a part of the picture is missing, or some workers do not learn that
+// the run ends. The run must end with a fault or deadlock that names a processor.
 TEST(IirraFaults, ACutLinkWithoutAnotherWayIsTold) {
   for (int balance = 0; balance < 7; ++balance)
     for (const std::uint64_t seed : {1, 2, 3}) {

@@ -1,4 +1,4 @@
-// Functions that the tests of IIRRA share.
+// Functions shared by the tests of IIRRA.
 #pragma once
 
 #include <fmt/format.h>

@@ -6,7 +6,7 @@
 namespace iirra {
 namespace {
 
-// Lengths are in words, and each message begins with a tag.
+// Expected lengths are in words. Each message begins with a tag.
 TEST(IirraMessages, AreAsLongAsWhatTheySay) {
   const Sizes sizes(machine::load_model("t805-25"));
   const auto words_of = [&](const IirraMessage& content) {
@@ -17,7 +17,7 @@ TEST(IirraMessages, AreAsLongAsWhatTheySay) {
   constexpr std::uint64_t TAG = 1, NUMBER = 1, LIMITS = 6, AREA = 4, WEIGHTS = 6;
   EXPECT_EQ(words_of(UserOrder{}), TAG + NUMBER + LIMITS + AREA);
   NewPhase phase;
-  // two numbers: those of phase and order
+  // Two numbers: `phase` and `order`.
   EXPECT_EQ(words_of(phase), TAG + 2 * NUMBER + LIMITS + AREA);
   phase.limits.weights = Weights{};
   EXPECT_EQ(words_of(phase), TAG + 2 * NUMBER + LIMITS + AREA + WEIGHTS);

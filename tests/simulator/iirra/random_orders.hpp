@@ -1,5 +1,5 @@
 #pragma once
-// Random topologies, limits, orders and shared data for IIRRA.
+// Makes random topologies, limits, orders of the user and parameters of distributed data for IIRRA.
 #include <fmt/format.h>
 
 #include <random>
@@ -16,7 +16,7 @@ inline int below(Random& random, int n) {
   return static_cast<int>(random() % static_cast<unsigned>(n));
 }
 
-// A topology of 3 to 20 processors.
+// Returns the specification of a topology of 3 to 20 processors.
 inline std::string random_topology(Random& random) {
   const auto from = [&](int least, int most) { return least + below(random, most - least + 1); };
   switch (below(random, 7)) {

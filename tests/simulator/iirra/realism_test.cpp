@@ -1,4 +1,4 @@
-// Choice of the next cell, and of the next step on it.
+// Increasing realism in IIRRA: the order of cells, and the next step of a cell.
 #include "simulator/iirra/tasks/realism.hpp"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using renderer::Area;
 
-constexpr int SAMPLES[] = {0, 5, 9, 13};  // samples of a cell at each level
+constexpr int SAMPLES[] = {0, 5, 9, 13};  // number of samples in a cell, by sampling level
 
 // --- Bayer's matrix -----------------------------------------------------------------------------
 
@@ -35,7 +35,8 @@ TEST(IirraOrder, BayersMatrixHasEachNumberOnce) {
   }
 }
 
-// The first 4, 16 or 64 numbers are spread evenly: each of as many equal blocks contains one.
+// In Bayer's matrix, the first 4, 16 or 64 elements must be spread evenly: if the matrix is divided
+// into as many equal blocks, each block has one of them.
 TEST(IirraOrder, BayersMatrixIsEvenAtAnyTime) {
   for (const int drawn : {4, 16, 64}) {
     const int block = 16 / (drawn == 4 ? 2 : drawn == 16 ? 4 : 8);
@@ -106,8 +107,9 @@ TEST(IirraAdvance, NothingIsDoneOutsideTheAreaOfInterest) {
     return choose({x, y, 4, 0}, waiting(1, 1, 1), limits) != Advance::none;
   };
   EXPECT_TRUE(chosen(20, 10));
-  EXPECT_TRUE(chosen(17, 7));    // the last pixel of this cell is the first of the area
-  EXPECT_FALSE(chosen(16, 10));  // only its border lies in the area, and belongs to its neighbour
+  EXPECT_TRUE(chosen(17, 7));  // the last pixel of this cell is the first of the area
+  // Only the cell's border lies in the area, and its pixels belong to the next cell.
+  EXPECT_FALSE(chosen(16, 10));
   EXPECT_FALSE(chosen(20, 6));
   EXPECT_TRUE(chosen(24, 14));
   EXPECT_FALSE(chosen(25, 14));
@@ -157,7 +159,8 @@ Quantities random_quantities(std::mt19937_64& random) {
   return {contrast, depth, depth > 0 ? any() : 0};
 }
 
-// The chosen step is possible and within the limits. None is chosen only if none is possible.
+// The chosen step must be possible and within the limits. Advance::none must be chosen only if no
+// step is both.
 TEST(IirraAdvance, IsPossibleAndAllowed) {
   for (std::uint64_t seed = 1; seed <= 4000; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -170,7 +173,7 @@ TEST(IirraAdvance, IsPossibleAndAllowed) {
     const bool is_sampled = cell.level == (side > 2 ? 3 : 2);
     const bool is_inside = limits.area == Area{} ||
                            (cell.x < 14 && cell.x + side > 4 && cell.y < 14 && cell.y + side > 4);
-    // The first level of the first cells is always allowed, since nothing is known before it.
+    // The first level of the largest cells is always allowed, because nothing is known before it.
     const bool may_sample = is_inside && !is_sampled &&
                             (cell.level == 0 || (side >= limits.min_cell &&
                                                  SAMPLES[cell.level + 1] <= limits.max_samples));
@@ -194,8 +197,8 @@ TEST(IirraAdvance, IsPossibleAndAllowed) {
   }
 }
 
-// Without limits, every cell is finished at some time, whatever its samples. All its pixels are
-// then sampled, and no ray waits.
+// Without limits, every cell must be finished after a number of steps, whatever its samples are.
+// Then all its pixels are sampled, and no ray waits.
 TEST(IirraAdvance, EndsWithoutLimits) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -248,7 +251,8 @@ struct Judged {
   Quantities quantities = {};
 };
 
-// Expects that importance by this weight alone decreases from each cell to the next.
+// Expects that, with only this weight different from 0, importance decreases from each cell to the
+// next.
 void expect_falling(double Weights::*weight, const std::vector<Judged>& cells,
                     const Limits& limits = {}) {
   Ordering ordering{{0, 0, 64, 64}, 16, CellOrder::bayer, 1, NOTHING};
@@ -289,7 +293,8 @@ TEST(IirraImportance, IsEqualWithinTheAreaOfInterest) {
   ordering.weights.position = 1;
   for (const auto& [x, y] : {std::pair(8, 8), {20, 16}, {36, 36}, {4, 4}})
     EXPECT_EQ(ordering.eval({x, y, 8, 1}, {}, limits).sum, 1);
-  EXPECT_EQ(ordering.eval({0, 0, 2, 1}, {}, {}).sum, 1);  // the whole image is of interest
+  // Without an area of interest, the whole image is of interest.
+  EXPECT_EQ(ordering.eval({0, 0, 2, 1}, {}, {}).sum, 1);
 }
 
 TEST(IirraImportance, TheLimitsWeightsComeBeforeTheProgrammes) {
@@ -301,8 +306,8 @@ TEST(IirraImportance, TheLimitsWeightsComeBeforeTheProgrammes) {
   EXPECT_DOUBLE_EQ(ordering.eval(cell, {0.25, 0, 0}, limits).sum, 0.75);
 }
 
-// Columns and rows of 4 x 4 cells, sorted by their place in the order. The image does not begin at
-// the origin.
+// Returns columns and rows of 4 x 4 cells, sorted by their place in the order. The image does not
+// begin at the origin, so that the test notices if coordinates are not relative to the image.
 std::vector<std::pair<int, int>> places(CellOrder order, std::uint64_t seed = 1) {
   const Ordering ordering{{3, 5, 64, 64}, 16, order, seed, {}};
   std::vector<std::pair<std::uint64_t, std::pair<int, int>>> all;

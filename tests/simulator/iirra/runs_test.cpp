@@ -1,5 +1,5 @@
-// Complete runs of IIRRA on random machines, compared with the sequential renderer and with a
-// simple count of the necessary work.
+// Complete runs of IIRRA on random machines. Compares the image with the sequential renderer's, and
+// the work with a simple count of the work that is necessary.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -33,7 +33,8 @@ Case make_case(std::uint64_t seed) {
   const char* const scenes[] = {"own glass", "spheres", "glass.nff", "mirrors.nff"};
   made.scene = scenes[below(random, 4)];
   auto& params = made.params;
-  // a scene in shared memory, with a cache that is too small, slows the run
+  // If the scene is distributed and the cache too small for it, runs are slow; images are then
+  // smaller.
   const bool is_shared = random() % 2;
   params.image.width = 8 + below(random, is_shared ? 9 : 33);
   params.image.height = 8 + below(random, is_shared ? 9 : 33);
@@ -77,7 +78,8 @@ renderer::Scene load(const std::string& scene) {
   return renderer::load_scene(::test::in_sources("experiments/scenes/" + scene));
 }
 
-// Makes a board. In every third case, about half of the links that can be doubled are double.
+// Makes the topology of a case. In every third case, about half of the links that can be doubled
+// are doubled.
 topologies::Topology make_board(const Case& c) {
   auto board = topologies::make_topology(c.topology);
   if (c.seed % 3 != 0) return board;
@@ -92,7 +94,7 @@ topologies::Topology make_board(const Case& c) {
   return board;
 }
 
-// Makes some processors slower, in every fourth case.
+// In every fourth case, makes some processors slower.
 programs::OtherModels make_others(const Case& c, int processors) {
   programs::OtherModels others;
   if (c.seed % 4 != 0) return others;
@@ -122,8 +124,8 @@ Result run_case(const Case& c) {
 // The samples that a worker needs if it keeps all its cells.
 struct Needed {
   std::set<std::pair<int, int>> points;
-  std::uint64_t asked = 0;    // samples of all levels, including repeated ones
-  std::uint64_t divided = 0;  // number of cells that are divided
+  std::uint64_t asked = 0;    // number of samples over all levels, including repeated ones
+  std::uint64_t divided = 0;  // number of divided cells
 };
 
 void need(Needed& needed, SampledCell cell, const renderer::Area& area) {
@@ -152,7 +154,7 @@ std::uint64_t count_outside(const Needed& needed, const renderer::Area& area) {
   }));
 }
 
-// If no cell moves, each worker computes the samples of its own cells once.
+// If no cells move between workers, each worker must compute the samples of its own cells once.
 void expect_exact_counts(const Case& c, const Result& result) {
   const auto area = get_area(c.params.image);
   const auto cells = make_cells(area, c.params.max_cell);
@@ -230,7 +232,7 @@ void expect_session(const Case& c, const Result& result) {
 
 void expect_messages(const Case& c, const Result& result) {
   const auto& counts = result.counts;
-  EXPECT_EQ(counts.samples, result.rays.primary);  // one primary ray for each shading tree
+  EXPECT_EQ(counts.samples, result.rays.primary);  // each sample has one primary ray
   EXPECT_EQ(counts.samples_outside, result.rays_outside.primary);
   if (c.params.balance == BalanceMethod::none) {
     EXPECT_EQ(counts.task_messages(), 0u);
@@ -251,7 +253,8 @@ void expect_messages(const Case& c, const Result& result) {
   }
 }
 
-// Formats every bit of a run's times, counts and pictures. Times have `digits` digits.
+// Formats a run's times, counts and pictures so that any difference shows. Times get `digits`
+// digits.
 std::string tell(const Result& r, int digits = 17) {
   const auto& n = r.counts;
   std::string told =
@@ -293,7 +296,7 @@ TEST_P(IirraRuns, EndWithTheImageAndCountAllOfIt) {
 
 INSTANTIATE_TEST_SUITE_P(Seeds, IirraRuns, testing::Range<std::uint64_t>(1, 25));
 
-// Runs every balancing method with every start, since random cases may leave some out.
+// Runs every balancing method with every initial distribution, because random cases may miss some.
 TEST(IirraRun, EveryBalancingAndStartGivesTheImage) {
   for (int balance = 0; balance < 7; ++balance)
     for (int start = 0; start < 3; ++start) {
@@ -311,8 +314,8 @@ TEST(IirraRun, EveryBalancingAndStartGivesTheImage) {
     }
 }
 
-// With SimGrid's actors instead of fibers, results are equal to the last bit. With links outside
-// SimGrid, they are equal up to the summation of times.
+// With SimGrid's actors instead of fibers, results must be equal to the last bit. With links
+// outside SimGrid, they may differ only by the rounding of summed times.
 TEST(IirraRun, EveryEngineDoesTheSame) {
   if (test::IS_SANITIZED) GTEST_SKIP() << "the sanitizer does not know the stacks of actors";
   Case c{"torus:2x4", "own glass", small_params(), {}};
@@ -327,7 +330,7 @@ TEST(IirraRun, EveryEngineDoesTheSame) {
   EXPECT_TRUE(told({}, 12) == told({.links = machine::Links::direct}, 12));
 }
 
-// Host time instead of counted work yields other times, but the same image.
+// With host times as costs, times differ, but the image must not.
 TEST(IirraRun, TimedKernelsGiveTheImage) {
   for (const bool is_shared : {false, true}) {
     Case c{"ring:5", "own glass", small_params(), {}};
@@ -346,7 +349,7 @@ TEST(IirraRun, TimedKernelsGiveTheImage) {
   }
 }
 
-// The picture of a large cell exceeds a message.
+// The painting of a large cell is longer than a message and must be split into strips.
 TEST(IirraRun, LargeCellsAreShownInStrips) {
   for (const bool is_polled : {true, false}) {
     Case c{"mesh:2x3", "own glass", small_params(), {}};
@@ -363,7 +366,8 @@ TEST(IirraRun, LargeCellsAreShownInStrips) {
   }
 }
 
-// A single worker computes every sample once. Two workers both compute their common border.
+// A single worker must compute each sample once. Two workers both compute the samples on the border
+// between them.
 TEST(IirraRun, SamplesOnBordersAreSharedWithinAProcessor) {
   Case c{"line:3", "own glass", small_params(), {}};
   run_isolated([&] {

@@ -1,5 +1,5 @@
-// Several samples per pixel, over lens, lights and rough surfaces, compared with the sequential
-// renderer.
+// Several samples per pixel with a lens, area lights and rough surfaces: the image must equal that
+// of the sequential renderer.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/iirra/iirra_support.hpp"
@@ -40,7 +40,8 @@ TEST(IirraSamples, AreTheSequentialRenderers) {
       auto expected = render(scene, params.image, 1);
       EXPECT_EQ(result.samples, expected.samples);
       EXPECT_EQ(result.rgb8, make_rgb8(expected.samples));
-      // Each worker probes the corners that it needs.
+      // Each worker traces probe rays at the corners it needs, so a corner may be probed more than
+      // once.
       EXPECT_GE(result.rays.probes, expected.rays.probes);
       expected.rays.probes = 0;
       EXPECT_EQ(result.rays_image, expected.rays);

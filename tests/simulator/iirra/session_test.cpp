@@ -1,4 +1,4 @@
-// The user's view of the growing picture, and the effects of orders.
+// The growing picture as the user sees it, and the effects of the user's orders.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ std::string notes(const Result& result) {
   return all;
 }
 
-// With 16 processors and 800 spheres, the selected area changes immediately.
+// With 16 processors and 800 spheres, an area selected by the user must change within 0.1 s.
 TEST(IirraSession, AnOrderReachesTheScreenWithinATenthOfASecond) {
   for (const double at_s : {0.3, 1.0}) {
     const double waited_s = test::isolated_numbers([&] {
@@ -60,7 +60,7 @@ TEST(IirraSession, KeyImagesHaveNames) {
   }
 }
 
-// The user's first limits are reached long before the next order. Everything waits for it.
+// All steps within the first limits are done long before the next order. The run must wait for it.
 TEST(IirraSession, TheNullModeWaitsForTheNextOrder) {
   for (const bool is_polled : {true, false}) {
     SCOPED_TRACE(is_polled);
@@ -99,7 +99,7 @@ TEST(IirraSession, TheUserComesBackFromTheNonInteractivePhase) {
   });
 }
 
-// Columns for stages, [data] and double nodes exist only if the run has these.
+// Columns about stages, [data] and double nodes must exist only if the run has these.
 TEST(IirraSession, MeasuresTheColumnsThatItDeclares) {
   run_isolated([] {
     Params params = small_params();
@@ -121,7 +121,7 @@ TEST(IirraSession, MeasuresTheColumnsThatItDeclares) {
   });
 }
 
-// The stage is complete and the user aborts. No new work begins.
+// The stage is complete when the user aborts the run. The run must end without starting new work.
 TEST(IirraSession, AnAbortWhileNothingIsLeftToDoEndsTheRun) {
   run_isolated([] {
     Params params = small_params();
@@ -135,7 +135,8 @@ TEST(IirraSession, AnAbortWhileNothingIsLeftToDoEndsTheRun) {
   });
 }
 
-// Limits arrive while unrequested pictures are on their way. No worker may wait for ever.
+// Limits arrive while pictures, which workers send unasked, are on their way. The run must still
+// complete the image; no worker may wait for ever.
 TEST(IirraSession, OrdersWhilePicturesAreSentLoseNothing) {
   for (int order = 0; order < 12; ++order)
     run_isolated([&] {
@@ -181,7 +182,7 @@ std::int64_t cell_of(const Result& result, const std::string& name) {
   throw std::runtime_error("no column " + name);
 }
 
-// Samples of unfinished pixels are not double samples.
+// In an incomplete run, samples of unfinished pixels must not be counted as computed twice.
 TEST(IirraSession, OnlyAWholePictureTellsOfDoubleSamples) {
   run_isolated([] {
     Params params = small_params();
@@ -213,7 +214,7 @@ TEST(IirraSession, StagesThatWereNotNeededAreNoted) {
   EXPECT_EQ(told({coarse(8), Limits{}}), "");
 }
 
-// Once the coordinator knows that the run ends, orders have no effect.
+// Orders that arrive when the picture is complete must have no effect and must be noted.
 TEST(IirraSession, OrdersAfterTheEndAreNoted) {
   run_isolated([] {
     Params params = small_params();
@@ -227,7 +228,7 @@ TEST(IirraSession, OrdersAfterTheEndAreNoted) {
   });
 }
 
-// Observation changes nothing, and the last observed picture is the image.
+// Recording snapshots must not change the run, and the last snapshot must be the final image.
 TEST(IirraSession, LookingCostsNothing) {
   const double blind_s =
       test::isolated_numbers([] { return std::vector{run(small_params()).time_s}; })[0];
@@ -243,7 +244,7 @@ TEST(IirraSession, LookingCostsNothing) {
   });
 }
 
-// No other work begins while the limits admit only the user's area of interest.
+// While the limits admit only the user's area of interest, no other pixel may be computed.
 TEST(IirraSession, TheAreaOfInterestIsAllThatIsComputed) {
   run_isolated([] {
     Params params = small_params();
@@ -271,7 +272,8 @@ TEST(IirraSession, TheAreaOfInterestIsAllThatIsComputed) {
   });
 }
 
-// Work remains between the start of the last task and the last pixel.
+// The drain is the time after the last task was taken. It must be positive, because that task and
+// its picture still have to be finished.
 TEST(Columns, TheDrainIsTheEndOfTheTime) {
   run_isolated([] {
     const Measured measured(run(small_params()), {});

@@ -1,4 +1,4 @@
-// Placement of the roles, and the initial assignment of cells.
+// The roles of processors, and the initial assignment of cells to workers.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@
 namespace iirra {
 namespace {
 
-// There are 16 x 16 cells on 16 processors, which the figure counts from 1.
+// Figure 5.24 of the thesis shows 16 x 16 cells on 16 processors, which it counts from 1.
 TEST(IirraStart, ScattersAsInFigure524) {
   const auto worker_of = assign(Start::scattered, 16, 16, 16);
   ASSERT_EQ(worker_of.size(), 256u);
@@ -31,7 +31,8 @@ std::vector<int> count_cells(const std::vector<int>& worker_of, int workers) {
   return counts;
 }
 
-// The image has whole macro-cells. Their surplus cells go to the workers in turn.
+// The image consists of whole macro-cells (groups of adjacent cells, one for each worker). Surplus
+// cells of macro-cells must go to the workers in rotation.
 TEST(IirraStart, EveryWorkerHasItsShare) {
   std::mt19937_64 random(20261123);
   for (int round = 0; round < 200; ++round) {
@@ -48,8 +49,9 @@ TEST(IirraStart, EveryWorkerHasItsShare) {
   }
 }
 
-// A macro-cell that the image's right or lower border cuts off has no cell for some workers. Shares
-// differ by no more than the number of such macro-cells.
+// The right or lower border of the image cuts off some macro-cells; these have no cell for some
+// workers. Numbers of cells may differ by little more than the number of such macro-cells on a
+// border.
 TEST(IirraStart, ScatteringIsNearlyEvenInAnyImage) {
   std::mt19937_64 random(20261124);
   for (int round = 0; round < 200; ++round) {
@@ -64,8 +66,8 @@ TEST(IirraStart, ScatteringIsNearlyEvenInAnyImage) {
   }
 }
 
-// Blocks have equal numbers of adjacent cells. A section of the quadrant curve has at most two
-// pieces inside a square whose side is a power of two.
+// Each worker must get as many adjacent cells as the others. A section of the Z-order curve has at
+// most two connected pieces inside a square whose side is a power of two.
 TEST(IirraStart, BlocksArePiecesOfTheImage) {
   for (const int side : {8, 16, 32})
     for (const int workers : {1, 2, 3, 4, 7, 13, 16, 33, 64}) {

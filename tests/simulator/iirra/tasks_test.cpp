@@ -9,7 +9,7 @@
 namespace iirra {
 namespace {
 
-// No two tasks are equal: each has its own place in the image.
+// Makes a random task. Each task has a place of its own in the image, so no two are equal.
 Task random_task(std::mt19937_64& random, int number) {
   Task task{{{2 * (number % 100), 2 * (number / 100), 2, 1}}};
   task.next = random() % 4 == 0 ? Advance::none : Advance::sample;
@@ -22,7 +22,7 @@ auto rank(const Task& task) {
   return std::tuple(-task.importance.sum, task.importance.place, task.cell.y, task.cell.x);
 }
 
-// The expected content of the stores.
+// The expected contents of the stores.
 struct Oracle {
   std::vector<Task> active, parked;
 
@@ -49,7 +49,7 @@ TEST(IirraTasks, TheMostImportantComesFirstAndNothingIsLost) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937_64 random(seed);
-    const auto most_adds = 4 + random() % 5;  // limit on the additions in ten steps
+    const auto most_adds = 4 + random() % 5;  // maximum number of additions in ten steps
     const auto may_go = [](const Task& task) { return !task.has_just_come; };
     TaskStores stores;
     TaskWork work;
@@ -78,7 +78,7 @@ TEST(IirraTasks, TheMostImportantComesFirstAndNothingIsLost) {
         EXPECT_FALSE(stores.take_last(may_go, work));
         continue;
       }
-      const Task first = *oracle.first();  // the first task is taken and put back
+      const Task first = *oracle.first();  // the first task is taken, then put back
       const auto taken = stores.take(work);
       ASSERT_TRUE(taken);
       EXPECT_EQ(taken->cell, first.cell);
@@ -94,8 +94,8 @@ TEST(IirraTasks, TheMostImportantComesFirstAndNothingIsLost) {
   }
 }
 
-// Among up to eight tasks, one that may move is always found. Among more, the most important task
-// is never given away.
+// If the store has up to eight tasks, one that may move must be found. If it has more, the most
+// important task must not be given away.
 TEST(IirraTasks, OnlyTasksThatMayGoAreGivenAway) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -135,7 +135,7 @@ TEST(IirraTasks, WorkIsCounted) {
   TaskWork work;
   for (int i = 0; i < 8; ++i) {
     Task task{{{2 * i, 0, 2, 1}}};
-    task.importance.sum = i;  // each new task becomes the most important
+    task.importance.sum = i;  // each new task is the most important one
     stores.add(task, work);
   }
   EXPECT_EQ(work.record_stored, 8u);
@@ -170,7 +170,7 @@ TEST(IirraTasks, QuantitiesAreThoseOfTheSamples) {
   samples.at({0, 0}).waiting = {make_ray(4, 0.2), make_ray(3, 0.1)};
   samples.at({4, 4}).waiting = {make_ray(2, 0.7, true)};
   const auto found = find_quantities(cell, samples, {}, work);
-  EXPECT_DOUBLE_EQ(found.contrast, 0.5);  // (0.75 - 0.25) / (0.75 + 0.25), for green only
+  EXPECT_DOUBLE_EQ(found.contrast, 0.5);  // (0.75 - 0.25) / (0.75 + 0.25), in green only
   EXPECT_EQ(found.depth, 2);
   EXPECT_EQ(found.influence, 0.7);
   Limits limits;
@@ -182,7 +182,7 @@ TEST(IirraTasks, QuantitiesAreThoseOfTheSamples) {
   EXPECT_EQ(find_quantities(cell, samples, limits, work).influence, 0);
 }
 
-// Contrast is at most 1, for any sums.
+// Contrast must lie between 0 and 1 for any sums.
 TEST(IirraTasks, BlackHasNoContrast) {
   const SampledCell cell{0, 0, 8, 1};
   TaskWork work;
@@ -192,7 +192,8 @@ TEST(IirraTasks, BlackHasNoContrast) {
   EXPECT_EQ(find_quantities(cell, samples, {}, work).contrast, 1);
 }
 
-// Rays that wait at the right and lower border belong to another cell.
+// A cell must be finished when its own pixels are. Rays that wait at its right and lower border
+// belong to other cells.
 TEST(IirraTasks, ACellIsFinishedWithItsOwnPixels) {
   const SampledCell cell{4, 6, 2, 2};
   auto samples = grey_samples(cell, 0.5);
@@ -210,8 +211,8 @@ TEST(IirraTasks, ACellIsFinishedWithItsOwnPixels) {
   EXPECT_EQ(points_to_deepen(large).size(), 13u);
 }
 
-// Of its waiting rays, a cell reports only those of the earliest sample. Rays of later samples wait
-// until cells are divided, and until all tasks of first samples are done.
+// A cell must report only those waiting rays that belong to the lowest sample number. Rays of later
+// samples wait until cells are divided, and until all tasks about first samples are done.
 TEST(Quantities, FirstSamplesOfPixelsComeFirst) {
   const SampledCell cell{4, 6, 4, 3};
   auto samples = grey_samples(cell, 0.5);
