@@ -1,4 +1,4 @@
-// Timing of kernels, with a clock that only these tests advance.
+// Timing of kernels, with a fake clock that only these tests advance.
 #include "simulator/kernels/kernel_timer.hpp"
 
 #include <gtest/gtest.h>
@@ -15,15 +15,15 @@ constexpr double INTERVAL_S = 0.7e-6;
 
 constexpr double CALL_S = 3e-9, YARDSTICK_S = 40e-6;
 
-// A host whose clock advances by INTERVAL_S at every reading. `slowness` is the factor by which
-// other programs slow down all calls.
+// A host whose clock advances by INTERVAL_S at each reading. `slowness` is a factor on the duration
+// of all calls, as if other programs slowed the host down.
 struct FakeHost {
   double at_s = 0, slowness = 1;
   int readings = 0;
   Host host{[this] { return ++readings, at_s += INTERVAL_S; },
             [this] { at_s += slowness * YARDSTICK_S; }, INTERVAL_S, CALL_S, YARDSTICK_S};
 
-  // A call that takes `s` seconds.
+  // Returns a call that takes `s` seconds.
   std::function<void()> take(double s) {
     return [this, s] { at_s += slowness * (s + CALL_S); };
   }
@@ -36,7 +36,7 @@ TEST(KernelTimer, ALongCallTakesWhatItTakesWithoutTheClock) {
   EXPECT_FALSE(timer.is_short());
 }
 
-// Two of the five repetitions are disturbed.
+// Two of the five repetitions of a batch are disturbed. The median must not change.
 TEST(KernelTimer, WhatOtherProgramsAddNowAndThenIsMetByRepetition) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -45,7 +45,7 @@ TEST(KernelTimer, WhatOtherProgramsAddNowAndThenIsMetByRepetition) {
   for (int i = 0; i < 10; ++i) EXPECT_NEAR(timer.eval(replay, 1), 3e-3, 1e-12);
 }
 
-// Long disturbances slow the reference computation too.
+// Long disturbances slow the yardstick, too, so the measured time must not change.
 TEST(KernelTimer, ASlowerHostIsMetByTheYardstick) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -55,7 +55,7 @@ TEST(KernelTimer, ASlowerHostIsMetByTheYardstick) {
   }
 }
 
-// Calls are shorter than a clock reading. Their sum is right, with fewer readings than calls.
+// Calls are shorter than a clock reading. Their sum must be right, with fewer readings than calls.
 TEST(KernelTimer, ShortCallsAreMeasuredTogether) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -68,7 +68,8 @@ TEST(KernelTimer, ShortCallsAreMeasuredTogether) {
   EXPECT_NEAR(timer.longest_batch_s(), KernelTimer::MOST_CALLS * 0.1e-6, 1e-9);
 }
 
-// The time of a batch is shared among its calls by weight. A batch ends when it is long enough.
+// The time of a batch must be shared among its calls by weight. A batch must end when it is long
+// enough.
 TEST(KernelTimer, CallsOfABatchShareItByWeight) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -84,8 +85,8 @@ TEST(KernelTimer, CallsOfABatchShareItByWeight) {
   EXPECT_LT(timer.longest_batch_s(), KernelTimer::BATCH_S + 120e-6);
 }
 
-// The time per weight decreases. An overcharge of a batch is deducted from the calls of the next
-// one, a share from each.
+// The time per unit of weight decreases, so each batch charges too much. The next batch must deduct
+// the difference, a part of it from each call.
 TEST(KernelTimer, ChargesAllThatBatchesTook) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -101,7 +102,7 @@ TEST(KernelTimer, ChargesAllThatBatchesTook) {
   EXPECT_NEAR(sum_s / taken_s, 1, 1e-5);
 }
 
-// The overcharge of a batch is returned in parts, so no call is charged less than zero.
+// Overcharges must be returned in parts, so that no call is charged less than zero.
 TEST(KernelTimer, GivesBackInParts) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -109,7 +110,7 @@ TEST(KernelTimer, GivesBackInParts) {
     ASSERT_GT(timer.eval(host.take(i % 2000 < 1000 ? 60e-6 : 2e-6), 1), 0) << i;
 }
 
-// A doubling of the calls' time is noticed within a batch.
+// If calls take twice as long from some moment on, the charges must follow within one batch.
 TEST(KernelTimer, FollowsWhatCallsTake) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -119,8 +120,8 @@ TEST(KernelTimer, FollowsWhatCallsTake) {
   EXPECT_NEAR(s, 2e-6, 1e-12);
 }
 
-// There are too few calls for the batch length that the clock needs. They are measured
-// nevertheless.
+// There are too few calls for a batch that is long enough for the clock. They must be measured
+// nevertheless, and the timer must report that they were few.
 TEST(KernelTimer, KnowsKernelsThatAreTooShort) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -129,7 +130,7 @@ TEST(KernelTimer, KnowsKernelsThatAreTooShort) {
   EXPECT_NEAR(timer.longest_batch_s(), 16e-6, 1e-9);
 }
 
-// A batch with the maximum number of calls counts as long enough, however short its time.
+// A batch with the maximum number of calls must count as long enough, however short its time is.
 TEST(KernelTimer, AWholeBatchIsNotTooShort) {
   FakeHost host;
   KernelTimer timer(host.host);
@@ -158,7 +159,7 @@ TEST(KernelUse, ThoseTooShortAreNamed) {
       << notes[0];
   EXPECT_NE(notes[0].find("found 6 us for the longest batch of calls"), std::string::npos)
       << notes[0];
-  std::smatch reading;  // matches any host clock below a second
+  std::smatch reading;  // matches any clock interval below a second
   ASSERT_TRUE(std::regex_search(notes[0], reading, std::regex("[(]resolution ([0-9.e+-]+) us[)]")));
   EXPECT_LT(std::stod(reading[1]), 1e6);
 }
