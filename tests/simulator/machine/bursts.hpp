@@ -1,4 +1,4 @@
-// A low-priority process under random bursts of high-priority ones.
+// A low-priority process on a CPU that random high-priority processes (bursts) interrupt.
 #pragma once
 
 #include <random>
@@ -12,12 +12,12 @@ struct Burst {
 };
 
 struct Load {
-  std::int64_t low;  // cycles of a low-priority process
+  std::int64_t low;  // cycles that the low-priority process computes
   std::vector<Burst> bursts;
 };
 
-// Makes a random load. Times are in ticks. Low-priority lengths are odd, so that none ends on a
-// tick.
+// Makes a random load. Dates and cycles are those of a model in which a tick is a whole number of
+// cycles. Lengths of low-priority computations are odd, so that none ends on a tick.
 inline Load make_load(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto blocked = make_exact_model().channel.blocked.value;
@@ -36,9 +36,9 @@ struct Recorded {
   std::vector<double> burst_ends;
 };
 
-// Starts the processes. At its end, the process of each burst waits for a message that never comes,
-// so that it leaves the CPU ahead of the clock. The cycles that start this wait are part of the
-// burst.
+// Starts the processes of a load. The process of each burst ends by waiting for a message that
+// never comes, so that it leaves the CPU ahead of the clock. The cycles that start this wait are
+// counted as part of the burst.
 inline void start_load(Lab& lab, Processor& cpu, const Load& load, Recorded& recorded) {
   recorded.burst_ends.resize(load.bursts.size());
   for (std::size_t i = 0; i < load.bursts.size(); ++i) {
@@ -53,7 +53,7 @@ inline void start_load(Lab& lab, Processor& cpu, const Load& load, Recorded& rec
     };
     cpu.start("burst", Priority::high, body).set_server();
   }
-  // starts a process that ends after everything else
+  // A process on another processor that ends after all others and so determines the end of the run.
   lab.cpu().start("end", Priority::low, [] { wait_until_cycle(1 << 24); });
   cpu.start("low", Priority::low, [&load, &recorded] {
     compute(load.low);

@@ -1,4 +1,4 @@
-// Two processors that share a memory, and soft channels between them.
+// Two processors that share a memory (companions), and soft channels between them.
 #include <random>
 
 #include "tests/simulator/machine/failures.hpp"
@@ -16,8 +16,8 @@ struct Pair {
   Channel<Words>&to_second, &to_first;
 };
 
-// The first process pays `blocked`, at any priority. The second pays, on its own CPU, the copy and
-// the event that wakes the first. Then both continue, and neither waits for the other's CPU.
+// The first process must pay channel.blocked. The second must pay, on its own CPU, for the copy and
+// for waking the first. Then both must continue at once, without waiting for each other's CPU.
 TEST(Companion, ARendezvousCostsThatOfASoftChannelAndAnEvent) {
   constexpr std::int64_t date = 100'000;
   const Model model = make_exact_model();
@@ -60,8 +60,8 @@ TEST(Companion, ARendezvousCostsThatOfASoftChannelAndAnEvent) {
         }
 }
 
-// Two processes come to the channel simultaneously, so neither finds its partner there. The one
-// that first learns of the other does the work of the process that comes second.
+// Two processes arrive at the channel at the same time, so neither finds the other there. The one
+// that notices the other first must do the work of the process that arrives second.
 TEST(Companion, TwoThatComeAtOnceMeet) {
   const Model model = make_exact_model();
   const auto found = isolated_numbers([&] {
@@ -83,7 +83,7 @@ TEST(Companion, TwoThatComeAtOnceMeet) {
   EXPECT_EQ(found, (Numbers{met, met}));
 }
 
-// An output on one CPU wakes an ALT on the other, at either priority.
+// An output on one CPU must wake an ALT on the other, at either priority.
 TEST(Companion, AnOutputWakesAnAltOfTheOther) {
   for (const auto priority : BOTH_PRIORITIES)
     test::run_isolated([&] {
@@ -107,8 +107,8 @@ TEST(Companion, AnOutputWakesAnAltOfTheOther) {
     });
 }
 
-// Messages in both directions between random computations arrive in order, and not before they were
-// sent. Neither CPU is busy longer than the elapsed time.
+// Messages in both directions between random computations must arrive in order, and not before they
+// were sent. No CPU may be busy for longer than the elapsed time.
 TEST(Companion, AnyProgramOfTwoCpusKeepsItsOrder) {
   for (unsigned seed = 0; seed < 20; ++seed)
     test::run_isolated([&] {
@@ -166,7 +166,8 @@ TEST(Companion, BothComputeAtOnceAtTheShareThatTheModelLeaves) {
   }
 }
 
-// The links' DMA takes cycles of the shared memory.
+// DMA of one processor's links takes cycles of the shared memory, so it must slow the companion
+// down.
 TEST(Companion, LinksOfOneStealFromTheOther) {
   const auto found = isolated_numbers([] {
     Lab lab(make_stealing_model());
@@ -185,7 +186,7 @@ TEST(Companion, LinksOfOneStealFromTheOther) {
     lab.machine.run();
     return Numbers{took};
   });
-  EXPECT_NEAR(found.at(0), 32'000, ROUNDING);  // 1/32 of the cycles is stolen
+  EXPECT_NEAR(found.at(0), 32'000, ROUNDING);  // DMA takes 1/32 of the cycles
 }
 
 TEST(Companion, TheyHaveOneMemory) {

@@ -8,7 +8,8 @@
 namespace machine {
 namespace {
 
-// Each called thread does its share once per round, before work() returns.
+// In each round, exactly the threads that are called must do their share once, before work()
+// returns.
 TEST(Crew, DoesTheSharesOfThoseCalled) {
   for (const std::size_t size : {1, 2, 3, 8}) {
     std::vector<int> done(size);

@@ -1,9 +1,10 @@
-// Independent simulation of relayed messages beside DMA: a list of activities, without code of the
-// simulator.
+// Independent simulation of messages that processes relay while DMA slows the CPUs. It is a list of
+// activities, and uses no code of the simulator.
 //
 // Every process has high priority and relays the messages of one stream: it inputs, computes and
-// outputs. A CPU serves its processes first come, first served; each keeps the CPU until it comes
-// to a link. Transfers on a CPU's links slow all its work, from their start to their end.
+// outputs. A CPU runs its processes in the order in which they become ready; each keeps the CPU
+// until it reaches a link. A transfer on a link slows all work on the CPUs at its ends, from its
+// start to its end.
 #pragma once
 
 #include <algorithm>
@@ -17,19 +18,19 @@
 namespace dma_oracle {
 
 struct Machine {
-  double clock;               // clock rate, cycles/s
-  double one_way, both_ways;  // rate of a link with one direction, and with both together, bytes/s
-  double steal_byte;          // cycles that DMA takes for each byte, at both ends
+  double clock;               // clock rate in cycles/s
+  double one_way, both_ways;  // rates of a link in bytes/s: one direction alone, both together
+  double steal_byte;          // cycles that DMA takes for each byte, at each end
   double come_to_link;        // cycles of the instruction that inputs or outputs
 };
 
 struct Relay {
   int processor;
-  double computes;  // cycles of computation per message
+  double computes;  // cycles that it computes for each message
 };
 struct Stream {
-  std::vector<Relay> relays;    // in order from source to sink
-  std::vector<double> lengths;  // lengths of its messages, bytes
+  std::vector<Relay> relays;    // from the source to the sink
+  std::vector<double> lengths;  // lengths of the stream's messages in bytes
 };
 
 class Simulation {
@@ -45,7 +46,8 @@ class Simulation {
     }
   }
 
-  // The times at which the sinks of the streams have computed their messages.
+  // Runs until no activity is left. Returns for each stream the dates in seconds at which the sink
+  // has computed its messages.
   std::vector<std::vector<double>> run() {
     for (;;) {
       for (Cpu& cpu : cpus_)
@@ -65,10 +67,10 @@ class Simulation {
   enum class Step { comes_to_input, computes, comes_to_output };
   struct Process {
     const Stream* stream;
-    std::size_t number, place;  // numbers of the stream, and of the relay within it
+    std::size_t number, place;  // indices of the stream, and of the relay within it
     std::size_t message = 0;
     Step step{};
-    double left = 0;  // cycles that remain
+    double left = 0;  // cycles left in this step
     const Relay& relay() const { return stream->relays[place]; }
     bool is_source() const { return place == 0; }
     bool is_sink() const { return place + 1 == stream->relays.size(); }
@@ -79,7 +81,7 @@ class Simulation {
   };
   struct Direction {
     Process *writer = nullptr, *reader = nullptr;
-    double left = 0;  // bytes of the current transfer that remain
+    double left = 0;  // bytes left of the present transfer
   };
 
   void spend(Process& process, Step step, double cycles) {
@@ -123,7 +125,7 @@ class Simulation {
     return step_s;
   }
 
-  // An activity has ended if no more than this remains, in cycles or bytes.
+  // An activity counts as ended if at most so many cycles or bytes are left.
   static constexpr double HAIR = 1e-7;
 
   void advance(double step_s) {

@@ -1,4 +1,5 @@
-// Times of messages relayed beside DMA, compared with an independent simulation.
+// Dates of messages that are relayed while DMA slows the CPUs, compared with an independent
+// simulation.
 #include "tests/simulator/machine/dma_oracle.hpp"
 
 #include <gtest/gtest.h>
@@ -8,10 +9,13 @@
 namespace occam {
 namespace {
 
-constexpr std::int64_t MOST_COMPUTED = 1500;  // cycles per message, below and above LONG_DEBT
-constexpr double STOLEN = 10;  // cycles that DMA takes per word: up to two thirds of a CPU
+// Cycles for each message; covers values below and above Process::LONG_DEBT.
+constexpr std::int64_t MOST_COMPUTED = 1500;
+// Cycles that DMA takes for each word; links then take up to two thirds of a CPU.
+constexpr double STOLEN = 10;
 
-// A model whose rates are incommensurable, so that simultaneous events have a common cause.
+// A model with incommensurable rates, so that events can be simultaneous only if they have one
+// cause.
 Model make_slowed_model() {
   Model model = machine::override_model("t805-25", {{"instruction.fetch", 0.0}}, "tests");
   for (Cycles* beside : {&model.channel.operands, &model.channel.out_word}) *beside = {0};
@@ -33,7 +37,7 @@ Plan make_relays(std::uint64_t seed) {
   return plan;
 }
 
-// Runs the plan, and returns arrival times in seconds, stream by stream.
+// Runs the plan. Returns the dates of arrival in seconds, stream by stream.
 Numbers run_machine(const Plan& plan, machine::EngineParams engine) {
   return isolated_numbers([&] {
     Lab lab(make_slowed_model(), machine::Code::bare, engine);
@@ -107,9 +111,9 @@ TEST(DmaOracle, AgreesOnWhenRelayedMessagesArrive) {
   EXPECT_GT(messages, 1000u);
 }
 
-// Each stage has two processes. One inputs from the link; the other takes the message by an ALT on
-// a soft channel. Both compute. Returns arrival times in seconds, by stream. With `pays`, each pays
-// its debt of computed time before it communicates.
+// Like run_machine, but each stage of a stream has two processes: one inputs from the link, the
+// other takes the message from a soft channel by an ALT. Both compute. If `pays`, each lets its
+// computed cycles pass before it communicates. Returns the dates of arrival in seconds, by stream.
 Numbers run_pairs(const Plan& plan, bool pays) {
   return isolated_numbers([&] {
     Lab lab(make_slowed_model(), machine::Code::bare, {.links = machine::Links::direct});
@@ -160,7 +164,7 @@ Numbers run_pairs(const Plan& plan, bool pays) {
   });
 }
 
-// DMA slows work equally, whether it is charged ahead or paid at once.
+// DMA must slow computations equally, whether their cycles are charged in advance or pass at once.
 TEST(DmaOracle, DatesDoNotDependOnWhenAProcessPays) {
   for (std::uint64_t seed = 0; seed < 42; ++seed) {
     const Plan plan = make_relays(seed);

@@ -1,4 +1,4 @@
-// Cost of links for the CPU: the memory cycles of DMA.
+// Cycles that the DMA of links takes from CPUs.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -12,8 +12,8 @@ double cycles_to_move(const Model& model, std::uint64_t bytes) {
   return static_cast<double>(bytes) / model.link.one_way_rate * model.cpu.clock.value;
 }
 
-// High-priority processes send a message from processor 0 to 1, and a low-priority one computes on
-// each. Returns the ends of the two computations, and the end of the run.
+// High-priority processes send a message from processor 0 to 1, while a low-priority process
+// computes on each. Returns the ends of the two computations and of the run, in cycles.
 Numbers compute_beside_transfer(const Model& model, std::int64_t cycles, std::uint64_t bytes) {
   return isolated_numbers([&] {
     Lab lab(model);
@@ -35,7 +35,8 @@ Numbers compute_beside_transfer(const Model& model, std::int64_t cycles, std::ui
   });
 }
 
-// The computation takes `blocked`, then C / (1 - share).
+// A computation of C cycles must end channel.blocked + C / (1 - share) cycles after its start.
+// `share` is the fraction of the cycles that DMA takes.
 TEST(Dma, SlowsAComputationDownByItsShareWhileWordsMove) {
   const Model model = make_stealing_model();
   const std::int64_t cycles = 31 * 1000;
@@ -45,34 +46,34 @@ TEST(Dma, SlowsAComputationDownByItsShareWhileWordsMove) {
   EXPECT_NEAR(found.at(2), blocked + cycles_to_move(model, 10'000), ROUNDING);
 }
 
-// The computation takes `blocked`, then C and two cycles per word, and two switches when the
-// message has arrived.
+// A computation that lasts longer than the message must take the cost of starting the message, its
+// own cycles, STEAL_WORD cycles for each word, and two switches when the message has arrived.
 TEST(Dma, TakesItsCyclesFromAComputationThatLastsLonger) {
   const std::int64_t cycles = 200'000, words = 1000;
   for (const Model& model : {make_stealing_model(), machine::load_model("t805-25"),
                              machine::load_model("t414-20"), machine::load_model("t805-30")}) {
     const auto found = compute_beside_transfer(model, cycles, 4 * words);
     const auto& s = model.scheduler;
-    // Needs a tolerance: the end of the message is resolved only to a picosecond, unless the model
-    // is exact.
+    // Needs a tolerance, because unless the model is exact, the message's end is resolved only to a
+    // picosecond.
     EXPECT_EQ(model.memory.steal_word, STEAL_WORD) << model.name;
     EXPECT_NEAR(found.at(0),
                 cost_first(model, Side::writer, 4 * words) + cycles + words * STEAL_WORD +
                     (s.preemption + s.return_to_low).value,
                 1e-3)
         << model.name;
-    // The reader came first. Its operands take equal time with and without outword.
+    // The reader came first. The cost of its operands is the same with and without outword.
     EXPECT_NEAR(found.at(1), found.at(0), 1e-3) << model.name;
   }
 }
 
-// A process owes computed time when it comes to an ALT. A message slows the CPU down by a quarter,
-// so the debt seems to last beyond the timeout's tick. But the message ends early. The ALT must
-// wait for the tick or, if SKIP is ready, must not choose the timeout.
+// A process owes computed cycles when it reaches an ALT. A message slows the CPU down, so the debt
+// seems to last until after the timeout's tick. The message ends early, however. The ALT must wait
+// for the tick; if it has a SKIP guard, it must take SKIP rather than the timeout.
 TEST(Dma, EndsBeforeAnAltIsPaidFor) {
-  constexpr double TICK = 1024;  // length of a tick, cycles
+  constexpr double TICK = 1024;  // length of a tick in cycles
   constexpr std::int64_t MOST_OWED = 1000, BEFORE = 64;
-  constexpr double ALT = 200;  // upper bound in cycles, with the reader and its message
+  constexpr double ALT = 200;  // upper bound in cycles, including the reader and its message
   Model model = make_stealing_model();
   model.memory.steal_word = 16;
   for (const bool may_skip : {false, true})
@@ -91,7 +92,7 @@ TEST(Dma, EndsBeforeAnAltIsPaidFor) {
           bool skipped = false;
           a.start("waits", priority, [&] {
             compute(BEFORE);
-            this_process().sync();  // waits until the message is being transferred
+            this_process().sync();  // the message has started by then
             compute(owes);
             auto tick = after(priority == Priority::high ? 64 : 1, [] {});
             Words message;
@@ -114,8 +115,8 @@ TEST(Dma, EndsBeforeAnAltIsPaidFor) {
       }
 }
 
-// Messages overlap on several links, in both directions. Every word takes cycles from the CPUs at
-// both its ends, in whatever order messages come.
+// Messages overlap on several links, in both directions. Every word must take cycles from the CPUs
+// at both its ends, whatever the order of the messages.
 TEST(Dma, EveryWordOfEveryLinkAndDirectionTakesItsCycles) {
   struct Flow {
     int from, to;
@@ -154,8 +155,8 @@ TEST(Dma, EveryWordOfEveryLinkAndDirectionTakesItsCycles) {
     for (const Flow& flow : flows)
       expected +=
           static_cast<double>(model.channel.blocked.value + words_in(flow.bytes) * STEAL_WORD);
-    // (There are fewer pre-emptions than messages if a message ends before the computation begins,
-    // or if two end at once.)
+    // There are fewer pre-emptions than messages if a message ends before the computation begins,
+    // or if two messages end at once.
     expected += found.at(1) * static_cast<double>((s.preemption + s.return_to_low).value);
     EXPECT_LE(found.at(1), flows.size());
     EXPECT_GE(found.at(1), 1);
@@ -184,9 +185,9 @@ TEST(Dma, SlowsAHighPriorityProcessFromItsStart) {
   EXPECT_EQ(found.at(0), 4096 + 32 * 100);
 }
 
-// The message arrives during the computation of C cycles, and from then on takes no more cycles.
-// The end is at C plus two cycles per word, plus the two switches at low priority. A sync before
-// now() changes nothing.
+// A message arrives during a computation of C cycles, and then takes no further cycles. now() must
+// return C plus two cycles per word, at low priority also the two switches. A sync() before now()
+// must change nothing.
 TEST(Dma, NowIsExactBesideIt) {
   const Model model = make_stealing_model();
   constexpr std::int64_t charges = 10, cycles = 20'000, words = 1000;
@@ -217,13 +218,13 @@ TEST(Dma, NowIsExactBesideIt) {
   }
 }
 
-// Switches are free. A counting process of lowest priority gets all cycles that processes and DMA
-// leave.
+// Context switches cost nothing here. A counting process of lowest priority must get all cycles
+// that the other processes and DMA leave.
 TEST(Dma, LeavesAMonitorWhatIsNotTaken) {
   Model model = make_stealing_model();
   model.scheduler.preemption = model.scheduler.return_to_low = {0};
   constexpr double END_S = 0.02;
-  constexpr std::int64_t ROUND = 8;  // length of a counting round, cycles
+  constexpr std::int64_t ROUND = 8;  // length of a counting round in cycles
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     const auto run = [&](bool has_controller) {
       return isolated_numbers([&] {
@@ -266,7 +267,7 @@ TEST(Dma, LeavesAMonitorWhatIsNotTaken) {
   }
 }
 
-// There are random messages beside random computation. No cycle is lost or taken twice.
+// Random messages are sent during random computations. No cycle may be lost, and none taken twice.
 TEST(Dma, ConservesCyclesUnderRandomTraffic) {
   const Model model = make_stealing_model();
   for (std::uint64_t seed = 0; seed < 40; ++seed) {
@@ -312,7 +313,7 @@ TEST(Dma, ConservesCyclesUnderRandomTraffic) {
       const double n = found.at(2 * cpu + 1), stolen = static_cast<double>(words * STEAL_WORD);
       const auto there = static_cast<double>(s.preemption.value),
                  back = static_cast<double>(s.return_to_low.value);
-      // The return to a low-priority process may be cut short, when the process loses the CPU
+      // The switch back to a low-priority process may be cut short when the process loses the CPU
       // again.
       EXPECT_GE(found.at(2 * cpu), stolen + n * there - ROUNDING);
       EXPECT_LE(found.at(2 * cpu), stolen + n * (there + back) + ROUNDING);

@@ -1,5 +1,5 @@
-// Links by SimGrid or by tlab's own rules, processes on fibers or on SimGrid's actors: results are
-// equal.
+// All combinations of links (SimGrid's or tlab's own) and processes (fibers or SimGrid's actors)
+// must give equal results.
 #include <gtest/gtest.h>
 
 #include "simulator/machine/faults.hpp"
@@ -22,8 +22,8 @@ struct Engines : testing::Test {
   }
 };
 
-// Runs a random machine. Returns arrival times, the end and busy times; for a machine in one part,
-// also event counts.
+// Runs a random machine. Returns dates of arrival, the end and busy times as text. For a machine in
+// one part, the text also has the number of events.
 std::string run_random(std::uint64_t seed, EngineParams engine, bool cuts_a_link,
                        bool is_different = false) {
   return isolated([&] {
@@ -70,11 +70,11 @@ TEST_F(Engines, RunRandomMachinesTheSame) {
   EXPECT_GE(deadlocks, 3);
 }
 
-// Results are equal on 2 to 16 threads, for any division into parts.
+// Results must be the same on 2 to 16 threads, for any division into parts.
 TEST_F(Engines, RunRandomMachinesTheSameInParts) {
   for (std::uint64_t seed = 0; seed < 24; ++seed) {
     EngineParams one = DIRECT;
-    one.parts = {0};  // without event counts, since several parts have more events
+    one.parts = {0};  // one part, but no number of events, because several parts have more events
     const std::string in_one[] = {run_random(seed, one, false), run_random(seed, one, false, true)};
     std::mt19937_64 random(seed);
     for (const int parts : {2, 3, 4, 8, 16}) {
@@ -89,11 +89,11 @@ TEST_F(Engines, RunRandomMachinesTheSameInParts) {
   }
 }
 
-// Parts run in common time windows. Otherwise they would only take turns.
+// Parts must run in the same time windows; otherwise they would only take turns.
 TEST_F(Engines, PartsShareWindows) {
   const Plan plan = make_plan(3);
   EngineParams engine = DIRECT;
-  engine.parts = {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1};  // halves of a mesh
+  engine.parts = {0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1, 1};  // two halves of a mesh
   Lab lab(make_stealing_model(), machine::Code::bare, engine);
   build_machine(lab, plan);
   std::vector<std::string> logs(plan.streams.size()), wrongs(plan.streams.size());
@@ -105,9 +105,9 @@ TEST_F(Engines, PartsShareWindows) {
   EXPECT_GT(windows.shared, windows.all / 20) << windows.all << " windows";
 }
 
-// One process waits for ever, one computes for ever, one waits in a PAR, one has not begun. At the
-// limit all are unwound, innermost objects first. Of the one that has not begun, only the captures
-// of its body are destroyed.
+// At the time limit, one process waits for ever, one computes, one waits in a PAR, and one has not
+// begun. All must be unwound: their objects must be destroyed, the innermost first. Of the process
+// that has not begun, only the captured variables of its body may be destroyed.
 TEST_F(Engines, BodiesThatHaveNotEndedAreUnwound) {
   for (const auto& engine : ALL_KINDS) {
     const auto log = isolated([&] {

@@ -1,4 +1,4 @@
-// Machines with cut links.
+// Machines with links that are cut.
 #pragma once
 
 #include "tests/support/lab.hpp"
@@ -9,7 +9,7 @@ inline machine::Seconds at_cycle(const Lab& lab, double cycle) {
   return {cycle / lab.machine.model().cpu.clock.value};
 }
 
-// Two joined processors whose link is cut at `cycle`.
+// Two processors joined by a link that is cut at `cycle`.
 struct CutPair {
   CutPair(double cycle, const Model& model = make_exact_model(), int switches = 0) : lab(model) {
     lab.machine.connect(a, b, switches);
@@ -20,8 +20,8 @@ struct CutPair {
   Processor& b = lab.cpu();
 };
 
-// A process that outputs or inputs one message. Its results are 1 if the message was moved, else 0,
-// and the time of its end.
+// A process that outputs or inputs one message. Its results are `moved` (1 if the message was
+// moved, otherwise 0) and `end`, the cycle of its end.
 struct Attempt {
   Processor& on;
   Priority priority;

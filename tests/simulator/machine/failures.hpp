@@ -1,4 +1,4 @@
-// Machines that fail.
+// Runs of machines that must fail.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -9,8 +9,8 @@
 
 namespace occam {
 
-// Runs a machine that fails. The first line of the result is the exception's type, with the place
-// and cycle of a fault. The rest is the message.
+// Runs a machine and returns its failure as text. The first line has the exception's type and, for
+// a fault, its place and cycle. The other lines are the exception's message.
 inline std::string failure_of(const std::function<void(Lab&)>& body) {
   return isolated([&]() -> std::string {
     Lab lab;

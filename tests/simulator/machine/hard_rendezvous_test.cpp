@@ -1,4 +1,4 @@
-// Channels on a link: start and end of a transfer, and its content.
+// Channels on a link: start and end of a transfer, and the message's contents.
 #include <gtest/gtest.h>
 
 #include "tests/support/lab.hpp"
@@ -7,7 +7,7 @@ namespace occam {
 namespace {
 
 constexpr std::uint64_t LENGTHS[] = {0, 1, 4, 5, 8, 100, 4001};
-constexpr double HAIR = 1e-3;  // tolerance in cycles, since SimGrid resolves a picosecond
+constexpr double HAIR = 1e-3;  // tolerance in cycles, because SimGrid resolves only a picosecond
 
 struct HardCase {
   bool reader_made_first, by_alt;
@@ -27,9 +27,9 @@ std::vector<HardCase> make_hard_cases(bool by_alt) {
   return cases;
 }
 
-// The expected end of the transfer. Both ends pay their operands and the start of their
-// instruction; the later one starts the transfer. An ALT sees the output at its guard's turn or at
-// altwt, or is woken by it.
+// The expected end of the transfer. Both processes pay for the operands and the start of their
+// instruction; the later one starts the transfer. An ALT notices the output when it enables the
+// guard, or at altwt, or is woken by it.
 double expected_end(const Model& model, const HardCase& c) {
   const auto& alt = model.alternative;
   const auto written = c.writer_computes + cost_first(model, Side::writer, c.bytes);
@@ -95,14 +95,15 @@ TEST(HardRendezvous, StartsWhenBothEndsAreThereAndTakesBytesOverRate) {
   expect_hard_times(machine::load_model("t414-20"), make_hard_cases(false));
 }
 
-// Readiness of the guard depends on simulated times, not on the order of creation.
+// Whether a guard is ready must depend on simulated times, not on which process was created first.
 TEST(HardRendezvous, AltReaderPaysItsInstructionsFirst) {
   expect_hard_times(make_exact_model(), make_hard_cases(true));
   expect_hard_times(machine::load_model("t805-25"), make_hard_cases(true));
 }
 
-// The output comes at any cycle of the ALT: before it, while its guard is enabled, during altwt, or
-// after. (In the cycle of the instruction that checks, either order is possible.)
+// The output comes at any cycle of an ALT: before the ALT, while the guard is enabled, during
+// altwt, or later. (If it comes in the very cycle in which the guard is checked, either order is
+// possible.)
 TEST(HardRendezvous, OutputMayComeAtAnyCycleOfAnAlt) {
   const Model model = make_complete_model();
   const auto& alt = model.alternative;
@@ -120,8 +121,8 @@ TEST(HardRendezvous, OutputMayComeAtAnyCycleOfAnAlt) {
   expect_hard_times(model, cases);
 }
 
-// The process that comes second also waits until the transfer ends: a writer in `out`, a reader in
-// `in`.
+// The process that comes second must also wait until the transfer ends: a writer in `out`, a reader
+// in `in`.
 TEST(HardRendezvous, EachEndWaitsInItsOwnDirection) {
   for (const bool writer_is_second : {false, true}) {
     const auto waited = isolated_numbers([&] {

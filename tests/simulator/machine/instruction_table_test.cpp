@@ -1,4 +1,4 @@
-// Entries of the built-in models, compared with the published tables, with everything on chip.
+// Cycles in the built-in models, compared with the published tables, which assume on-chip memory.
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
@@ -7,7 +7,7 @@
 namespace occam {
 namespace {
 
-// Loads of operands on chip, and the prefix of a two-byte instruction.
+// Cycles for loading operands from on-chip memory, and for the prefix of a two-byte instruction.
 constexpr int LDLP = 1, LDL = 2, LDC = 1, PREFIX = 1;
 
 struct Row {
@@ -56,8 +56,8 @@ TEST(InstructionTable, IsThePublishedOneInEveryModel) {
   for (const auto& name : machine::builtin_models()) {
     const Model model = machine::override_model(name,
                                                 {{"memory.data_word", "memory.on_chip_word"},
-                                                 // no published table has the time of the
-                                                 // instruction fetch
+                                                 // No published table contains the time of
+                                                 // instruction fetch.
                                                  {"instruction.fetch", 0.0}},
                                                 "tests");
     for (const Row& row : make_rows(model))
@@ -68,7 +68,8 @@ TEST(InstructionTable, IsThePublishedOneInEveryModel) {
   }
 }
 
-// The tables do not contain the fetch of a word of code at each break of the instruction stream.
+// When a jump breaks the stream of instructions, the next word of code must be fetched. The
+// published tables do not contain this time.
 TEST(InstructionTable, BreaksOfTheStreamFetchTheNextInstructions) {
   const Model without_fetch = make_on_chip_model(),
               on_chip = machine::override_model(
@@ -97,7 +98,7 @@ TEST(InstructionTable, ClocksAndSlices) {
       {"t414-20", 20e6, 20'480},
       {"t800-20", 20e6, 20'480},
       {"t805-25", 25e6, 25'600},
-      {"t805-30", 30e6, 30'720},  // cycles in 5120 periods of 5 MHz
+      {"t805-30", 30e6, 30'720},  // cycles in 5120 periods of a 5 MHz clock
   };
   for (auto [name, clock, slice] : published) {
     const Model model = machine::load_model(name);
@@ -106,7 +107,7 @@ TEST(InstructionTable, ClocksAndSlices) {
   }
 }
 
-// Bit times of a byte at the three link speeds, alone and with both directions together.
+// Bit times per byte at the three link speeds, for one direction alone and for both together.
 TEST(InstructionTable, LinkRates) {
   struct Speed {
     const char* name;

@@ -1,4 +1,4 @@
-// C004 link switches between processors.
+// C004 link switches on a link between two processors.
 #include <gtest/gtest.h>
 
 #include "tests/support/lab.hpp"
@@ -6,8 +6,8 @@
 namespace occam {
 namespace {
 
-// The n-th byte arrives after n periods. Each switch delays the first byte, and lengthens the
-// period.
+// Returns the date in seconds at which the message has arrived. Each switch delays the first byte
+// and lengthens the period of the others.
 double time_through(const Model& model, int switches, std::uint64_t bytes) {
   return isolated_numbers([&] {
            Lab lab(model);
@@ -27,7 +27,7 @@ TEST(LinkSwitch, AddsItsDelayAndLengthensTheByte) {
     const char* model;
     double bit_rate;
     int switches;
-    double byte_bits;  // bit times of a byte
+    double byte_bits;  // bit times for each byte
   };
   const Case published[] = {
       {"t805-25", 20e6, 0, 11.25},
@@ -68,7 +68,7 @@ TEST(LinkSwitch, MoreOfThemAreNeverFaster) {
     }
 }
 
-// Only moving words take cycles, not the delay of a switch before them.
+// DMA must take cycles only while words move, not while a switch delays the message.
 TEST(LinkSwitch, DelayTakesNoCyclesFromTheCpu) {
   Model model = make_stealing_model();
   model.link.switch_bits = 1e5;

@@ -1,4 +1,5 @@
-// Links: transfer times alone, in both directions, beside others, and over several hops.
+// Links: transfer times of a message alone, in both directions, on several links and over several
+// hops.
 #include <gtest/gtest.h>
 
 #include "tests/support/lab.hpp"
@@ -6,10 +7,11 @@
 namespace occam {
 namespace {
 
-constexpr double HAIR_CYCLES = 1e-3;  // tolerance in cycles, since SimGrid resolves a picosecond
+// Tolerance in cycles, because SimGrid resolves only a picosecond.
+constexpr double HAIR_CYCLES = 1e-3;
 
-// A message between two processors. run_flows() starts all at once, and returns their arrivals in
-// cycles after the start.
+// A message from one processor to another. run_flows() starts all messages at once, and returns
+// their arrivals in cycles after the start.
 struct Flow {
   int from, to;
   std::uint64_t bytes;
@@ -39,11 +41,11 @@ Numbers run_flows(int processors, const std::vector<std::pair<int, int>>& links,
   });
 }
 
-// Times need a tolerance, since a CPU starts its transfers one after the other.
+// Times need a tolerance, because a CPU starts its transfers one after the other.
 TEST(Link, DirectionsAloneReachOneRateAndTogetherShareTheOther) {
   const Model model = make_exact_model();
   const double clock = model.cpu.clock.value, one = model.link.one_way_rate / clock,
-               half = model.link.both_ways_rate / clock / 2;  // rates in bytes per cycle
+               half = model.link.both_ways_rate / clock / 2;  // in bytes per cycle
   constexpr std::uint64_t n = 100'000, m = 40'000;
   constexpr double slack = 200;
   EXPECT_NEAR(run_flows(2, {{0, 1}}, {{0, 1, n}}).at(0), n / one, slack);
@@ -52,17 +54,18 @@ TEST(Link, DirectionsAloneReachOneRateAndTogetherShareTheOther) {
   const auto uneven = run_flows(2, {{0, 1}}, {{0, 1, n}, {1, 0, m}});
   EXPECT_NEAR(uneven.at(1), m / half, slack);
   EXPECT_NEAR(uneven.at(0), m / half + (n - m) / one, slack);
-  // A star whose centre receives on two links and sends on two.
+  // A star whose centre receives messages on two links and sends messages on two.
   for (double end :
        run_flows(5, {{0, 1}, {0, 2}, {3, 0}, {4, 0}}, {{0, 1, n}, {0, 2, n}, {3, 0, n}, {4, 0, n}}))
     EXPECT_NEAR(end, n / one, slack);
 }
 
-// A message that meets an opposite one on its way.
+// A message meets another one in the opposite direction, which slows it down for a while. The
+// fraction that has passed must follow the two rates.
 TEST(Link, WhatHasPassedGrowsAsTheBytesMove) {
   const Model model = make_exact_model();
   const double clock = model.cpu.clock.value, one = model.link.one_way_rate / clock,
-               half = model.link.both_ways_rate / clock / 2;  // rates in bytes per cycle
+               half = model.link.both_ways_rate / clock / 2;  // in bytes per cycle
   constexpr double n = 10'000, m = 2'000, met_at = 40'000, every = 2'000;
   const auto passed = isolated_numbers([&] {
     Lab lab;
@@ -101,7 +104,7 @@ TEST(Link, WhatHasPassedGrowsAsTheBytesMove) {
   EXPECT_EQ(passed.back(), 0);  // the message has arrived
 }
 
-// The use that is forecast for a future time is right if nothing else happens until then.
+// If nothing happens until a future date, the use predicted for that date must be right.
 TEST(Link, UseIsForeseen) {
   for (const auto priority : {Priority::high, Priority::low}) {
     const auto seen = isolated_numbers([&] {
@@ -136,8 +139,8 @@ TEST(Link, UseIsForeseen) {
   }
 }
 
-// Each of d hops over unloaded links takes the start of its sender, then bytes/rate. (The reader
-// already waits.)
+// Each hop over an unloaded link must take the cost of starting the message plus bytes / rate. (The
+// next reader is already waiting.)
 TEST(Link, StoreAndForwardOverALine) {
   for (int hops : {1, 2, 7})
     for (std::uint64_t bytes : {1, 80, 3000}) {
@@ -167,8 +170,8 @@ TEST(Link, StoreAndForwardOverALine) {
     }
 }
 
-// For the real models at every link speed, the slope equals the table's rate, for one direction and
-// for both.
+// For each built-in model at every link speed, the time must grow with the length as the model's
+// rates say, for one direction and for both.
 TEST(Link, RatesOfTheModelsAtEverySpeed) {
   constexpr std::uint64_t bytes = 100'000;
   for (const auto& name : machine::builtin_models())
@@ -196,13 +199,13 @@ TEST(Link, RatesOfTheModelsAtEverySpeed) {
       const double start =
           static_cast<double>(cost_first(model, Side::writer, bytes)) / model.cpu.clock.value;
       EXPECT_NEAR(found.at(0), start + bytes / model.link.one_way_rate, 1e-10) << name << speed;
-      for (int i : {1, 2})  // (a processor's second message starts slightly later)
+      for (int i : {1, 2})  // a processor starts its second message slightly later
         EXPECT_NEAR(found.at(i), start + 2 * bytes / model.link.both_ways_rate, 2 * start)
             << name << " at " << speed;
     }
 }
 
-// A word takes 45 bit times as measured, 2.25 us; 1000 words take 2.25 ms.
+// On the real machine a word was measured to take 45 bit times (2.25 us); 1000 words take 2.25 ms.
 TEST(Link, WordOfTheRealMachineTakesItsMeasuredTime) {
   const Model model = machine::load_model("t805-25");
   EXPECT_NEAR(4 / model.link.one_way_rate, 2.25e-6, 1e-15);

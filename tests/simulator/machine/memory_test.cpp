@@ -1,4 +1,4 @@
-// Placement of a program's words: wait states, workspaces off chip, and the models that differ.
+// Effects of wait states and of workspaces in off-chip memory, and differences between models.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/machine/random_machine.hpp"
@@ -18,7 +18,7 @@ Model make_waiting_model(int wait_states, bool off_chip) {
   return make_model(settings);
 }
 
-// Cycles of both ends of a rendezvous of `bytes` bytes on one processor.
+// Cycles of a rendezvous of `bytes` bytes on one processor, for both processes together.
 double time_rendezvous(const Model& model, std::uint64_t bytes) {
   return isolated_numbers([&] {
            Lab lab(model);
@@ -32,8 +32,8 @@ double time_rendezvous(const Model& model, std::uint64_t bytes) {
       .at(0);
 }
 
-// With external memory of 3 cycles and s wait states, a word is read and written in 2 (3 + s)
-// cycles.
+// External memory takes 3 cycles and s wait states for an access. To copy a word, the CPU reads and
+// writes it, in 2 (3 + s) cycles.
 TEST(Memory, WaitStatesLengthenTheCopy) {
   for (int s : {0, 1, 2, 5})
     for (std::int64_t w : {2, 10, 1000}) {
@@ -41,14 +41,15 @@ TEST(Memory, WaitStatesLengthenTheCopy) {
       EXPECT_NEAR(time_rendezvous(model, static_cast<std::uint64_t>(4 * w)),
                   (4 + 20) + (4 + 19) + w * 2 * (3 + s), ROUNDING);
       EXPECT_EQ(model.memory.steal_word, 3 + s - 1);
-      // The workspace is on chip, so all other costs are unchanged.
+      // The workspace is on chip, so all other costs must be unchanged.
       EXPECT_EQ(model.alternative.enable_not.value, 5 + 1 + 2 + 1);
       EXPECT_EQ(machine::get_instruction(model, "ldl").value, 2);
       EXPECT_EQ(machine::get_instruction(model, "load").value, 3 + (3 + s) - 1);
     }
 }
 
-// A variable takes 3 + s cycles instead of one. A descheduling instruction touches three variables.
+// With the workspace off chip, a variable takes 3 + s cycles instead of one. An instruction that
+// deschedules its process uses three variables.
 TEST(Memory, WorkspacesOffChipLengthenEveryInstruction) {
   for (int s : {0, 1, 2}) {
     SCOPED_TRACE(fmt::format("{} wait states", s));
@@ -75,7 +76,7 @@ TEST(Memory, WorkspacesOffChipLengthenEveryInstruction) {
   }
 }
 
-// Slower memory makes no operation of any model cheaper.
+// Slower memory must make no operation of any model cheaper.
 TEST(Memory, NoRowIsLessWithMoreWaitStatesOrOffChip) {
   for (const auto& name : machine::builtin_models())
     for (bool off_chip : {false, true}) {
@@ -94,7 +95,7 @@ TEST(Memory, NoRowIsLessWithMoreWaitStatesOrOffChip) {
     }
 }
 
-// Runs a random program. Returns its end, and the time spent by every CPU.
+// Runs a random program. Returns its end and the busy time of each CPU.
 Numbers run_plan(const Plan& plan, const Model& model) {
   return isolated_numbers([&] {
     Lab lab(model);
@@ -109,7 +110,7 @@ Numbers run_plan(const Plan& plan, const Model& model) {
   });
 }
 
-// With one stream through a chain of processes, a wait state can only delay what follows.
+// There is one stream through a chain of processes, so a wait state can only delay what follows.
 TEST(Memory, MoreWaitStatesAreNeverFaster) {
   for (std::uint64_t seed = 400; seed < 416; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
@@ -139,8 +140,8 @@ TEST(Memory, OffChipIsNeverFasterThanOnChip) {
   }
 }
 
-// A slower model or a slower link never makes a random program with one stream faster. Tests four
-// models and three link speeds.
+// A slower model or a slower link must never make a random program with one stream faster. Tests
+// four models and three link speeds.
 TEST(Models, SlowerClocksAndLinksAreNeverFaster) {
   for (std::uint64_t seed = 500; seed < 508; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));

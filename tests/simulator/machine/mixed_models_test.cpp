@@ -14,7 +14,7 @@ std::shared_ptr<const Model> share(const char* name) {
   return std::make_shared<const Model>(load_model(name));
 }
 
-// Instruction times scale with the clock. Compiled occam has its own factor on each model.
+// Durations must depend on each processor's clock, and those of compiled occam on its own factor.
 TEST(MixedModels, EachProcessorHasItsOwnClockAndCosts) {
   const auto slow = share("t800-20");
   Model quick = load_model("t805-30");
@@ -40,7 +40,7 @@ TEST(MixedModels, EachProcessorHasItsOwnClockAndCosts) {
   EXPECT_NEAR(found.at(1), 1000 * 6000 / 20e6 + slow->software.occam_factor * 600 / 20e6, 1e-9);
 }
 
-// Duration of a message between `a` and `b`, in either direction, from its start.
+// Time of a message between `a` and `b`, in either direction, in seconds from its start.
 double time_between(const std::shared_ptr<const Model>& a, const std::shared_ptr<const Model>& b,
                     std::uint64_t bytes) {
   return isolated_numbers([&] {
@@ -71,7 +71,8 @@ TEST(MixedModels, ALinkIsAsFastAsItsSlowerEnd) {
   EXPECT_NEAR(time_between(t800, t414, bytes), slow, 1e-5);
 }
 
-// Both ends lose equally many cycles per word, so the slower clock loses a larger share.
+// Both ends lose the same number of cycles per word, so the one with the slower clock must lose a
+// larger fraction of its time.
 TEST(MixedModels, DmaTakesCyclesOfEachEndsOwnClock) {
   const auto slow = share("t800-20"), quick = share("t805-30");
   const auto lost_per_s = isolated_numbers([&] {
@@ -85,7 +86,7 @@ TEST(MixedModels, DmaTakesCyclesOfEachEndsOwnClock) {
     cpus[1]->start("reader", Priority::high, [&] { channel.in(); });
     for (const bool is_quick : {false, true})
       cpus[is_quick]->start("work", Priority::low, [&found, is_quick] {
-        constexpr std::int64_t CYCLES = 2'000'000;  // a computation that ends before the message
+        constexpr std::int64_t CYCLES = 2'000'000;  // ends before the message does
         const double begun = this_process().now().value;
         this_process().charge(Cycles{CYCLES});
         const double took = this_process().now().value - begun;
@@ -112,7 +113,7 @@ TEST(MixedModels, LinksOfOneSpeedOnly) {
                  });
 }
 
-// Duration of two messages in one direction, each on its own link or both on one.
+// Time of two messages in one direction, either on a link each or both on one link.
 double time_of_two(int links, bool both_ways) {
   return isolated_numbers([&] {
            Lab lab(load_model("t805-25"));

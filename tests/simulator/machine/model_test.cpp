@@ -1,4 +1,4 @@
-// Model files: their content, inheritance and refusals.
+// Model files: contents, inheritance, and files that must be refused.
 #include "simulator/machine/model.hpp"
 
 #include <gtest/gtest.h>
@@ -111,7 +111,7 @@ TEST(Model, FileIsFoundByItsPath) {
   std::filesystem::remove(path);
   EXPECT_THROW(load_model(path.string()), base::BadInput);
   std::ofstream(path) << "name = \"mine\"\nbase = \"" << path.filename().string() << "\"\n";
-  EXPECT_THROW(load_model(path.string()), base::BadInput);  // refuses a model that is its own base
+  EXPECT_THROW(load_model(path.string()), base::BadInput);  // a model that is its own base
   std::filesystem::remove(path);
 }
 
@@ -124,7 +124,7 @@ TEST(Model, HasALimitedNumberOfEntries) {
 struct Malformed {
   const char* what;
   const char* text;
-  std::vector<const char*> parts;  // expected parts of the message
+  std::vector<const char*> parts;  // texts that the message must contain
 };
 
 TEST(Model, RefusesMalformedFilesNamingTheLineAndTheKey) {

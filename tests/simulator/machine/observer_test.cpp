@@ -1,4 +1,5 @@
-// Observer notifications over random machines: spans of activity add up to the counts.
+// What an observer is told about random machines: the reported activities must add up to the
+// counts.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/machine/bursts.hpp"
@@ -11,7 +12,7 @@ using machine::LinkDirection;
 using machine::Observer;
 using machine::Seconds;
 
-constexpr double HAIR_S = 1e-12;  // tolerance, s
+constexpr double HAIR_S = 1e-12;  // tolerance in seconds
 
 struct Span {
   double from, to;
@@ -134,7 +135,7 @@ TEST(Observer, ChangesNothing) {
   }
 }
 
-// Several low-priority processes run in time slices. Pre-emptions cut some of their switches short.
+// Several low-priority processes share the CPU by time slices, and some switches are cut short.
 TEST(Observer, SwitchesAndSlicesAddUpToo) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
@@ -155,7 +156,7 @@ TEST(Observer, SwitchesAndSlicesAddUpToo) {
   }
 }
 
-// The limit ends the run in the middle of activities.
+// The time limit ends the run in the middle of activities. These must be reported up to the limit.
 TEST(Observer, IsToldUpToTheLimit) {
   for (std::int64_t limit : {1000, 4097, 20'000, 50'001}) {
     SCOPED_TRACE(fmt::format("limit {}", limit));

@@ -1,4 +1,4 @@
-// Invariants over random machines.
+// Properties that all random machines must have.
 #include <gtest/gtest.h>
 
 #include "simulator/observe/use.hpp"
@@ -7,10 +7,10 @@
 namespace occam {
 namespace {
 
-// The cost of the plan, counted outside the simulator.
+// The cost of a plan, counted without the simulator.
 struct Counts {
-  std::vector<std::int64_t> cycles;  // cycles of each processor, without switches
-  // numbers of messages and bytes
+  std::vector<std::int64_t> cycles;  // of each processor, without context switches
+  // Numbers of messages and bytes, by name of the link direction.
   std::map<std::string, std::pair<std::uint64_t, std::uint64_t>> links;
 };
 
@@ -111,7 +111,7 @@ TEST(Machine, RepeatsItselfToTheLastBit) {
   }
 }
 
-// One message passes one chain, alone in the machine.
+// A single message passes a chain of processors, alone in the machine.
 TEST(Machine, FasterClockOrLinkNeverMakesAnUnloadedLatencyLonger) {
   const Model slow = machine::load_model("t805-25");
   for (std::uint64_t seed = 200; seed < 214; ++seed) {

@@ -1,4 +1,4 @@
-// Random machines: random topologies with streams of messages, relayed by random chains of
+// Random machines: a random topology, and streams of messages relayed by random chains of
 // processes.
 #pragma once
 
@@ -13,28 +13,29 @@
 
 namespace occam {
 
-// One processor on a stream's route: two processes joined by a soft channel, or one process.
+// The processes of a stream on one processor: one process, or two that are joined by a soft
+// channel.
 struct Stage {
   int processor;
   bool two;
   Priority priority[2];
-  std::int64_t computes;      // cycles of computation per message
-  int polls = 0;              // ticks of waiting for a message before other work; 0: for ever
-  bool in_par = false;        // the two processes are branches of another one
-  bool by_companion = false;  // the companion processor relays between the two
+  std::int64_t computes;  // cycles of computation for each message
+  int polls = 0;        // ticks that it waits for a message before it does other work; 0: for ever
+  bool in_par = false;  // the two processes are branches of a PAR in a third one
+  bool by_companion = false;  // a process on the companion relays messages between the two
 };
 
 struct Stream {
   std::vector<Stage> stages;
-  std::vector<std::uint64_t> lengths;  // lengths of its messages
+  std::vector<std::uint64_t> lengths;  // of the stream's messages, in bytes
   machine::Seconds begins = {};
 };
 
 struct Plan {
   topologies::Topology topology;
-  std::vector<Stream> streams;     // streams, at most one on each link direction
+  std::vector<Stream> streams;     // at most one stream on each link direction
   std::vector<bool> is_slow = {};  // processors with half the clock rate; empty: none
-  std::vector<int> switches = {};  // number of switches on each link; empty: none
+  std::vector<int> switches = {};  // number of link switches, by link; empty: none
 };
 
 inline Plan make_plan(std::uint64_t seed) {
@@ -46,7 +47,7 @@ inline Plan make_plan(std::uint64_t seed) {
   const auto neighbours = topologies::neighbours(plan.topology);
   std::map<std::pair<int, int>, bool> taken;
   const auto pick = [&] { return static_cast<int>(random() % plan.topology.processors); };
-  const auto kind = random() % 3;  // processes have high, low or mixed priorities
+  const auto kind = random() % 3;  // 0: all processes have high priority, 1: low, 2: mixed
   const auto priority = [&] { return BOTH_PRIORITIES[kind < 2 ? kind : random() % 2]; };
   for (int tries = 3 * plan.topology.processors; tries > 0; --tries) {
     std::vector<int> path{pick()};
@@ -80,8 +81,8 @@ inline void let_some_poll(Plan& plan, std::uint64_t seed) {
       if (random() % 2 == 0) stage.polls = 1 + static_cast<int>(random() % 40);
 }
 
-// Varies the machine: processors of two kinds, some with companions, links with switches, processes
-// in PARs, late starts.
+// Varies the machine: processors with two clock rates, some with companions, links with switches,
+// PARs, and streams that begin late.
 inline void make_different(Plan& plan, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   for (int i = 0; i < plan.topology.processors; ++i) plan.is_slow.push_back(random() % 2 == 0);
@@ -92,7 +93,7 @@ inline void make_different(Plan& plan, std::uint64_t seed) {
     for (Stage& stage : stream.stages) {
       stage.in_par = random() % 2 == 0;
       stage.by_companion = random() % 2 == 0;
-      // Lets processes wait longer, since an ALT on a slow processor may take more than a few
+      // Makes processes wait longer, because an ALT on a slow processor may take more than a few
       // ticks.
       if (stage.polls > 0) stage.polls += 40;
     }
@@ -108,7 +109,7 @@ inline Words poll(Channel<Words>& channel, int ticks) {
   return *message;
 }
 
-// Starts the processes of a stream. The sink records errors and arrival times.
+// Starts the processes of a stream. The last one records errors in `wrong` and arrivals in `log`.
 inline void start_stream(Lab& lab, const Stream& stream, std::string& log, std::string& wrong) {
   const auto& cpus = lab.machine.processors();
   Channel<Words>* from = nullptr;

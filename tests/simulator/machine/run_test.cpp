@@ -1,4 +1,4 @@
-// Ends of a run: all processes have ended, the limit, the user's request.
+// How a run ends: all processes have ended, the limit is reached, or the user interrupts it.
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <unistd.h>
@@ -18,7 +18,7 @@ Seconds date_of_cycle(const Lab& lab, std::int64_t cycle) {
   return Cycles{cycle} / lab.machine.model().cpu.clock;
 }
 
-// Starts two processors that compute and exchange messages for ever.
+// Starts two processes on two processors that compute and exchange messages for ever.
 void start_endless(Lab& lab) {
   Processor& a = lab.cpu();
   Processor& b = lab.neighbour(a);
@@ -58,9 +58,10 @@ TEST(Run, EndsAtItsLimitWithNothingBeyond) {
   }
 }
 
-// A run ends at its limit with any kind of wait and any number of parts.
+// A process blocks at an own time after the limit. The run must end at its limit, for any kind of
+// wait and any number of parts.
 TEST(Run, EndsAtItsLimitThoughAProcessWaitsFromALaterTimeOn) {
-  constexpr std::int64_t LIMIT = 100;  // limit of the run, cycles
+  constexpr std::int64_t LIMIT = 100;  // limit of the run in cycles
   using Waits = void (*)(Channel<Words>&);
   const std::pair<const char*, Waits> all[] = {
       {"out", [](Channel<Words>& channel) { out(channel, {}); }},
@@ -93,7 +94,7 @@ TEST(Run, EndsAtItsLimitThoughAProcessWaitsFromALaterTimeOn) {
         }
 }
 
-// Starts a process that neither syncs nor blocks.
+// Starts a process that computes for ever and neither syncs nor blocks.
 void start_computing(Processor& cpu, Priority priority, std::int64_t step) {
   cpu.start("busy", priority, [step] {
     for (;;) compute(step);
@@ -129,7 +130,7 @@ TEST(Run, WithoutALimitEndsThoughAProcessOnlyComputes) {
   EXPECT_EQ(found, (Numbers{1, 12'345, 12'345}));
 }
 
-// Observes the same run up to a limit and beyond it. Events up to the limit are equal.
+// Observes the same run up to a limit and beyond it. What happens up to the limit must be the same.
 TEST(Run, LimitDoesNotChangeWhatHappensBefore) {
   const auto seen = [](std::int64_t limit, std::int64_t until) {
     return isolated([&] {
@@ -181,7 +182,8 @@ TEST(Run, StopsWhenTheUserWants) {
   EXPECT_LE(found.at(1), 41'000);
 }
 
-// SimGrid would end the program if the signal came during SimGrid's own start.
+// A signal must end the run even if it comes while SimGrid starts; SimGrid itself would end the
+// program.
 TEST(Run, BeginsWhileTheUserAsksForItsEnd) {
   test::run_isolated([] {
     static std::atomic<int> asked = 0;
@@ -198,8 +200,8 @@ TEST(Run, BeginsWhileTheUserAsksForItsEnd) {
   });
 }
 
-// There are a pre-empted computation, an unneeded slice and a timeout that does not fire. None of
-// their timers moves the final clock.
+// Timers remain of a pre-empted computation, of a time slice that is not needed, and of a timeout
+// that does not fire. None of them may move the clock at the end of the run.
 TEST(Run, EndsWithItsLastProcess) {
   const Model model = make_exact_model();
   const auto found = isolated_numbers([&] {
@@ -218,7 +220,7 @@ TEST(Run, EndsWithItsLastProcess) {
   EXPECT_EQ(found.at(0), 0);
 }
 
-// A limit unwinds running processes and destroys the objects they hold.
+// When the limit ends a run, processes must be unwound and the objects that they hold destroyed.
 TEST(Run, UnwindsWhatHasNotEnded) {
   const auto found = isolated_numbers([] {
     double released = 0;

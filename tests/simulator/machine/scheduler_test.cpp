@@ -1,5 +1,5 @@
-// The two-priority scheduler, compared with rules and a small independent calculation. Every seed
-// has its own processor in one machine.
+// The two-priority scheduler, compared with a small independent calculation. Each seed has a
+// processor of its own in one machine.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,9 +17,9 @@ struct Outcome {
   std::vector<std::int64_t> burst_ends;
 };
 
-// Calculates the expected outcome. The process of each burst first waits for the burst's time. A
-// burst that comes while the low-priority process runs pre-empts it. The return to the low-priority
-// process has a cost, and another burst may cut it short.
+// Calculates the expected outcome. The process of each burst (a high-priority computation) first
+// waits for the burst's date. If the low-priority process is then running, the burst pre-empts it.
+// The switch back to the low-priority process takes time, and another burst may cut it short.
 Outcome predict(const Model& model, const Load& load) {
   const auto wait = model.timer.wait_future.value * static_cast<std::int64_t>(load.bursts.size());
   const auto there = model.scheduler.preemption.value, back = model.scheduler.return_to_low.value;
@@ -87,7 +87,7 @@ TEST(Engine, EventsHappenByDateThenInTheOrderAskedFor) {
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
     std::mt19937_64 random(seed);
-    std::vector<std::pair<double, double>> asked;  // time and order of each request
+    std::vector<std::pair<double, double>> asked;  // date and number of each request
     for (int i = 0; i < 200; ++i) asked.emplace_back(static_cast<double>(random() % 20), i);
     const auto found = isolated_numbers([&] {
       Lab lab;
@@ -104,8 +104,8 @@ TEST(Engine, EventsHappenByDateThenInTheOrderAskedFor) {
   }
 }
 
-// Between any two looks at a processor, its busy time does not decrease, nor grow by more than the
-// elapsed time.
+// Between any two moments, the busy time of a processor must neither decrease nor grow by more than
+// the elapsed time.
 TEST(Scheduler, UseNeverRunsBackwardsNorAheadOfTheClock) {
   for (int seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));
@@ -133,7 +133,7 @@ TEST(Scheduler, UseNeverRunsBackwardsNorAheadOfTheClock) {
   }
 }
 
-// A process ends at the end of its body, after all its charged time.
+// A process must end when all cycles that its body was charged have passed.
 TEST(Scheduler, ProcessEndsWhenItsTimeHasPassed) {
   for (auto priority : BOTH_PRIORITIES) {
     const auto found = isolated_numbers([&] {
@@ -147,8 +147,9 @@ TEST(Scheduler, ProcessEndsWhenItsTimeHasPassed) {
   }
 }
 
-// High-priority processes run in the order in which they became ready, by simulated time. One made
-// ready ahead of the clock comes after one that a link makes ready earlier.
+// High-priority processes must run in the order of the dates at which they became ready. A process
+// that becomes ready at a date ahead of the clock must come after one that a link makes ready
+// before that date.
 TEST(Scheduler, ReadyQueuesAreFirstComeFirstServedBySimulatedTime) {
   const auto found = isolated_numbers([] {
     Lab lab;

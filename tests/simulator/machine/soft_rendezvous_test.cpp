@@ -1,4 +1,4 @@
-// Channels on one processor: end, cost and content of a rendezvous.
+// Channels on one processor: end and cost of a rendezvous, and the message's contents.
 #include <gtest/gtest.h>
 
 #include "tests/support/lab.hpp"
@@ -23,14 +23,15 @@ std::vector<SoftCase> make_soft_cases() {
   return cases;
 }
 
-// The first process pays its operands and `blocked`. The second, at `date`, pays its operands,
-// set-up and copy. Then both continue, and a high-priority one pre-empts a low-priority one.
+// The first process pays for its operands and channel.blocked. The second arrives at `date` and
+// pays for its operands, channel.soft_setup and the copy. Then both continue, where a high-priority
+// process pre-empts a low-priority one.
 void expect_soft_times(const Model& model) {
-  constexpr std::int64_t date = 102'400;  // a time that is a tick of every clock
+  constexpr std::int64_t date = 102'400;  // a tick of every clock
   const auto cases = make_soft_cases();
   const auto found = isolated_numbers([&] {
     Lab lab(model);
-    // ends of the first and the second process, and the received value
+    // Ends of the first and of the second process, and the received value.
     std::deque<std::array<double, 3>> ends(cases.size());
     for (std::size_t i = 0; i < cases.size(); ++i) {
       auto& channel = lab.soft();
@@ -87,8 +88,8 @@ TEST(SoftRendezvous, TakesTheOperandsSetupAndCopyOfTheSecondToCome) {
   expect_soft_times(machine::load_model("t414-20"));
 }
 
-// The published costs on chip: in and out 2w+19, outword 2 more; 20 for the first process; operands
-// 4.
+// The published costs in cycles with on-chip memory: in and out take 2w + 19 for w words, outword
+// two more; the first process takes 20; operands take 4.
 TEST(SoftRendezvous, OnChipIsThePublishedNumber) {
   const Model model = make_on_chip_model();
   for (auto bytes : SOFT_LENGTHS) {
@@ -100,7 +101,7 @@ TEST(SoftRendezvous, OnChipIsThePublishedNumber) {
   }
 }
 
-// Nothing is copied, and the two processes still meet.
+// A message of no bytes: nothing is copied, but the two processes must still meet.
 TEST(SoftRendezvous, OfNoBytes) {
   const Model model = make_complete_model();
   for (auto first : BOTH_PRIORITIES)
@@ -135,7 +136,7 @@ TEST(SoftRendezvous, CompiledOccamMultipliesItsInstructions) {
     cpu.start("writer", Priority::low, [&] { out(channel, {8}); });
     cpu.start("reader", Priority::low, [&] {
       channel.in();
-      compute(1000);  // adds computation, which another factor scales
+      compute(1000);  // computation that the factor does not multiply
       end = own_cycles();
       this_process().sync();
     });
@@ -144,13 +145,13 @@ TEST(SoftRendezvous, CompiledOccamMultipliesItsInstructions) {
   });
   const auto blocked = static_cast<double>(model.channel.blocked.value);
   const auto setup = static_cast<double>(model.channel.soft_setup.value);
-  const auto copy = static_cast<double>(soft_cost(model, 8)) - setup;  // share of the microcode
+  const auto copy = static_cast<double>(soft_cost(model, 8)) - setup;  // part done by microcode
   EXPECT_EQ(found.at(0), std::round(2.5 * blocked) + std::round(2.5 * setup) + copy + 1000);
 }
 
-// On a transputer, `in` and `out` are single instructions, and the second process copies. A
-// high-priority process may come during this instruction of a low-priority one, and then be the
-// first or the second of the two.
+// On a transputer, `in` and `out` are single instructions, and the second process does the copy. A
+// high-priority process may arrive during this instruction of a low-priority process; either of
+// them may then be the first.
 TEST(SoftRendezvous, IsCopiedWhenAHighProcessComesDuringTheInstructionOfALowOne) {
   constexpr std::uint64_t bytes = 4000;
   const Model model = make_exact_model();

@@ -1,4 +1,4 @@
-// Time slices: low-priority processes share the CPU in turns.
+// Time slices, by which low-priority processes share the CPU.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -8,13 +8,14 @@
 namespace occam {
 namespace {
 
-// An interval in which one low-priority process computes without a turn of another one.
+// A period in which one low-priority process computes and no other one does.
 struct Stretch {
   std::size_t process;
   double begin, end;
 };
 
-// Runs low-priority processes of random lengths, which compute in small pieces and log them.
+// Runs low-priority processes of random lengths. They compute in small pieces and log each piece.
+// Returns what is wrong, or "".
 std::string check_slices(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   constexpr std::int64_t piece = 16;
@@ -50,7 +51,7 @@ std::string check_slices(std::uint64_t seed) {
     auto expect = [&](bool holds, const char* what) { holds || (wrong += what, wrong += '\n', 0); };
     expect(stretches.back().end == static_cast<double>(total), "total time is not conserved");
     expect(ends == whole_ends, "computing in one piece ends at another time");
-    std::deque<std::size_t> queue;  // processes in the order of round robin
+    std::deque<std::size_t> queue;  // processes in the order in which they must run
     for (std::size_t i = 0; i < lengths.size(); ++i) queue.push_back(i);
     for (const Stretch& s : stretches) {
       const auto next = queue.front();
@@ -73,7 +74,8 @@ TEST(TimeSlices, GiveWayAfterOneToTwoPeriodsInTurn) {
   }
 }
 
-// A low-priority process computes, alone at first. Then another one wakes from a timer or a link.
+// A low-priority process computes, alone at first. Then another one becomes ready, by a timer or a
+// link. It must wait for at most two slice periods.
 TEST(TimeSlices, WokenLowProcessWaitsForAtMostTwoPeriods) {
   const Model model = make_exact_model();
   const auto found = isolated_numbers([] {
@@ -99,8 +101,8 @@ TEST(TimeSlices, WokenLowProcessWaitsForAtMostTwoPeriods) {
   EXPECT_EQ(found.at(3), 200'000 + model.timer.wait_future.value);
 }
 
-// Several low-priority processes run under random bursts. The total is their computation plus the
-// switches.
+// Several low-priority processes run while high-priority ones interrupt them at random. The total
+// time must be that of all computations plus the context switches.
 TEST(TimeSlices, AndPreemptionsTogetherConserveTime) {
   const Model model = make_exact_model();
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
@@ -132,7 +134,7 @@ TEST(TimeSlices, AndPreemptionsTogetherConserveTime) {
   }
 }
 
-// A slice ends while the high-priority process has the CPU.
+// A slice ends while a high-priority process has the CPU.
 TEST(TimeSlices, EndDuringAPreemption) {
   const Model model = make_exact_model();
   const auto period = model.scheduler.slice.value;
@@ -154,7 +156,7 @@ TEST(TimeSlices, EndDuringAPreemption) {
                                  .value);
 }
 
-// Starts of the turns on the CPU, in seconds.
+// Dates in seconds at which processes got the CPU.
 struct Turns : machine::Observer {
   void name_process(const Processor&, std::uint32_t, const std::string&) override {}
   void ran(const Processor&, std::uint32_t, Doing, machine::Seconds from,
@@ -166,8 +168,8 @@ struct Turns : machine::Observer {
   Numbers begins;
 };
 
-// Long computations run on the real machine. Each turn lasts exactly two periods, since it begins
-// on a tick. No late tick is lost to rounding.
+// Long computations on the real machine. Each turn on the CPU must last exactly two periods,
+// because it begins on a tick. No late tick may be lost to rounding.
 TEST(TimeSlices, TurnsOfTheRealMachineAreTwoPeriods) {
   const Model model = machine::load_model("t805-25");
   const double period = 5120 / 5e6;
@@ -186,8 +188,8 @@ TEST(TimeSlices, TurnsOfTheRealMachineAreTwoPeriods) {
     EXPECT_NEAR(found[i], 2 * period * static_cast<double>(i), 1e-9) << "turn " << i;
 }
 
-// A lone low-priority process continues. If another becomes ready after more than two periods, the
-// first one yields at the next tick, but never within its first period.
+// A low-priority process that is alone continues. If another one becomes ready after more than two
+// periods, the first must yield at the next tick, but never within its first period.
 TEST(TimeSlices, LateComerWaitsForTheNextTick) {
   const Model model = make_exact_model();
   const auto period = model.scheduler.slice.value;
@@ -199,8 +201,8 @@ TEST(TimeSlices, LateComerWaitsForTheNextTick) {
       Processor& other = lab.neighbour(cpu);
       auto& channel = lab.hard(other, cpu);
       double begins = 0;
-      // The process "late" waits for its message first. The busy process begins after the 20 cycles
-      // of that input.
+      // The process "late" first waits for its message. The process "busy" then begins, after the
+      // 20 cycles of this input.
       cpu.start("late", Priority::low, [&] { channel.in(), begins = own_cycles(); });
       cpu.start("busy", Priority::low, [&] { compute(20 * period), this_process().sync(); });
       other.start("writer", Priority::high, [&] {
@@ -215,8 +217,8 @@ TEST(TimeSlices, LateComerWaitsForTheNextTick) {
   }
 }
 
-// During a high-priority process, the tick passes and the other process becomes ready. The
-// low-priority one yields as soon as it returns.
+// While a high-priority process runs, a tick passes and another low-priority process becomes ready.
+// The interrupted low-priority process must yield as soon as it resumes.
 TEST(TimeSlices, TickThatPassesDuringAPreemptionCounts) {
   const Model model = make_exact_model();
   const auto period = model.scheduler.slice.value;
@@ -231,7 +233,7 @@ TEST(TimeSlices, TickThatPassesDuringAPreemptionCounts) {
     cpu.start("high", Priority::high, [&] {
       wait_until_cycle(5 * period - 160);
       out(channel, {4});
-      compute(1000), this_process().sync();  // computes beyond the tick
+      compute(1000), this_process().sync();  // computes until after the tick
       compute(1000);
     });
     lab.machine.run();
@@ -241,10 +243,10 @@ TEST(TimeSlices, TickThatPassesDuringAPreemptionCounts) {
                              s.return_to_low.value);
 }
 
-// A low-priority process computes. A high-priority one makes another low-priority process ready,
-// ahead of the clock unless it `pays` first, and waits. A third low-priority process, or a message
-// whose DMA delays the work ahead, comes shortly before the tick. Returns the cycles at which the
-// second and the third process end.
+// A first low-priority process computes. A high-priority one makes a second low-priority process
+// ready, at a date ahead of the clock unless it `pays` (syncs) before. Shortly before the tick, a
+// third low-priority process becomes ready or, if `has_message`, a message comes whose DMA delays
+// the work charged in advance. Returns the cycles at which the second and the third process end.
 Numbers end_around_tick(std::int64_t wakes, bool has_message, bool pays) {
   return isolated_numbers([&] {
     Model model = make_exact_model();

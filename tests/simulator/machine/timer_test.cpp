@@ -1,4 +1,4 @@
-// Timers: ticks of 1 and 64 us, waits, and ALTs with a timeout.
+// Timers: their ticks of 1 us and 64 us, waits for a tick, and ALTs with a timeout.
 #include <gtest/gtest.h>
 
 #include <limits>
@@ -8,13 +8,13 @@
 namespace occam {
 namespace {
 
-// Ticks of the real model: 1 us at high priority, 64 us at low, and 25 cycles per microsecond.
+// On the real model, a tick is 1 us at high and 64 us at low priority; a microsecond has 25 cycles.
 TEST(Timer, CountsWholeTicksOfItsPriority) {
   const Model model = machine::load_model("t805-25");
   const std::int64_t cycles_a_us = 25;
   for (auto priority : BOTH_PRIORITIES) {
     const std::int64_t tick = priority == Priority::high ? 1 : 64;
-    // Reads the clock just before, at and just after each of the first 3000 ticks.
+    // Reads the clock just before, at, and just after each of the first 3000 ticks.
     const auto wrong = isolated([&] {
       Lab lab(model);
       std::string text;
@@ -68,12 +68,12 @@ TEST(Timer, WaitsUntilATickAndNotForThePast) {
   }
 }
 
-// An ALT of a channel and a timeout. A process on another processor outputs at some cycle, or
-// never.
+// An ALT with a channel and a timeout. A process on another processor outputs to the channel at
+// some cycle, or never.
 struct Timeout {
   Priority priority;
   std::int64_t starts, output_at,
-      tick;  // `tick` in ticks of the reader's clock, the others in cycles
+      tick;  // in ticks of the reader's clock; the other two in cycles
   bool timer_first;
 };
 
@@ -85,7 +85,7 @@ std::int64_t tick_cycles(const Model& model, Priority priority) {
   return std::llround(tick * model.cpu.clock.value);
 }
 
-// The cycle at which the ALT and its input end, and whether the channel was chosen.
+// The expected cycle at which the ALT and its input end, and whether the channel is chosen.
 std::pair<double, bool> expect_timeout(const Model& model, const Timeout& c) {
   const auto& alt = model.alternative;
   const auto date = c.tick * tick_cycles(model, c.priority);
@@ -110,8 +110,8 @@ std::pair<double, bool> expect_timeout(const Model& model, const Timeout& c) {
           true};
 }
 
-// Returns for each case the end, and whether the channel was chosen. If it was not, the message is
-// taken later.
+// Runs the cases. Returns for each its end in cycles, and whether the channel was chosen. If it was
+// not, the message is taken later.
 Numbers run_timeouts(const Model& model, const std::vector<Timeout>& cases) {
   return isolated_numbers([&] {
     Lab lab(model);
@@ -171,8 +171,8 @@ TEST(Timeout, FiresOrNotAtTheSumOfItsRows) {
   }
 }
 
-// The timeout comes at any cycle of the ALT: it is past, or passes while the guards are enabled,
-// during taltwt, or after.
+// The timeout falls on any cycle of the ALT: it has passed before, or it passes while guards are
+// enabled, during taltwt, or later.
 TEST(Timeout, MayComeAtAnyCycleOfTheAlt) {
   const Model model = make_complete_model();
   std::vector<Timeout> cases;
@@ -184,9 +184,9 @@ TEST(Timeout, MayComeAtAnyCycleOfTheAlt) {
   expect_timeouts(model, cases);
 }
 
-// The timer wakes the ALT, and the output comes while the guards are disabled. The channel is
-// chosen if the output is ready at its guard's turn and no earlier guard was ready. (In the same
-// cycle, either may be first.)
+// The timer wakes the ALT, and the output comes while guards are disabled. The channel must be
+// chosen if the output is there when the channel's guard is disabled and no earlier guard was
+// ready. (If both fall on the same cycle, either may be chosen.)
 TEST(Timeout, GuardIsTakenThatIsReadyAtItsOwnTurn) {
   const Model model = make_complete_model();
   const auto date = 4096, turn = date + static_cast<int>(model.alternative.disable.value);
@@ -200,7 +200,7 @@ TEST(Timeout, GuardIsTakenThatIsReadyAtItsOwnTurn) {
   expect_timeouts(model, cases);
 }
 
-// A timeout that does not fire leaves nothing behind: the run ends with its processes.
+// A timeout that does not fire must not prolong the run, which ends with its processes.
 TEST(Timeout, ThatDoesNotFireDoesNotProlongTheRun) {
   for (auto priority : BOTH_PRIORITIES) {
     const auto found = isolated_numbers([&] {
@@ -234,7 +234,8 @@ TEST(Timer, WakesAtTheTickAndReadsIt) {
       Numbers seen;
       lab.cpu().start("waiter", priority, [&] {
         for (std::int64_t tick : {10, 20, 21, 1000}) {
-          if (tick == 21) wait_until(0);  // a past time, which takes 7 cycles and never a tick
+          // A date in the past: costs 7 cycles and never waits for a tick.
+          if (tick == 21) wait_until(0);
           wait_until(tick);
           seen.push_back(this_process().now().value * 1e6);
           seen.push_back(static_cast<double>(read_timer()));
@@ -243,9 +244,9 @@ TEST(Timer, WakesAtTheTickAndReadsIt) {
       lab.machine.run();
       return seen;
     });
-    // The wait for the past time begins 3 cycles after tick 20 and takes 7 cycles. The wait for
-    // tick 21 then takes 33 cycles. At high priority a tick is 25 cycles, so tick 21 has passed and
-    // the clock is not read again.
+    // The wait for the past date begins 3 cycles after tick 20 and takes 7 cycles. The wait for
+    // tick 21 then takes 33 cycles. At high priority a tick is 25 cycles, so tick 21 has passed by
+    // then and the clock is not read again.
     const double third = us == 1 ? 20 + (3 + 7 + 33) / 25.0 : 21 * us;
     const double dates[] = {10 * us, 20 * us, third, 1000 * us}, reads[] = {10, 20, 21, 1000};
     for (std::size_t i = 0; i < std::size(dates); ++i) {

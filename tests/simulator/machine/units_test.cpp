@@ -9,7 +9,7 @@
 namespace machine {
 namespace {
 
-// Tests halves of whole numbers, and their neighbours, at all magnitudes of cycles.
+// Tests numbers halfway between two whole numbers, and the numbers next to them, of all magnitudes.
 TEST(Units, CyclesAreRoundedAsTheStandardLibraryDoes) {
   constexpr unsigned SEED = 20;
   std::mt19937_64 random(SEED);

@@ -1,4 +1,4 @@
-// The order of events.
+// The order in which events are handled.
 #include "simulator/machine/carriers/events.hpp"
 
 #include <gtest/gtest.h>
@@ -10,15 +10,15 @@
 namespace machine {
 namespace {
 
-// Events are in order of time. At equal times, `first` events precede the others; each kind is in
-// order of scheduling.
+// Events must be handled by date. At equal dates, events of first_at() must precede those of at(),
+// and events of one kind must keep the order of scheduling.
 TEST(Events, ComeByDateAndThenAsTheyWereAskedFor) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937_64 random{seed};
     struct Asked {
       double date;
-      bool is_other;  // true if scheduled normally, not as `first`
+      bool is_other;  // true if scheduled by at(), not by first_at()
       int number;
       auto operator<=>(const Asked&) const = default;
     };
@@ -39,8 +39,8 @@ TEST(Events, ComeByDateAndThenAsTheyWereAskedFor) {
   }
 }
 
-// Actions scheduled with `soon` run after the event, in order, including those scheduled meanwhile.
-// None runs after a stop.
+// Callbacks of soon() must run after the event, in order, including those that other callbacks of
+// soon() schedule. None may run after a stop.
 TEST(Events, WhatIsAskedForSoonComesUntilAStop) {
   struct Trial {
     Events events;

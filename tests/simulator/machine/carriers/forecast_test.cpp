@@ -1,4 +1,4 @@
-// Bounds on the end times of messages on a link, whose rate changes when another message comes.
+// Predicted end of a message on a link whose rate changes when another message starts.
 #include "simulator/machine/carriers/forecast.hpp"
 
 #include <gtest/gtest.h>
@@ -85,7 +85,8 @@ TEST(Forecast, TellsTheBoundsOfAMessageThatEnds) {
   }
 }
 
-// Near one second a double resolves 10^-16 s; near ten days, 10^-10 s.
+// The tolerance must grow with the date: a double resolves 1e-16 s near one second, but only 1e-10
+// s near 1e6 s (ten days).
 TEST(Forecast, BoundsHaveRoomForTheRoundingOfLateDates) {
   for (const double start_s : {0., 1e3, 1e6}) {
     Forecast forecast;
@@ -100,8 +101,8 @@ TEST(Forecast, BoundsHaveRoomForTheRoundingOfLateDates) {
   }
 }
 
-// Changes SimGrid's factor for all bandwidths without the machine's knowledge. SimGrid then moves a
-// message of 100 bytes at 0.5 or 1.1 times the forecast rate of 2^20 bytes/s.
+// Changes SimGrid's factor on all bandwidths behind the machine's back. SimGrid then moves a
+// message of 100 bytes at 0.5 or 1.1 times the predicted rate. The machine must detect this.
 TEST(Forecast, SimGridMustKeepIt) {
   if (occam::engine_under_test().links == Links::direct) GTEST_SKIP() << "there is no SimGrid";
   for (const double factor : {0.5, 1.1}) {

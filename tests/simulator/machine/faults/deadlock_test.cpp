@@ -1,4 +1,5 @@
-// The report of a deadlock: the wait of each process, the processes it waits for, and the cycle.
+// The report of a deadlock: what each process waits for, from which processes, and the cycle of
+// waits.
 #include "tests/simulator/machine/failures.hpp"
 
 namespace occam {
@@ -10,7 +11,7 @@ std::string deadlock_at(Cycles cycle) {
 
 TEST(Deadlock, NamesProcessesAndChannels) {
   const Model costs = make_exact_model();
-  // Each of two processes waits for the other to input.
+  // Each of two processes outputs and waits for the other to input.
   for (auto priority : BOTH_PRIORITIES)
     expect_failure(deadlock_at(2 * costs.channel.blocked),
                    {"deadlock at 0.000002 s", "\n  Alice on cpu 0 waits for out on soft 0",
@@ -53,19 +54,19 @@ TEST(Deadlock, OfALinkNamesItsEnds) {
                  });
 }
 
-// True if the report names the cycle before its list of waits.
+// True if the report names the cycle before the list of waiting processes.
 bool names_first(const std::string& report, const std::string& cycle) {
   const auto waits = report.find(" waits for ");
   return report.find("\n  the cycle: " + cycle + "\n") < waits;
 }
 
-// Processes on a ring of processors pass on a token, each taking it from its predecessor. Then all
-// wait for it again.
+// Processes on a ring of processors pass on a token, which each takes from its predecessor. Then
+// all wait for the token again, which never comes.
 void deadlock_ring(Lab& lab, int n) {
   std::vector<Processor*> cpus{&lab.cpu()};
   for (int i = 1; i < n; ++i) cpus.push_back(&lab.neighbour(*cpus.back()));
   if (n > 2) lab.machine.connect(*cpus.back(), *cpus.front());
-  std::vector<Channel<Words>*> ring;  // ring[i] leads from i to the next
+  std::vector<Channel<Words>*> ring;  // channel i leads from process i to the next one
   for (int i = 0; i < n; ++i) ring.push_back(&lab.hard(*cpus[i], *cpus[(i + 1) % n]));
   for (int i = 0; i < n; ++i)
     cpus[i]->start(fmt::format("P{}", i), BOTH_PRIORITIES[i % 2], [=] {
@@ -94,7 +95,7 @@ TEST(Deadlock, NamesTheCycleAcrossProcessors) {
   EXPECT_TRUE(names_first(five, "P0 -> P4 -> P3 -> P2 -> P1 -> P0")) << five;
 }
 
-// A process outside the cycle waits too. The report names it, but not in the cycle.
+// A process outside the cycle also waits. The report must list it, but not as part of the cycle.
 TEST(Deadlock, CycleLeavesOutWhoOnlyWaitsForIt) {
   const auto report = failure_of([](Lab& lab) {
     Processor& cpu = lab.cpu();
@@ -144,8 +145,8 @@ TEST(Deadlock, SaysThatThePartnerHasEnded) {
                  });
 }
 
-// A PAR waits for its branches. A branch that has ended is no partner, nor is a later branch that
-// was created at the same address.
+// A PAR waits for its branches. The report must name neither a branch that has ended, nor a later
+// branch that was created at the same address.
 TEST(Deadlock, OfAPar) {
   const auto report = failure_of([](Lab& lab) {
     auto& channel = lab.soft();
@@ -170,7 +171,7 @@ TEST(Deadlock, OfAPar) {
   EXPECT_EQ(report.find("the cycle"), std::string::npos) << report;
 }
 
-// A branch waits for its parent, which waits for the branch.
+// A branch waits for its parent, which waits for the branch in a PAR.
 TEST(Deadlock, OfABranchAndItsParent) {
   const auto report = failure_of([](Lab& lab) {
     auto& channel = lab.soft();
@@ -182,7 +183,7 @@ TEST(Deadlock, OfABranchAndItsParent) {
   EXPECT_TRUE(names_first(report, "parent -> branch -> parent")) << report;
 }
 
-// Abandoned timers do not postpone the time of the deadlock.
+// Timers that no process waits for must not postpone the date of the deadlock.
 TEST(Deadlock, IsFoundAtTheLastThingThatHappened) {
   const auto alt = make_exact_model().alternative;
   const auto report = failure_of([&](Lab& lab) {

@@ -1,4 +1,4 @@
-// Cut links: which processes learn of it and when, and what is counted.
+// Cut links: which processes notice the cut and when, and which bytes are counted.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/machine/failing_links.hpp"
@@ -6,7 +6,7 @@
 namespace occam {
 namespace {
 
-constexpr double CUT = 5000;  // cycle of the cut
+constexpr double CUT = 5000;  // cycle at which the link is cut
 
 double blocked() { return static_cast<double>(make_exact_model().channel.blocked.value); }
 
@@ -19,8 +19,8 @@ struct Try {
 };
 
 // Cuts the link at `cycle` while these processes output and input. Returns for each process whether
-// its message was moved, and the cycle at which it learned this; then the end of the run and the
-// counts.
+// its message was moved, and the cycle at which its operation ended; then the end of the run and
+// the counts of messages and bytes.
 Numbers try_all(double cycle, const std::vector<Try>& tries, int switches = 0) {
   return isolated_numbers([&] {
     CutPair pair(cycle, make_exact_model(), switches);
@@ -50,7 +50,7 @@ Numbers try_all(double cycle, const std::vector<Try>& tries, int switches = 0) {
   });
 }
 
-// A process that waits for its partner is woken at the cut, for either direction and either end.
+// The cut must wake a process that waits for its partner, for either direction and either end.
 TEST(LinkFailure, EndsAWaitForThePartner) {
   for (auto priority : BOTH_PRIORITIES)
     for (bool forward : {true, false})
@@ -60,7 +60,8 @@ TEST(LinkFailure, EndsAWaitForThePartner) {
       }
 }
 
-// The transfer starts at `blocked` and would take 16 cycles per byte.
+// A transfer starts after channel.blocked cycles and would take 16 cycles per byte. A cut before
+// its end must fail it at both ends.
 TEST(LinkFailure, EndsATransferThatNobodyGets) {
   for (auto writer : BOTH_PRIORITIES)
     for (auto reader : BOTH_PRIORITIES) {
@@ -82,7 +83,7 @@ TEST(LinkFailure, EndsTransfersOfBothDirections) {
   EXPECT_EQ(found.at(8), CUT);
 }
 
-// Nothing moves while a link switch delays the first byte.
+// A message that is cut while a link switch still delays its first byte must not move any byte.
 TEST(LinkFailure, EndsAMessageInALinkSwitch) {
   const double just_begun = blocked() + 1;
   const auto found = try_all(
@@ -91,7 +92,8 @@ TEST(LinkFailure, EndsAMessageInALinkSwitch) {
   EXPECT_EQ(found, (Numbers{0, just_begun, 0, just_begun, just_begun, 0, 0, 9, 9, 0, 0, 1}));
 }
 
-// A transfer that ends before the cut is complete: `blocked` and 16 cycles per byte.
+// A transfer takes channel.blocked cycles and 16 cycles per byte. It must be complete if it ends
+// before the cut.
 TEST(LinkFailure, ComesTooLateForWhatHasArrived) {
   const double end = blocked() + 16 * 100;
   const std::vector<Try> tries{{true, Priority::high, Side::writer, 0, 100},
@@ -101,7 +103,7 @@ TEST(LinkFailure, ComesTooLateForWhatHasArrived) {
             (Numbers{0, end - 1, 0, end - 1, end - 1, 0, 0, 100, 100, 0, 0, 1599}));
 }
 
-// Failure is immediate and costs only `blocked`, whether the cut was at the start or later.
+// After a cut, an operation must fail at once and cost only channel.blocked.
 TEST(LinkFailure, IsToldAtOnceWhenItWasBefore) {
   for (auto priority : BOTH_PRIORITIES)
     for (auto side : {Side::writer, Side::reader})
@@ -113,8 +115,8 @@ TEST(LinkFailure, IsToldAtOnceWhenItWasBefore) {
       }
 }
 
-// A high-priority process is ahead of the clock. Its partner, which waits, fails at the cut. The
-// process itself fails when it comes to the link.
+// One process waits, and its partner is ahead of the clock. The waiting process must fail at the
+// cut, the other one when it reaches the link.
 TEST(LinkFailure, BetweenTheTwoEndsOfAMeeting) {
   for (auto first : {Side::writer, Side::reader}) {
     const Side second = first == Side::writer ? Side::reader : Side::writer;
@@ -125,8 +127,8 @@ TEST(LinkFailure, BetweenTheTwoEndsOfAMeeting) {
   }
 }
 
-// At the cut, the first process is ahead of the clock. The second comes after the cut, but before
-// the own time of the first. Each fails at its own time.
+// At the cut, the first process is ahead of the clock. The second arrives after the cut, but before
+// the own time of the first. Each must fail at its own time.
 TEST(LinkFailure, IsToldThoughThePartnerIsAheadOfTheClock) {
   for (auto first : {Side::writer, Side::reader})
     for (auto priority : BOTH_PRIORITIES) {
@@ -138,7 +140,7 @@ TEST(LinkFailure, IsToldThoughThePartnerIsAheadOfTheClock) {
     }
 }
 
-// The cut is during the tag, between tag and contents, or during the contents.
+// The link is cut during the tag of a message, between tag and contents, or during the contents.
 TEST(LinkFailure, OfAVariantProtocolIsTheSameInBothItsParts) {
   for (double cut = 1; cut < 2 * blocked() + 16 * (1 + 8); cut += 3) {
     const auto found = isolated_numbers([&] {
@@ -155,7 +157,8 @@ TEST(LinkFailure, OfAVariantProtocolIsTheSameInBothItsParts) {
   }
 }
 
-// The DMA takes 1/32 of the cycles up to the cut. Then the writer wakes.
+// DMA takes 1/32 of the cycles until the cut. Then the computation gets all cycles again, and the
+// writer is woken.
 TEST(LinkFailure, GivesTheCyclesOfTheDmaBack) {
   const Model model = make_stealing_model();
   constexpr std::int64_t cycles = 20'000, moves = 3200;
@@ -184,7 +187,7 @@ TEST(LinkFailure, GivesTheCyclesOfTheDmaBack) {
                 ROUNDING);
 }
 
-// Nothing happens after the end of the run or its limit. A second cut has no effect.
+// A cut after the end of the run or after its limit must have no effect, nor a second cut.
 TEST(LinkFailure, IsToldOnceAndNotAfterTheEnd) {
   const auto run = [](double cut, double end, double limit) {
     return isolated_numbers([=] {

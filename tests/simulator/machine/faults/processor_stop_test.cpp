@@ -1,4 +1,4 @@
-// Processors that stop.
+// Processors that stop at a given cycle.
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"
@@ -9,9 +9,9 @@
 namespace occam {
 namespace {
 
-constexpr double STOP = 5000;  // cycle of the stop
+constexpr double STOP = 5000;  // cycle at which the processor stops
 
-// Two joined processors, the second of which stops.
+// Two processors with a link, of which the second stops.
 struct StoppedPair {
   StoppedPair() {
     lab.machine.connect(a, b);
@@ -30,7 +30,8 @@ auto computing(std::int64_t cycles, double& end) {
   };
 }
 
-// The processor is busy before the stop and idle after it. The others continue to their end.
+// The stopped processor must count as busy until the stop and idle afterwards. Others must continue
+// to their end.
 TEST(ProcessorStop, EndsWhatItComputes) {
   for (auto priority : BOTH_PRIORITIES)
     for (std::int64_t elsewhere : {0, 20'000}) {
@@ -43,15 +44,15 @@ TEST(ProcessorStop, EndsWhatItComputes) {
         EXPECT_EQ(pair.lab.machine.run(), machine::End::done);
         EXPECT_TRUE(pair.b.stopped());
         EXPECT_FALSE(pair.a.stopped());
-        observe::collect(pair.lab.machine);  // collect() also checks the invariants of the counts
+        observe::collect(pair.lab.machine);  // also checks invariants of the counts
         return Numbers{end, never, pair.lab.busy_cycles(pair.b), pair.lab.cycles()};
       });
       EXPECT_EQ(found, (Numbers{-1, -1, STOP, elsewhere > 0 ? 20'000 : STOP}));
     }
 }
 
-// The stop comes while a high-priority process pre-empts the low one, or while the CPU returns to
-// it.
+// The processor stops while a high-priority process is pre-empting the low-priority one, or while
+// the CPU is switching back. The switch must be counted up to the stop.
 TEST(ProcessorStop, CountsASwitchUpToTheInstant) {
   const auto& s = make_exact_model().scheduler;
   const auto there = s.preemption.value, back = s.return_to_low.value;
@@ -73,7 +74,7 @@ TEST(ProcessorStop, CountsASwitchUpToTheInstant) {
   }
 }
 
-// Timers of a stopped processor neither fire nor postpone the end of the run.
+// Timers of a stopped processor must neither fire nor postpone the end of the run.
 TEST(ProcessorStop, ForgetsItsTimers) {
   for (auto priority : BOTH_PRIORITIES) {
     const auto found = isolated_numbers([&] {
@@ -90,8 +91,8 @@ TEST(ProcessorStop, ForgetsItsTimers) {
   }
 }
 
-// Neighbours that wait or communicate fail at the instant of the stop, and those that try later at
-// once. Processes of the stopped processor receive no failure.
+// Neighbours that wait or communicate must fail at the moment of the stop; those that try later, at
+// once. Processes of the stopped processor itself must not receive a failure.
 TEST(ProcessorStop, CutsItsLinks) {
   const auto blocked = static_cast<double>(make_exact_model().channel.blocked.value);
   for (auto priority : BOTH_PRIORITIES)
@@ -100,7 +101,8 @@ TEST(ProcessorStop, CutsItsLinks) {
         for (std::int64_t computes : {100, 9000}) {
           const auto found = isolated_numbers([&] {
             StoppedPair pair;
-            Processor& c = pair.lab.neighbour(pair.a);  // the stop does not affect this neighbour
+            // A neighbour that the stop does not concern.
+            Processor& c = pair.lab.neighbour(pair.a);
             auto& channel = side == Side::writer ? pair.lab.hard(pair.a, pair.b)
                                                  : pair.lab.hard(pair.b, pair.a);
             const Side other = side == Side::writer ? Side::reader : Side::writer;
@@ -118,7 +120,7 @@ TEST(ProcessorStop, CutsItsLinks) {
         }
 }
 
-// Soft channels and PARs of a stopped processor stand still, which is not a deadlock.
+// Processes in soft channels and PARs of a stopped processor stay blocked, which is not a deadlock.
 TEST(ProcessorStop, ItsProcessesStayWhereTheyAre) {
   const auto found = isolated_numbers([] {
     StoppedPair pair;
@@ -137,7 +139,7 @@ TEST(ProcessorStop, ItsProcessesStayWhereTheyAre) {
   EXPECT_EQ(found, (Numbers{20'000, 20'000}));
 }
 
-// A process elsewhere may wait for the stopped processor for ever.
+// A process elsewhere that waits for the stopped processor for ever is a deadlock.
 TEST(ProcessorStop, LeavesADeadlockElsewhere) {
   const auto report = failure_of([](Lab& lab) {
     Processor& a = lab.cpu();
@@ -154,8 +156,8 @@ TEST(ProcessorStop, LeavesADeadlockElsewhere) {
       << report;
 }
 
-// Observers are notified before any other event of that instant, even one scheduled earlier. They
-// are notified once for the processor and all its links, and may schedule more failures.
+// Callbacks of on_failure() must run before any other event of that date, even one scheduled
+// earlier. They must run once for the processor with all its links, and may plan further failures.
 TEST(ProcessorStop, IsToldBeforeAnythingElseHappens) {
   const auto log = isolated([] {
     StoppedPair pair;
@@ -194,7 +196,8 @@ TEST(ProcessorStop, MayBeAfterTheEnd) {
   EXPECT_EQ(found, (Numbers{4000, 0, 0, 4000}));
 }
 
-// DMA has delayed the dispatch of a process that the stop then ends. The run does not last longer.
+// DMA has delayed the start of a process that the stop then ends. The run must not last longer
+// because of this.
 TEST(ProcessorStop, EndsWhatDmaHasDelayed) {
   const auto ends = [](std::int64_t steal_word) {
     return isolated_numbers([&] {

@@ -1,5 +1,6 @@
-// Random machines with random cuts and stops. No message is received twice. Each is received, or
-// its sender learns of the failure. The run ends, and repeats to the last bit.
+// Random machines with random cuts of links and stops of processors. No message may be received
+// twice. A message between running processors must be received, or its sender must notice the
+// failure. The run must end, and must repeat to the last bit.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -11,7 +12,8 @@
 namespace occam {
 namespace {
 
-// Messages on one direction of a link: for each, the sender's result and the number of receptions.
+// Messages in one direction of a link. For each message: whether the output succeeded, and how
+// often it was received.
 struct Record {
   int from, to;
   std::unique_ptr<Channel<Words>> channel;
@@ -22,7 +24,7 @@ constexpr int UNKNOWN = -1;
 struct Traffic {
   Priority writer, reader;
   bool by_alt;
-  std::int64_t writes, reads;  // cycles of computation per message
+  std::int64_t writes, reads;  // cycles of computation for each message
   std::uint64_t longest;
 };
 
@@ -30,11 +32,11 @@ void write_all(const Traffic& t, Record& record) {
   for (std::size_t n = 0; n < record.sent.size(); ++n) {
     compute(t.writes);
     record.sent[n] = out_or_fail(*record.channel, {n * 37 % t.longest, n});
-    if (record.sent[n] == 0 && n % 3 == 0) return;  // else tries the next one
+    if (record.sent[n] == 0 && n % 3 == 0) return;  // otherwise it tries the next message
   }
 }
 
-// Takes each message by an input or by an ALT with a timeout, up to the failure.
+// Takes each message by an input, or by an ALT with a timeout, until the link fails.
 void read_all(const Traffic& t, Record& record) {
   std::int64_t patience = 4;
   for (std::size_t n = 0; n < record.received.size();) {
@@ -110,7 +112,7 @@ struct Chaos {
   }
 };
 
-// Runs a machine, and returns errors and the log.
+// Runs a machine, and returns its errors and a log of its results.
 std::pair<std::string, std::string> run(std::uint64_t seed, const Model& model, bool stops) {
   const auto text = isolated([&] {
     Chaos chaos(seed, model);
@@ -122,7 +124,7 @@ std::pair<std::string, std::string> run(std::uint64_t seed, const Model& model, 
       wrong += chaos.check(record);
       lost += static_cast<int>(std::ranges::count(record.sent, 0));
     }
-    // collect() also checks the invariants of the counts
+    // Also checks invariants of the counts.
     const auto use = observe::collect(chaos.lab.machine);
     for (const auto& cpu : use.cpus) log += fmt::format("{:a} ", cpu.busy_s);
     for (const auto& link : use.links) log += fmt::format("{:a} {} ", link.busy_s, link.bytes);
