@@ -1,4 +1,4 @@
-// Routes of the acyclic router under link cuts, compared with an independent wait-for graph.
+// Routes of the acyclic router after cuts of links, compared with an independent wait-for graph.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -11,10 +11,10 @@
 namespace network {
 namespace {
 
-using Way = std::pair<int, int>;  // a processor, and the output port of a message there
+using Way = std::pair<int, int>;  // a processor, and the port by which a message leaves it
 using Waits = std::map<Way, std::set<Way>>;
 
-// A message that holds a link waits for the next one on its route.
+// Adds all routes to the graph: a message that holds one link of its route waits for the next one.
 void add_routes(const Routing& routing, Waits& waits) {
   for (int to = 0; to < routing.processors(); ++to) {
     const auto distance = topologies::plain_distances(routing.topology(), to);
@@ -34,7 +34,8 @@ void add_routes(const Routing& routing, Waits& waits) {
   }
 }
 
-// A message to all waits for every link that passes it on, and reaches every processor.
+// Adds messages to all processors: such a message waits for every link that passes it on. Also
+// checks that it reaches every processor.
 void add_messages_to_all(const Routing& routing, Waits& waits) {
   const auto epoch = routing.epoch();
   for (int sender = 0; sender < routing.processors(); ++sender) {
@@ -51,7 +52,8 @@ void add_messages_to_all(const Routing& routing, Waits& waits) {
   }
 }
 
-// Removes entries that wait for nothing, until none remains or only cycles do.
+// Removes entries that wait for nothing until none is left (then there is no cycle) or none can be
+// removed.
 bool has_cycle(Waits waits) {
   for (bool is_smaller = true; is_smaller;) {
     const auto waits_for_nothing = [&](const auto& entry) {
@@ -103,7 +105,7 @@ TEST(AcyclicCuts, NoRoutesCloseACycleOfWaitingLinks) {
   }
 }
 
-// The wait-for graph does find the cycles of shortest routes.
+// The wait-for graph must find the cycles that shortest routes close.
 TEST(AcyclicCuts, ShortestRoutesDoCloseSome) {
   const auto closes = [](const char* spec) {
     const auto topology = topologies::make_topology(spec);

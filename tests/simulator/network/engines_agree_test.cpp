@@ -1,4 +1,5 @@
-// Random machines of routers, saturated or with faults: both engines give equal measurements.
+// Random machines with routers, either saturated or with faults. Links with and without SimGrid
+// must give equal measurements.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -31,7 +32,7 @@ topologies::Topology make_network(std::uint64_t seed) {
   }
 }
 
-// Chooses links and processors that fail during the soak test.
+// Chooses links and processors that fail during the soak test (random messages for a long time).
 std::vector<programs::PlannedFault> plan_faults(const topologies::Topology& topology,
                                                 std::mt19937_64& random) {
   std::vector<programs::PlannedFault> faults;
@@ -46,7 +47,8 @@ std::vector<programs::PlannedFault> plan_faults(const topologies::Topology& topo
   return faults;
 }
 
-// Makes a soak test with faults, or a load between light and several times the routers' capacity.
+// Makes a trial: a soak test with faults, or a load from light to several times the routers'
+// capacity.
 Trial make_trial(const machine::Model& model, std::uint64_t seed) {
   std::mt19937_64 random(seed);
   Trial trial{"soak", {}, {model, make_network(seed)}};
@@ -71,7 +73,7 @@ Trial make_trial(const machine::Model& model, std::uint64_t seed) {
   return trial;
 }
 
-// The program's measurements; for a deadlock its time.
+// Returns the measurements of the program, or the date of the deadlock if there is one.
 Numbers measure(Trial trial, machine::Links links) {
   return isolated_numbers([&] {
     trial.setup.engine.links = links;
@@ -92,8 +94,8 @@ Numbers measure(Trial trial, machine::Links links) {
 
 TEST(EnginesAgree, OnRandomMachinesOfRouters) {
   const auto model = machine::load_model("t805-25");
-  // The environment variable TLAB_MACHINES sets the number of machines, such as 200. The default is
-  // small.
+  // The environment variable TLAB_MACHINES sets the number of random machines, for instance 200.
+  // The default is small.
   const char* asked = std::getenv("TLAB_MACHINES");
   const int machines = asked ? std::stoi(asked) : 24;
   for (int seed = 1; seed <= machines; ++seed) {

@@ -1,4 +1,4 @@
-// Routers with a saturated output serve their inputs in turns.
+// Routers whose output is saturated must serve their inputs in turn.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -8,8 +8,8 @@
 namespace network {
 namespace {
 
-// Processors 1 to 3 of a star send to the fourth over the hub, as fast as possible. Returns the
-// sender of each message, in order of arrival.
+// Processors 1 to 3 of a star send messages over the hub to the fourth as fast as possible. Returns
+// the sender of each message, in order of arrival.
 std::vector<double> find_senders(Method method, std::uint64_t bytes) {
   return test::isolated_numbers([&] {
     Params params;
@@ -26,8 +26,8 @@ std::vector<double> find_senders(Method method, std::uint64_t bytes) {
   });
 }
 
-// While all three have messages to send, each has at least 3 of 24 turns. Shares differ, since the
-// hub gives the turns of its idle inputs to the next active input.
+// While all three have messages to send, each must have at least 3 of 24 messages. The numbers
+// differ, because the hub passes the turn of an idle input to the next active one.
 TEST(RouterFairness, EveryLinkInHasItsTurn) {
   for (const Method method : {Method::chalmers, Method::green, Method::acyclic, Method::naive})
     for (const std::uint64_t bytes : {4, 100}) {

@@ -1,4 +1,4 @@
-// Failures with a clear message: memory, failing processes, broken invariants.
+// Faults of the simulated program, which must end the run with a clear message.
 #include <gtest/gtest.h>
 
 #include "base/errors.hpp"

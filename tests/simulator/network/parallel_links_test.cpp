@@ -1,4 +1,4 @@
-// Routers with several links between two neighbours.
+// Routers on processors with several links between two neighbours.
 #include <gtest/gtest.h>
 
 #include "simulator/network/store_and_forward.hpp"
@@ -17,8 +17,8 @@ topologies::Topology pair_joined_by(int links) {
 constexpr int CLIENTS = 4;
 constexpr std::uint64_t BYTES = 100'000, MESSAGES = 8;
 
-// The time, s, in which each process of one processor sends its messages to a process of the other.
-// They must arrive in order.
+// Returns the time in seconds in which each process of one processor sends its messages to a
+// process of the other. Checks that the messages of each process arrive in order.
 std::string time_of(int links, Method method) {
   return isolated([&] {
     Params params;
@@ -52,9 +52,9 @@ std::string time_of(int links, Method method) {
   });
 }
 
-// The inputs of the acyclic method work concurrently. Four streams on two links take half the time,
-// or three quarters if three of them share a link. Chalmers' and Green's routers input one message
-// at a time.
+// In the acyclic method, inputs work concurrently: four streams on two links must take half the
+// time, or three quarters if three of them share a link. Chalmers's and Green's routers input only
+// one message at a time.
 TEST(ParallelLinks, CarryStreamsSideBySideAndKeepEachInOrder) {
   for (const Method method : METHODS) {
     const double one = std::stod(time_of(1, method)), two = std::stod(time_of(2, method));
@@ -63,8 +63,8 @@ TEST(ParallelLinks, CarryStreamsSideBySideAndKeepEachInOrder) {
   }
 }
 
-// The number of messages on each link from processor 0 to 1, after a process on 0 has sent six
-// messages to one on 1.
+// Returns the number of messages on each link from processor 0 to 1, after a process on 0 has sent
+// six messages to a process on 1.
 std::vector<double> loads_of(int links, Method method) {
   return occam::isolated_numbers([&] {
     Params params;
@@ -83,7 +83,7 @@ std::vector<double> loads_of(int links, Method method) {
   });
 }
 
-// Parallel links as in docs/manual/topologies.md: each link has its own load.
+// All messages between two processes must take the same one of several parallel links.
 TEST(ParallelLinks, RoutersPutAPairOfProcessesOnOne) {
   for (const Method method : METHODS) {
     const double one = loads_of(1, method).at(0);
@@ -107,7 +107,7 @@ TEST(ParallelLinks, TrafficAlternates) {
   };
   EXPECT_NEAR(busy(2), busy(1) / 2, 1e-3 * busy(1));
   EXPECT_NEAR(busy(3), busy(1) / 3, 1e-3 * busy(1));
-  // the messages divide into two, two, one and one
+  // The messages divide over the four links as two, two, one and one.
   EXPECT_NEAR(busy(4), busy(1) / 3, 1e-3 * busy(1));
 }
 

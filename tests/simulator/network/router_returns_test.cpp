@@ -1,4 +1,4 @@
-// Messages to a nonexistent process return, however many meet on a link.
+// Messages to a process that does not exist must return, even if many meet on a link.
 #include <gtest/gtest.h>
 
 #include "simulator/network/network.hpp"
@@ -18,8 +18,8 @@ TEST(Messages, AreReadOnlyAsTheTypeThatWasSent) {
   EXPECT_THROW(read<double>(message), std::bad_cast);
 }
 
-// Every processor sends `each` messages to a nonexistent process on every other, then receives the
-// returned messages. The result is the number of messages that return with the reason.
+// Every processor sends `each` messages to a process that does not exist on every other processor,
+// then receives what returns. Returns the number of messages that came back with the right reason.
 double send_to_nobody(Method method, const std::string& spec, int each) {
   const auto topology = topologies::make_topology(spec);
   machine::Machine machine(machine::load_model("t805-25"));

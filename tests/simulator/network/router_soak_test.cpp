@@ -1,5 +1,5 @@
-// Soak test: on random networks every message arrives once, at its destination and in order, for
-// any method.
+// Soak test of all routers on random networks: every message must arrive once, at its destination,
+// and in order.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -32,7 +32,7 @@ std::string to_text(const SoakOutcome& outcome) {
   return text;
 }
 
-// True if the network stays connected without the failing links.
+// True if the network stays connected when the links in `faults` are cut.
 bool stays_joined(topologies::Topology topology,
                   const std::vector<programs::PlannedFault>& faults) {
   std::erase_if(topology.links, [&](const auto& link) {
@@ -89,7 +89,8 @@ TEST(RouterSoak, TheSameTwice) {
   }
 }
 
-// Between running processors, every undelivered message returns or is reported as lost.
+// Between processors that run, each message that is not delivered must return or be reported as
+// lost.
 TEST(RouterSoak, FailuresLoseNothingUnsaid) {
   for (std::uint64_t seed = 1; seed <= 45; ++seed) {
     SCOPED_TRACE(seed);
@@ -120,7 +121,8 @@ TEST(RouterSoak, FailuresLoseNothingUnsaid) {
           get_number(row, "delivered") + get_number(row, "returned") + get_number(row, "lost"),
           get_number(row, "expected"));
       EXPECT_EQ(outcome.notes.empty(), get_number(row, "lost") == 0);
-      // If only links fail, a message may be lost only if both its ends are out of reach.
+      // If only links fail, a message may be lost only if neither its receiver nor its sender can
+      // be reached.
       const bool may_lose = !only_links || !stays_joined(topology, faults);
       EXPECT_TRUE(may_lose || get_number(row, "lost") == 0) << to_text(outcome);
       if (testing::Test::HasFailure()) throw std::runtime_error(to_text(outcome));

@@ -1,4 +1,4 @@
-// Functions that the tests of routers share.
+// Functions shared by the tests of routers.
 #pragma once
 
 #include "simulator/network/network.hpp"
@@ -13,7 +13,7 @@ using topologies::random_topology;
 
 constexpr Method METHODS[] = {Method::chalmers, Method::green, Method::acyclic};
 
-// A network, with a low-priority application on each processor.
+// A machine with a network, and with a low-priority application process on chosen processors.
 struct Bench {
   explicit Bench(const topologies::Topology& topology, Params params = {},
                  std::optional<TreeLinks> tree = {}, std::uint64_t memory = 4 << 20) {
@@ -27,7 +27,7 @@ struct Bench {
     machine.processors()[id]->start("application", occam::Priority::low,
                                     [this, id, body] { body(network->client(id)); });
   }
-  // Receives messages for ever.
+  // Starts a process that receives messages for ever.
   void start_sink(int id, const std::function<void(const Message&)>& taken = {}) {
     start(id, [taken](Client& client) {
       occam::this_process().set_server();

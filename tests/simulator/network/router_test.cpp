@@ -1,4 +1,4 @@
-// Routers: addresses, GLOBAL, InPathTo, memory limits, and link cuts.
+// Routers: addresses, GLOBAL and InPathTo messages, memory limits, and cut links.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -11,7 +11,7 @@ namespace network {
 
 namespace {
 
-// Runs a body in a child process, which reports its errors.
+// Runs `body` in a child process. Fails if an expectation fails there.
 void expect_in_child(const std::function<void()>& body) {
   EXPECT_EQ(isolated([&] {
               body();
@@ -32,7 +32,7 @@ TEST(Router, AddressesThatDoNotExistComeBackWithTheReason) {
   for (const Method method : METHODS)
     expect_in_child([&] {
       Params params = with(method);
-      params.processes.assign(4, {0b11});  // each processor has the processes 0 and 1 only
+      params.processes.assign(4, {0b11});  // each processor has only the processes 0 and 1
       Bench bench(topologies::make_topology("line:4"), params);
       for (int id = 1; id < 4; ++id) bench.start_sink(id);
       std::vector<Returned> reasons;
@@ -92,21 +92,22 @@ TEST(Router, GlobalReachesEveryOtherProcessorAlongEitherKindOfTree) {
           });
           bench.machine.run();
           for (int id = 0; id < n; ++id) EXPECT_EQ(times[id], id == sender ? 0 : 3) << id;
-          // A tree has one link fewer than processors, and each message takes each link once.
+          // The tree has one link fewer than processors, and each message must pass each of these
+          // links once.
           std::uint64_t moved = 0;
           for (const auto& link : bench.machine.links()) moved += link->use().bytes;
           EXPECT_EQ(moved, 3u * static_cast<unsigned>(n - 1) * 24);
         });
 }
 
-// Each processor on the route that has the process gets the offer, nearest first, until one keeps
-// it.
+// A message must be offered to each processor on the route that has the process, nearest first,
+// until one of them keeps the message.
 TEST(Router, InPathToIsOfferedOnTheWay) {
   for (const Method method : METHODS)
     expect_in_child([&] {
       Params params = with(method);
       params.processes.assign(6, {1});
-      params.processes[2] = {0b10};  // has no process 0, so messages pass without an offer
+      params.processes[2] = {0b10};  // no process 0 there, so messages pass without being offered
       Bench bench(topologies::make_topology("line:6"), params);
       std::vector<int> asked;
       for (int id = 1; id < 6; ++id)
@@ -134,7 +135,7 @@ TEST(Router, NoRoomIsAFaultThatNamesTheRouter) {
       bench.start(0, [](Client& client) {
         for (int i = 0; i < 20; ++i) client.send(make_message({1, 0}));
       });
-      // a client that takes no message
+      // A client that takes no messages from its router.
       bench.start(1, [](Client&) { occam::wait_until(1'000'000); });
       try {
         bench.machine.run();
@@ -164,8 +165,8 @@ TEST(Router, BuffersAndMessagesMustFitTheMemory) {
   EXPECT_NE(text.find("found 4194304 bytes of memory left"), std::string::npos) << text;
 }
 
-// In ring:4, the route from 0 to 2 passes 1 or 3; without link 0-1 it passes 3. Without 0-3 as
-// well, there is no route.
+// In ring:4, the route from 0 to 2 passes 1 or 3. If link 0-1 is cut, it must pass 3; if link 0-3
+// is cut as well, messages must return.
 TEST(Router, GoesAroundACutLinkOrSaysThatNoWayIsLeft) {
   for (const Method method : METHODS)
     expect_in_child([&] {
@@ -189,7 +190,7 @@ TEST(Router, GoesAroundACutLinkOrSaysThatNoWayIsLeft) {
     });
 }
 
-// Messages in transit when a link is cut take another route, long ones too.
+// Messages in transit when a link is cut, also long ones, must take another route and arrive once.
 TEST(Router, MessagesUnderWayWhenALinkIsCutArriveOnce) {
   for (const Method method : METHODS)
     for (int at_us = 300; at_us < 3000; at_us += 130)
@@ -213,9 +214,9 @@ TEST(Router, MessagesUnderWayWhenALinkIsCutArriveOnce) {
       });
 }
 
-// A message that is passed by pointer is not copied, so its time grows with its length only on the
-// link. A copied message takes three more copies of each byte: into the router, to the client's
-// sender, to the client.
+// If messages are passed as pointers, the time must grow with the length only because of the link.
+// If they are copied, each byte is copied three times more: into the router, to the sender process
+// of the client's way, and to the client.
 TEST(Router, CopiesCostMemoryCyclesAByte) {
   const auto latency = [](bool pointers, std::uint64_t bytes) {
     return occam::isolated_numbers([&] {
@@ -238,7 +239,7 @@ TEST(Router, CopiesCostMemoryCyclesAByte) {
                                       model.cpu.clock.value;
   const double more_copied = latency(false, 4000) - latency(false, 0),
                more_pointed = latency(true, 4000) - latency(true, 0);
-  // Copies: client to main, main to the client's sender, sender to client; plus the link.
+  // Copies: from client to router, to the sender process, and to the client.
   EXPECT_NEAR(more_copied - more_pointed, 3 * copy_s, 0.01 * copy_s);
   EXPECT_NEAR(more_pointed, 4000 / model.link.one_way_rate, 0.02 * more_pointed);
 }

@@ -1,8 +1,8 @@
-// Independent simulation of store-and-forward networks: a simple event queue, without code of the
+// Independent simulation of a store-and-forward network: a simple event queue, without code of the
 // simulator.
 //
-// Packets of equal length pass from processor to processor. Each outgoing link is serial, with an
-// unbounded first-come-first-served queue. Nothing else takes time.
+// Packets of equal length pass from processor to processor. Each outgoing link carries one packet
+// at a time and has an unbounded queue in order of arrival. Nothing but links takes time.
 #pragma once
 
 #include <cstddef>
@@ -17,20 +17,20 @@
 namespace second_opinion {
 
 struct Packet {
-  double at_s;  // time at which it enters the network
+  double at_s;  // date in seconds at which it enters the network
   int from, to;
 };
 
-// The next processor on the route between two different processors.
+// Returns the next processor on the route between two different processors.
 using NextHop = std::function<int(int from, int to)>;
 
 class Network {
  public:
-  // `service_s` is the time of a packet on a link.
+  // `service_s` is the time in seconds that a packet takes on a link.
   Network(const std::vector<Packet>& packets, double service_s, NextHop next)
       : packets_(packets), service_s_(service_s), next_(std::move(next)) {}
 
-  // Arrival of each packet, in the packets' order.
+  // Returns the date of arrival of each packet, in the order of the packets.
   std::vector<double> run() {
     arrived_s_.assign(packets_.size(), 0);
     for (std::size_t i = 0; i < packets_.size(); ++i)
@@ -50,15 +50,15 @@ class Network {
     bool busy = false;
     std::deque<std::size_t> waiting;
   };
-  // An event at processor `at`: its source sends a packet, or a packet arrives there and frees its
-  // link.
+  // An event at processor `at`: a packet enters the network there, or arrives there. In the second
+  // case `freed` is the link that it leaves.
   struct Event {
     double at_s;
-    std::uint64_t order;  // order of events at the same time
+    std::uint64_t order;  // order of events at the same date
     std::size_t packet;
     int at;
     Link* freed;
-    bool operator<(const Event& o) const {  // reversed for a queue whose top is the next event
+    bool operator<(const Event& o) const {  // reversed, so that the queue's top is the next event
       return at_s != o.at_s ? at_s > o.at_s : order > o.order;
     }
   };

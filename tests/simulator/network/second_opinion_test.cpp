@@ -1,7 +1,7 @@
-// The machine's networks, compared with an independent simulation, and both with queueing theory.
+// Networks of the machine, compared with an independent simulation, and both with queueing theory.
 //
-// The CPUs are so fast here that routing takes no time, and links do not slow each other down. Only
-// store and forward over serial links remains.
+// The CPUs are so fast here that routing takes no time, and links do not slow each other down. What
+// is left is store-and-forward over links that carry one packet at a time.
 #include "tests/simulator/network/second_opinion.hpp"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,8 @@
 namespace programs {
 namespace {
 
-constexpr std::uint64_t BYTES = 97;  // length of a packet; its service time is no multiple of 1 us
+// Length of a packet; its time on a link is no multiple of 1 us.
+constexpr std::uint64_t BYTES = 97;
 
 machine::Model make_ideal_model() {
   return machine::override_model("t805-25",
@@ -34,7 +35,7 @@ double service_of(const machine::Model& model) {
   return static_cast<double>(BYTES) / model.link.one_way_rate;
 }
 
-// Latencies, in the order of the arrivals.
+// Returns the latency of each packet in seconds, in the order of `arrivals`.
 std::vector<double> run_machine_on(const topologies::Topology& topology,
                                    const std::vector<Arrival>& arrivals) {
   return occam::isolated_numbers([&] {
@@ -68,7 +69,7 @@ double mean_of(std::span<const double> numbers) {
   return sum / static_cast<double>(numbers.size());
 }
 
-// The rate of packets from each processor that saturates the busiest link, 1/s.
+// The number of packets per second from each processor at which the busiest link is saturated.
 double saturating_rate(const topologies::Topology& topology) {
   const auto busiest = eval_metrics(topology).all_to_all.messages;
   return (topology.processors - 1) / static_cast<double>(busiest) / service_of(make_ideal_model());
@@ -76,14 +77,14 @@ double saturating_rate(const topologies::Topology& topology) {
 
 struct Case {
   std::string topology;
-  double share;  // share of the saturating load
+  double share;  // fraction of the saturating rate
   double window_us;
 };
 
 class SecondOpinion : public testing::TestWithParam<Case> {};
 
-// Both simulations send the same packets at the same times on the same routes. The only difference
-// is the fraction of a nanosecond that a processor takes.
+// Both simulations send the same packets on the same routes at the same dates. Their only
+// difference is the fraction of a nanosecond that a processor takes.
 TEST_P(SecondOpinion, AgreesOnTheMeanLatencyOfUniformTraffic) {
   const auto& [name, share, window_us] = GetParam();
   const auto topology = topologies::make_topology(name);
@@ -110,8 +111,8 @@ INSTANTIATE_TEST_SUITE_P(Traffic, SecondOpinion,
                            return name;
                          });
 
-// One link, Poisson arrivals and a constant service time s are an M/D/1 queue. A packet waits rho s
-// / (2 (1 - rho)) on average (Pollaczek and Khinchine).
+// A link with Poisson arrivals and a constant service time s is an M/D/1 queue. With load rho, a
+// packet waits rho s / (2 (1 - rho)) on average (formula of Pollaczek and Khinchine).
 TEST(QueueingTheory, APacketWaitsAsInAnMD1Queue) {
   const double service_s = service_of(make_ideal_model());
   const auto topology = topologies::make_topology("line:2");
@@ -120,7 +121,7 @@ TEST(QueueingTheory, APacketWaitsAsInAnMD1Queue) {
     auto arrivals = make_uniform_traffic(2, rho / service_s, 8e6, seed);
     std::erase_if(arrivals, [](const Arrival& a) { return a.from != 0; });
     const auto latencies = run_machine_on(topology, arrivals);
-    // The error of the mean follows from the means of long batches, which are nearly independent.
+    // Estimates the error of the mean from the means of long batches, which are nearly independent.
     constexpr std::size_t BATCHES = 20;
     const std::size_t length = latencies.size() / BATCHES;
     std::vector<double> waits;
@@ -138,7 +139,7 @@ TEST(QueueingTheory, APacketWaitsAsInAnMD1Queue) {
   }
 }
 
-// The program reports whether its queues grow without bound.
+// The program must report if its queues grow without bound.
 TEST(QueueingTheory, ASaturatedNetworkSaysSo) {
   const auto model = make_ideal_model();
   const auto topology = topologies::make_topology("mesh:4x4");
