@@ -1,4 +1,4 @@
-// The Gantt chart as SVG: its sums and its drawing.
+// The Gantt chart as SVG: its data and its drawing.
 #include "simulator/observe/timeline.hpp"
 
 #include <gtest/gtest.h>
@@ -55,7 +55,8 @@ TEST(Timeline, LeavesIdleColumnsEmpty) {
   EXPECT_TRUE(timeline.links[1].columns.empty());  // a link without messages
 }
 
-// A process interrupted for less than a column keeps its bar. A longer gap ends it.
+// If a process is interrupted for less than a column, its bar must continue. A longer gap must end
+// it.
 TEST(Timeline, JoinsWhatBelongsToOneProcess) {
   using enum Trace::Doing;
   Trace trace = make_small_trace();
@@ -75,7 +76,7 @@ TEST(Timeline, JoinsWhatBelongsToOneProcess) {
   }
 }
 
-// Expects that elements close in order, attributes are quoted, and no & or < is unescaped.
+// Expects that elements are closed in order, attributes are quoted, and no & or < is unescaped.
 void expect_well_formed(const std::string& xml) {
   static const std::regex token(
       R"re(<(/?)([a-z]+)((?: [a-zA-Z-]+="[^"<]*")*) ?(/?)>|[^<&\x01-\x08]|&(?:amp|lt|gt|quot);)re");
@@ -109,7 +110,8 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// A page has 1380 columns, so a tenth of the window is 138 of them. A CPU's row is 26 pixels high.
+// The chart has 1380 columns, so a tenth of the time takes 138 of them. A CPU's row is 26 pixels
+// high.
 TEST(TimelineSvg, DrawsBarsWhereTimeIsBusy) {
   const auto svg = saved(save_timeline, make_small_trace());
   EXPECT_TRUE(contains(svg, R"(<path class="low" fill="#9ecae1" d="M0 0H0V-26H138V0H1380V0Z"/>)"));
@@ -119,24 +121,24 @@ TEST(TimelineSvg, DrawsBarsWhereTimeIsBusy) {
   for (const char* text : {">small<", ">farmer<", ">worker<", ">to worker<", ">give<", ">take<",
                            ">10.0 %<", ">60.0 %<", ">30.0 %<", ">ms<", ">10<", ">high priority<"})
     EXPECT_TRUE(contains(svg, text)) << text;
-  EXPECT_FALSE(contains(svg, "to farmer"));  // nothing was sent there
+  EXPECT_FALSE(contains(svg, "to farmer"));  // no message was sent there
 }
 
-// Bars may begin or end within a column.
+// A bar may begin or end within a column.
 TEST(TimelineSvg, DrawsEdgesBetweenPixels) {
   Trace trace = make_small_trace();
   trace.spans = {{10.2 * 0.01 / 1380, 20.7 * 0.01 / 1380, 0, 0, Trace::Doing::low}};
   EXPECT_TRUE(contains(saved(save_timeline, trace), "d=\"M0 0H10.2V-26H20.7V0H1380V0Z\""));
 }
 
-// An isolated span shorter than a pixel remains visible.
+// A single span that is shorter than a pixel must stay visible.
 TEST(TimelineSvg, DrawsTheShortestSpan) {
   Trace trace = make_small_trace();
   trace.spans = {{0.005, 0.005000001, 0, 0, Trace::Doing::high}};
   EXPECT_TRUE(contains(saved(save_timeline, trace), "d=\"M0 0H690V-1H691V0H1380V0Z\""));
 }
 
-// Half of each column is busy, too fine to draw, so bars have half the height.
+// Half of each column is busy, in periods too short to draw, so bars must have half the height.
 TEST(TimelineSvg, DrawsSharesAsHeights) {
   Trace trace = make_small_trace();
   trace.spans.clear();

@@ -1,4 +1,4 @@
-// Traces in the Paje format, read back by the rules of their own header.
+// Traces in the Paje format, read back according to the definitions in their own headers.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -20,7 +20,7 @@ struct Event {
   double time_s() const { return fields.contains("Time") ? std::stod(at("Time")) : 0; }
 };
 
-// Splits a line into words, and quoted texts with their quotation marks.
+// Splits a line into words. A quoted text counts as one word and keeps its quotation marks.
 std::vector<std::string> split(const std::string& line) {
   std::vector<std::string> words;
   for (std::size_t at = 0; at < line.size();) {
@@ -54,14 +54,14 @@ std::vector<Event> read(const std::string& text) {
   return events;
 }
 
-// The state of a viewer during reading. It checks the invariants of every trace.
+// The state of a viewer while it reads a trace. Checks what must hold for every trace.
 struct Viewer {
   std::set<std::string> types, values, containers;
-  // by container: value and start time
+  // Present value and its start, by container.
   std::map<std::string, std::pair<std::string, double>> states;
-  // total times by container and value
+  // Total time in seconds, by container and value.
   std::map<std::string, std::map<std::string, double>> totals;
-  std::map<std::string, Event> arrows;  // open arrows, by key
+  std::map<std::string, Event> arrows;  // arrows that have begun but not ended, by key
   double now_s = 0;
 
   void read(const Event& event) {

@@ -1,4 +1,4 @@
-// Traces for tests: a small one, and random ones.
+// Traces for tests: a small one and random ones.
 #pragma once
 
 #include <fmt/format.h>
@@ -17,7 +17,7 @@ inline std::string saved(void (*save)(const Trace&, std::ostream&), const Trace&
   return out.str();
 }
 
-// Ten milliseconds of two processors that send one message.
+// A trace of 10 ms in which two processors exchange one message.
 inline Trace make_small_trace() {
   using enum Trace::Doing;
   Trace trace;
@@ -34,7 +34,8 @@ inline Trace make_small_trace() {
   return trace;
 }
 
-// Names have special characters; lanes are full, sparse or empty; spans may have no length.
+// Names contain special characters. Lanes (processors and links) are full, sparse or empty, and
+// spans may have length 0.
 inline Trace make_random_trace(std::uint64_t seed) {
   static const std::string names[] = {"worker 1", "\"quoted\"",  "<a> & b", "two\nlines\t\x01",
                                       "é 漢字",   "back\\slash", "",        "%EventDef #1"};
@@ -54,7 +55,7 @@ inline Trace make_random_trace(std::uint64_t seed) {
   const double scale_s = std::pow(10, -static_cast<double>(below(9)));
   trace.end_s = trace.begin_s + scale_s;
 
-  // Chooses the next span of a lane after its current end. Returns false at the end of the window.
+  // Chooses the next span of a lane after its present end. Returns false at the end of the trace.
   const auto pick = [&](double& from_s, double& to_s) {
     const auto step = [&] { return below(3) == 0 ? 0 : scale_s * below(1000) / 2e4; };
     from_s = to_s + step();

@@ -1,4 +1,4 @@
-// Busy times between two instants, compared with values calculated by hand.
+// Use of resources between two dates, compared with values calculated by hand.
 #include "simulator/observe/use.hpp"
 
 #include <gtest/gtest.h>
@@ -8,8 +8,8 @@
 namespace observe {
 namespace {
 
-// Use of two processors, three link directions and two processes. No count is below its value in
-// `before`.
+// Makes random use of two processors, three link directions and two processes. No number is lower
+// than in `before`.
 Use make_use(std::mt19937_64& random, const Use& before) {
   const auto more = [&] { return static_cast<double>(random() % 100); };
   const auto count = [&] { return random() % 100; };
