@@ -1,4 +1,4 @@
-// ALTs and deadlocks on cut links.
+// ALTs and deadlocks on links that are cut.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/machine/failing_links.hpp"
@@ -7,9 +7,9 @@
 namespace occam {
 namespace {
 
-// A process waits for a message or a timeout. wait_in_alt() returns 1 for the message, 0 for the
-// timeout, or -1 if the link failed after the choice; then the time; then whether the output
-// succeeded.
+// A process waits in an ALT for a message or a timeout. wait_in_alt() returns 1 for the message, 0
+// for the timeout, or -1 if the link was cut after the message's guard was chosen; then the cycle;
+// then whether the output succeeded.
 struct AltCase {
   double cut;
   Priority writer, reader;
@@ -24,7 +24,7 @@ Numbers wait_in_alt(const AltCase& c) {
     if (c.writes) writer.start();
     Numbers found(2);
     std::optional<Words> got;
-    // the deadline is cycle 8192 at either priority
+    // The timeout is at cycle 8192 for either priority.
     const std::int64_t deadline = c.reader == Priority::high ? 512 : 8;
     const auto message = [&] { return when(channel, got, [&] { found[0] = got ? 1 : -1; }); };
     const auto time_out = [&] { return after(deadline, [&] { found[0] = 0; }); };
@@ -53,7 +53,8 @@ TEST(AltFailure, AGuardOnACutLinkIsNeverReady) {
     for (auto reader : BOTH_PRIORITIES) {
       const auto silent = wait_in_alt({1e9, writer, reader, 0, false});
       ASSERT_EQ(silent.at(0), 0);
-      // The link is cut from the start, before the writer comes, or while it is ahead of the clock.
+      // The link is cut from the start, before the writer arrives, or while the writer is ahead of
+      // the clock.
       for (const auto& [cut, computes] : {std::pair{0.0, 0}, {500.0, 3000}, {500.0, 900}}) {
         const auto found = wait_in_alt({cut, writer, reader, computes});
         EXPECT_EQ(found.at(0), 0) << cut;
@@ -63,7 +64,8 @@ TEST(AltFailure, AGuardOnACutLinkIsNeverReady) {
     }
 }
 
-// The cut comes at any cycle. Either the message is moved for both ends, or for neither.
+// The link is cut at any cycle of the ALT. Either both ends must have moved the message, or
+// neither.
 TEST(AltFailure, MayComeAtAnyCycleOfAnAlt) {
   std::array<int, 3> seen{};
   for (auto writer : BOTH_PRIORITIES)
@@ -74,7 +76,7 @@ TEST(AltFailure, MayComeAtAnyCycleOfAnAlt) {
         ++seen.at(static_cast<std::size_t>(found.at(0) + 1));
       }
   for (int times : seen)
-    EXPECT_GT(times, 0);  // cuts after the choice, before it, after the message
+    EXPECT_GT(times, 0);  // cuts after the choice, before it, and after the message
 }
 
 TEST(AltFailure, OtherGuardsGoOn) {
@@ -104,7 +106,7 @@ std::string deadlock_of(double cut, const std::function<void(Lab&, Processor&, P
   });
 }
 
-// A cut that does not affect a deadlock does not postpone its time.
+// A cut that changes nothing about a deadlock must not postpone the deadlock's date.
 TEST(FailureDeadlock, SaysThatTheLinkIsCut) {
   const auto blocked = make_exact_model().channel.blocked.value;
   for (double cut : {0.0, 5000.0}) {
@@ -122,7 +124,7 @@ TEST(FailureDeadlock, SaysThatTheLinkIsCut) {
   }
 }
 
-// A cut while the process is ahead of the clock does not postpone the deadlock either.
+// Nor must a cut while the process, which is ahead of the clock, has not yet reached the link.
 TEST(FailureDeadlock, IsNotPutOffByACutBeforeTheProcessComes) {
   const auto blocked = static_cast<double>(make_exact_model().channel.blocked.value);
   const auto report = deadlock_of(blocked / 2, [](Lab& lab, Processor& a, Processor& b) {
@@ -132,8 +134,8 @@ TEST(FailureDeadlock, IsNotPutOffByACutBeforeTheProcessComes) {
   EXPECT_TRUE(report.starts_with("Deadlock of machine at 0\n")) << report;
 }
 
-// After the cut, a process whose operation may fail continues, and any other blocks for ever. A
-// server that inputs may block without a deadlock.
+// After the cut, a process whose operation may fail must continue; any other blocks for ever. This
+// is no deadlock if the blocked process is a server that inputs.
 TEST(FailureDeadlock, OfATransferThatWasCut) {
   const auto run = [](bool is_server, bool writer_may_fail) {
     return deadlock_of(500, [=](Lab& lab, Processor& a, Processor& b) {

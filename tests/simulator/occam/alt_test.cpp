@@ -1,4 +1,4 @@
-// ALT: the chosen guard, its time, its cost, and that nothing is lost.
+// ALT: which guard is chosen, when, at what cost, and that no message is lost.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,14 +11,14 @@ namespace occam {
 namespace {
 
 constexpr int CHANNELS = 3;
-constexpr std::int64_t LATE = 64 * 1024;  // cycle by which every writer waits
+constexpr std::int64_t LATE = 64 * 1024;  // at this cycle every writer is waiting
 
 struct Choice {
-  unsigned waiting, open;  // sets with one bit per channel
-  int skip;                // place of SKIP among the guards, or -1
+  unsigned waiting, open;  // sets of channels with one bit each
+  int skip;                // place of SKIP among the guards; -1: no SKIP
 };
 
-// Every set of waiting writers, under every set of conditions, with a SKIP at any place.
+// Makes every set of waiting writers under every set of conditions, with SKIP at any place.
 std::vector<Choice> make_choices() {
   std::vector<Choice> choices;
   for (unsigned waiting = 0; waiting < 1u << CHANNELS; ++waiting)
@@ -28,7 +28,7 @@ std::vector<Choice> make_choices() {
   return choices;
 }
 
-// The guards in order: the channels, with SKIP at its place as -1.
+// The guards in order: numbers of channels, and -1 for SKIP.
 std::vector<int> make_order(const Choice& c) {
   std::vector<int> order;
   for (int i = 0; i < CHANNELS; ++i) order.push_back(i);
@@ -50,7 +50,8 @@ double expected_cost(const Model& model, const Choice& c, int taken) {
   return static_cast<double>(cost.value + (taken < 0 ? 0 : soft_cost(model, 4)));
 }
 
-// For each choice, the chosen index, and the cycles from before the ALT to after the input.
+// Returns for each choice the chosen index, and the cycles from before the ALT until after the
+// input.
 Numbers run_choices(const std::vector<Choice>& choices, Priority priority) {
   return isolated_numbers([&] {
     Lab lab;
@@ -111,8 +112,9 @@ TEST(Alt, CostsItsInstructionsAndTheInput) {
   EXPECT_EQ(excess_of_input, std::set<double>{0});
 }
 
-// The first output wakes a waiting ALT, soft or hard, ahead of the clock or not. The second waits
-// for the next ALT. `dates` are those of the two outputs, in cycles after LATE.
+// Two writers output to channels of an ALT. The first output must wake the ALT, whether its channel
+// is soft or hard and its writer ahead of the clock or not; the second must wait for the next ALT.
+// `dates` are the cycles of the outputs after LATE.
 struct Wake {
   bool hard[2];
   Priority reader, writer;
@@ -144,7 +146,7 @@ TEST(Alt, IsWokenByTheFirstOfTwoWritersAndLosesNeither) {
         channels[i] = wake.hard[i] ? &lab.hard(from, cpu) : &lab.soft();
         from.start("writer", wake.writer, [&wake, channel = channels[i], i] {
           wait_until_cycle(LATE);
-          compute(wake.dates[i]);  // advances ahead of the clock if it has high priority
+          compute(wake.dates[i]);  // a high-priority process is then ahead of the clock
           out(*channel, {4, static_cast<std::uint64_t>(i)});
         });
       }
@@ -165,8 +167,8 @@ TEST(Alt, IsWokenByTheFirstOfTwoWritersAndLosesNeither) {
     const Wake& w = wakes[n];
     SCOPED_TRACE(fmt::format("case {}: {} {}, dates {} {}", n, w.hard[0] ? "hard" : "soft",
                              w.hard[1] ? "hard" : "soft", w.dates[0], w.dates[1]));
-    EXPECT_EQ(found[2 * n] + found[2 * n + 1], 3);  // the two inputs have both messages, each once
-    // (A soft writer computes on the reader's CPU, which may delay the reader.)
+    EXPECT_EQ(found[2 * n] + found[2 * n + 1], 3);  // the two inputs get both messages, each once
+    // A writer on a soft channel computes on the reader's CPU, which may delay the reader.
     const bool apart = std::abs(w.dates[0] - w.dates[1]) > 100 && w.hard[0] && w.hard[1];
     if (apart) {
       EXPECT_EQ(found[2 * n], w.dates[0] < w.dates[1] ? 1 : 2);
@@ -174,8 +176,8 @@ TEST(Alt, IsWokenByTheFirstOfTwoWritersAndLosesNeither) {
   }
 }
 
-// An ALT waits for an open guard even if a closed one is ready. It takes SKIP only if no earlier
-// guard is ready.
+// An ALT must wait for a guard whose condition is true, even if another one is ready. It must take
+// SKIP only if no earlier guard is ready.
 TEST(Alt, WordsOfOccam) {
   const auto found = isolated_numbers([] {
     Lab lab;
@@ -199,7 +201,8 @@ TEST(Alt, WordsOfOccam) {
   EXPECT_EQ(found, (Numbers{2, 1, -2}));
 }
 
-// A high-priority process is ahead of the clock at its ALT. Outputs that came before are ready.
+// A high-priority process reaches its ALT ahead of the clock. Outputs that came before its own time
+// must be ready.
 TEST(Alt, AheadOfTheClockSeesTheOutputsThatCameBefore) {
   for (bool reader_first : {false, true})
     for (auto priority : BOTH_PRIORITIES) {
@@ -225,8 +228,9 @@ TEST(Alt, AheadOfTheClockSeesTheOutputsThatCameBefore) {
     }
 }
 
-// Writers have random work between their messages. The reader favours the writer after the one that
-// it served last. Every waiting writer is served within as many turns as there are channels.
+// Writers compute for random times between their messages. The reader gives precedence to the
+// writer after the one that it served last. Every waiting writer must be served within as many ALTs
+// as there are channels.
 std::string check_fairness(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto n = 1 + random() % 8;
@@ -253,7 +257,8 @@ std::string check_fairness(std::uint64_t seed) {
     }
     std::string wrong;
     cpu.start("reader", reader_priority, [&] {
-      std::vector<std::uint64_t> next(n), turns(n);  // number of turns that each writer has waited
+      // Number of ALTs that each writer has waited for.
+      std::vector<std::uint64_t> next(n), turns(n);
       std::uint64_t left = 0;
       for (auto count : messages) left += count;
       for (std::size_t favourite = 0; left > 0; --left) {

@@ -1,4 +1,5 @@
-// Cost of an ALT on one processor for both orders of arrival: every time is a sum of model entries.
+// Cost of an ALT on one processor, for both orders of arrival. Each time is a sum of entries of the
+// model.
 #include <gtest/gtest.h>
 
 #include "tests/support/lab.hpp"
@@ -10,7 +11,7 @@ struct Case {
   bool alt_first;
   Priority reader, writer;
   int guards, chosen;  // number of channel guards, and the one that is written to
-  bool skip;           // a SKIP guard with a false condition, in front
+  bool skip;           // if true, the first guard is a SKIP with a false condition
   std::uint64_t bytes;
 };
 
@@ -43,8 +44,8 @@ Times expect_times(const Model& model, const Case& c) {
     enable += alt.enable_skip.value;
     disable += alt.disable_skip.value;
   }
-  // The input finds its partner, and copies. A low-priority reader that wakes a high-priority
-  // writer loses the CPU.
+  // The input finds its partner waiting, and copies. If a low-priority reader thereby wakes a
+  // high-priority writer, it loses the CPU.
   const auto write = cost_first(model, Side::writer, c.bytes),
              read = cost_second(model, Side::reader, c.bytes);
   const bool preempted = c.reader == Priority::low && c.writer == Priority::high;
@@ -52,7 +53,7 @@ Times expect_times(const Model& model, const Case& c) {
              back = preempted ? s.return_to_low.value : 0;
   std::int64_t now = DATE, busy = wait;
   if (c.alt_first) {
-    enable += alt.wait_not.value;  // the writer came long before
+    enable += alt.wait_not.value;  // the writer arrives long after this
     now += write + disable + read;
   } else {
     enable += (alt.enable_ready.value - alt.enable_not.value) + alt.wait_ready.value;
@@ -116,8 +117,9 @@ TEST(AltTimes, AreSumsOfRowsForBothOrdersOfArrival) {
   expect_alt_times(machine::load_model("t800-20"));
 }
 
-// The published costs on chip for n guards, none ready: alt 2+1, n enbc 5+1, altwt 17+1; n disc
-// 8+1, altend 4+1; and the operands of each enbc and disc: ldl 2, ldc 1, and disc's offset 1.
+// The published cycles with on-chip memory for n guards, none of them ready: alt 2+1, n enbc 5+1,
+// altwt 17+1, n disc 8+1, altend 4+1. To this add the operands of each enbc and disc: ldl 2, ldc 1,
+// and the offset of disc 1.
 TEST(AltTimes, OnChipAreThePublishedNumbers) {
   const auto alt = make_on_chip_model().alternative;
   for (std::int64_t n : {1, 2, 5}) {
@@ -126,7 +128,7 @@ TEST(AltTimes, OnChipAreThePublishedNumbers) {
   }
 }
 
-// The costs of SKIP alone: alt, enbs, altwt ready, diss, altend; nothing is input.
+// The cost of an ALT with SKIP only: alt, enbs, altwt (ready), diss, altend. Nothing is input.
 TEST(AltTimes, SkipIsNeverWaitedFor) {
   for (const Model& model : {make_complete_model(), machine::load_model("t805-25")})
     for (auto priority : BOTH_PRIORITIES)
@@ -154,7 +156,8 @@ TEST(AltTimes, SkipIsNeverWaitedFor) {
       }
 }
 
-// The software factor multiplies each of an ALT's instructions, but not the work of the hardware.
+// The software factor must multiply each of an ALT's instructions, but not the work of the
+// hardware.
 TEST(AltTimes, SoftwareFactorMultipliesInstructionsOnly) {
   const Model model = make_complete_model();
   const auto cost = [&](double factor) {

@@ -1,4 +1,4 @@
-// Variant protocols: PROTOCOL with CASE.
+// Messages of several kinds: occam's PROTOCOL with CASE.
 #include "simulator/occam/case_of.hpp"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(CaseOf, CallsTheCaseOfTheAlternative) {
   EXPECT_EQ(name(std::variant<int, double>{4.0}), "else");
 }
 
-// A CASE takes no simulated time, since the tag has already been input.
+// A CASE must take no simulated time, because the tag has already been input.
 TEST(CaseOf, OfAMessageFromAChannel) {
   const auto found = isolated_numbers([] {
     Lab lab;

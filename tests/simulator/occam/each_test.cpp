@@ -1,5 +1,5 @@
-// A replicated guard takes the time, and makes the choice, of the same guards written out one by
-// one.
+// A replicated guard must take the same time, and make the same choice, as its guards written one
+// by one.
 #include <gtest/gtest.h>
 
 #include <numeric>
@@ -11,9 +11,10 @@ namespace occam {
 namespace {
 
 constexpr std::size_t INPUTS = 4;
-constexpr int MESSAGES = 6;  // number of messages from each writer
+constexpr int MESSAGES = 6;  // number of messages that each writer sends
 
-// A reader logs the input of each message, its content, and the cycle after it.
+// A reader notes for each message the number of its input, its content, and the cycle after the
+// input.
 using Reader = std::function<void(std::span<Channel<Words>* const>, Numbers&)>;
 
 void note(Numbers& seen, std::size_t input, const Words& message) {
@@ -21,7 +22,8 @@ void note(Numbers& seen, std::size_t input, const Words& message) {
               {static_cast<double>(input), static_cast<double>(message.content), own_cycles()});
 }
 
-// Writers on the reader's processor and on neighbours, with random work between their messages.
+// Runs writers on the reader's processor and on neighbours. They compute for random times between
+// their messages.
 Numbers run(std::uint64_t seed, Priority priority, const Reader& reader) {
   std::mt19937_64 random(seed);
   return isolated_numbers([&] {
@@ -46,7 +48,7 @@ Numbers run(std::uint64_t seed, Priority priority, const Reader& reader) {
   });
 }
 
-// PRI ALT: the first input has priority over all others, which take turns.
+// Reads by a PRI ALT in which input 0 has precedence over all others, and these take turns.
 template <bool fair>
 void read_by_each(std::span<Channel<Words>* const> inputs, Numbers& seen) {
   const auto rest = inputs.subspan(1);
@@ -64,9 +66,9 @@ void read_by_each(std::span<Channel<Words>* const> inputs, Numbers& seen) {
       pri_alt(first, each(rest, favourite, take), otherwise(false, [] {}));
 }
 
-// The same PRI ALT, written out guard by guard. Each guard but the first costs a turn of the
-// replicator. The chosen one costs the address of its channel a second time. A fair choice costs a
-// division for each of these addresses, and one for the next favourite.
+// Reads by the same PRI ALT, written guard by guard. Each guard but the first costs a step of the
+// replicator. If such a guard is chosen, the address of its channel is computed again. With a fair
+// choice, each of these computations also costs a division, and so does the next favourite.
 template <bool fair>
 void read_by_guards(std::span<Channel<Words>* const> inputs, Numbers& seen) {
   const auto& costs = this_process().processor().model().alternative;
@@ -115,7 +117,7 @@ TEST(Each, OfNoInputsLeavesTheOtherGuards) {
   EXPECT_EQ(taken, Numbers{1});
 }
 
-// A second kind of input, which adds its own number to the content.
+// Another kind of input for `each`, which adds a number to the content.
 struct Numbered {
   Channel<Words>* channel;
   double number;

@@ -1,11 +1,12 @@
-// Misuse that the machine refuses: process, object, processor and time.
+// Misuse that the machine must refuse, with a message that names process, object, processor and
+// date.
 #include "tests/simulator/machine/failures.hpp"
 
 namespace occam {
 namespace {
 
-constexpr std::int64_t COMES_AT = 20'000;  // cycle at which the second process comes
-constexpr std::uint64_t LONG = 100'000;    // bytes; the transfer takes 1,600,000 cycles
+constexpr std::int64_t COMES_AT = 20'000;  // cycle at which the second process arrives
+constexpr std::uint64_t LONG = 100'000;    // in bytes; a transfer takes 1,600,000 cycles
 
 std::string misuse_of(const std::string& who, std::int64_t cycle) {
   return fmt::format("Misuse of {} at {}", who, cycle);
@@ -25,11 +26,12 @@ void try_to_input(Channel<Words>& channel) { static_cast<void>(in_or_fail(channe
 struct Twins {
   bool writes, hard;
   Use first, second;
-  // whether a partner comes before the second process; on a hard channel its message is in transit
+  // True if a partner arrives before the second process. On a hard channel its message is then in
+  // transit.
   bool partner_comes = true;
 };
 
-// Alice uses the channel from the start; Bob joins her at COMES_AT.
+// Alice uses the channel from the start, Bob from COMES_AT on.
 void start_twins(Lab& lab, const Twins& twins, Priority priority) {
   auto& a = lab.cpu();
   auto& b = twins.hard ? lab.neighbour(a) : a;
@@ -77,8 +79,8 @@ TEST(Misuse, ASecondReaderIsRefused) {
     }
 }
 
-// A low-priority process can lose the CPU between the first and last instruction of an output.
-// Another writer that comes then must not change its message.
+// A low-priority process can lose the CPU between the first and the last instruction of an output.
+// Another writer that arrives then must not change the message.
 TEST(Misuse, ASecondWriterIsRefusedBeforeTheFirstWaits) {
   const std::string report = failure_of([](Lab& lab) {
     auto& cpu = lab.cpu();
@@ -98,8 +100,8 @@ TEST(Misuse, ASecondWriterIsRefusedBeforeTheFirstWaits) {
   EXPECT_NE(report.find("which Alice on cpu 0 already uses"), std::string::npos) << report;
 }
 
-// Several processes may use an end one after the other: in successive PARs, or after a message that
-// hands it over.
+// Several processes may use an end of a channel one after the other: in successive PARs, or after a
+// message by which one hands it over to the next.
 TEST(Misuse, AnEndMayBeHandedOver) {
   for (const bool hard : {false, true}) {
     const auto found = isolated_numbers([&] {
@@ -133,7 +135,7 @@ TEST(Misuse, AnEndMayBeHandedOver) {
   }
 }
 
-// By its own time, the second process comes long after the first has left.
+// The second process starts early, but by its own time it arrives long after the first has left.
 TEST(Misuse, OneWhoComesLaterByItsOwnTimeIsNotRefused) {
   const auto found = isolated_numbers([] {
     Lab lab;
@@ -249,7 +251,7 @@ TEST(Misuse, AProcessTellsItsTimeOnlyToItself) {
                  });
 }
 
-// Cycles are whole numbers, durations are in seconds, and a bare number is neither.
+// charge() must accept cycles as whole numbers and durations in seconds, but no bare number.
 template <class... Amount>
 concept CanCharge = requires(Process& process, Amount... amount) {
   process.charge({amount...});
@@ -265,7 +267,7 @@ static_assert(!CanChargeWithoutBraces<int> && !CanChargeWithoutBraces<double>);
 
 TEST(Charge, TakesCyclesOrADuration) {
   Model model = make_exact_model();
-  model.software.occam_factor = 3;  // applies to compiled instructions only
+  model.software.occam_factor = 3;  // a factor for compiled instructions only
   const auto found = isolated_numbers([&] {
     Lab lab(model, machine::Code::compiled);
     Numbers ends;

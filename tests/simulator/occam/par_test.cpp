@@ -1,4 +1,4 @@
-// PAR: its cost, and its join.
+// PAR: its cost, and how it waits for its branches.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -9,7 +9,7 @@
 namespace occam {
 namespace {
 
-// A random PAR: every process computes, then runs its branches, if any.
+// A random PAR. Each process computes, then runs its branches, if it has any.
 struct Tree {
   std::int64_t cycles;
   std::vector<Tree> branches;
@@ -22,8 +22,8 @@ Tree make_tree(std::mt19937_64& random, int depth) {
   return tree;
 }
 
-// The last branch runs in the parent. Each other branch costs its set-up, startp and endp, and the
-// parent its own endp. On one CPU nothing overlaps.
+// The last branch runs in the parent process. Each other branch costs its set-up, startp and endp,
+// and the parent its own endp. On one CPU nothing overlaps.
 std::int64_t expected_time(const Model& model, const Tree& tree) {
   const auto& costs = model.scheduler;
   std::int64_t time = tree.cycles;
@@ -35,7 +35,8 @@ std::int64_t expected_time(const Model& model, const Tree& tree) {
   return time;
 }
 
-// Runs the tree, and returns its own time at its end. A parent continues after all its branches.
+// Runs the tree, and returns its own time at the end. A parent must continue after all its
+// branches.
 double run_tree(const Tree& tree, Priority priority, std::string& wrong) {
   compute(tree.cycles);
   double last = 0;
@@ -83,7 +84,8 @@ TEST(Par, JoinsAfterTheLastBranchAtTheSumOfAllTimes) {
     }
 }
 
-// PRI PAR: a high-priority branch at any place computes first, and the parent joins both.
+// PRI PAR: a high-priority branch must compute first, at whatever place it stands, and the parent
+// must wait for both branches.
 TEST(Par, BranchesOfBothPrioritiesJoin) {
   const auto found = isolated_numbers([] {
     Lab lab;
@@ -91,7 +93,7 @@ TEST(Par, BranchesOfBothPrioritiesJoin) {
     lab.cpu().start("parent", Priority::low, [&] {
       par({{"low", Priority::low, [&] { compute(5000), ends[0] = own_cycles(); }},
            {"high", Priority::high, [&] { compute(7000), ends[1] = own_cycles(); }}});
-      // the high-priority branch has ended by the join
+      // The high-priority branch has ended when the parent waits for it.
       par({{"high only", Priority::high, [] { compute(100); }}});
       ends[2] = own_cycles();
     });
@@ -102,15 +104,15 @@ TEST(Par, BranchesOfBothPrioritiesJoin) {
   EXPECT_LT(found.at(0), found.at(2));
   const Model model = make_exact_model();
   const auto& costs = model.scheduler;
-  // runp starts two high-priority branches; the low-priority one is the parent itself.
+  // Two high-priority branches are started by runp; the low-priority branch is the parent itself.
   const Cycles branch = costs.par_branch + costs.run_process + costs.preemption +
                         costs.end_process + costs.return_to_low;
   EXPECT_EQ(found.at(2),
             5000 + 7000 + 100 + (2 * branch + 2 * (costs.par_setup + costs.end_process)).value);
 }
 
-// The model entries that make up a PAR of n branches of one priority; runp and two switches for a
-// high-priority branch of a low-priority parent.
+// A PAR must cost the sum of its model entries. If the parent has low priority, a high-priority
+// branch costs runp and two switches instead of startp.
 TEST(Par, CostsItsRows) {
   for (const Model& model :
        {make_exact_model(), make_on_chip_model(), machine::load_model("t805-25")})
@@ -132,13 +134,13 @@ TEST(Par, CostsItsRows) {
             ROUNDING)
             << n << " branches";
       }
-  // Published: startp 12, endp 13. A PAR of two starts one branch and joins two.
+  // Published: startp takes 12 cycles, endp 13. A PAR of two branches has one startp and two endp.
   const auto& s = make_on_chip_model().scheduler;
   EXPECT_EQ((s.start_process + 2 * s.end_process).value, 12 + 2 * 13);
 }
 
-// PRI PAR: the high-priority branch gets the CPU at its start, and keeps it until it blocks or
-// ends.
+// PRI PAR: a high-priority branch must get the CPU as soon as it starts, and keep it until it
+// blocks or ends.
 TEST(Par, HighBranchOfALowParentRunsAtOnce) {
   const Model model = make_complete_model();
   const auto found = isolated_numbers([&] {
@@ -161,7 +163,7 @@ TEST(Par, HighBranchOfALowParentRunsAtOnce) {
   EXPECT_EQ(found.at(3), started.value + 500 + (2 * s.end_process + s.return_to_low).value);
 }
 
-// The own time of a process that owes nothing is exact. It includes the time without the CPU.
+// The own time of a process without debt must be exact, and must include the time without the CPU.
 TEST(Par, ALowParentHasLostTheTimeOfAHighBranch) {
   const Model model = make_complete_model();
   const auto found = isolated_numbers([&] {
@@ -181,8 +183,8 @@ TEST(Par, ALowParentHasLostTheTimeOfAHighBranch) {
   EXPECT_EQ(found.at(0), found.at(1));
 }
 
-// A low-priority branch ends last and wakes its high-priority parent. As it has ended, that is no
-// pre-emption.
+// A low-priority branch ends last and wakes its high-priority parent. This is no pre-emption,
+// because the branch has ended.
 TEST(Par, LowBranchOfAHighParentWakesIt) {
   const Model model = make_complete_model();
   for (int low : {1, 2}) {
@@ -225,8 +227,9 @@ double resident_pages() {
   return resident;
 }
 
-// Branches start and end. Returns the largest number of processes beside the parent, the number
-// left at the end, and the growth of host memory after the first thousand turns, in 4 KB pages.
+// Runs a PAR of two branches `turns` times. Returns the largest number of processes in between,
+// their number at the end, and the growth of host memory after the first thousand turns, in 4 KB
+// pages.
 Numbers run_branches(int turns, const std::function<void(Channel<Words>&)>& read) {
   return isolated_numbers([&] {
     Lab lab;
@@ -255,7 +258,7 @@ TEST(Par, LeavesNothingBehind) {
 #endif
 }
 
-// Each branch leaves behind a timeout that does not fire, which is harmless and cheap.
+// Each branch leaves a timeout behind that does not fire. This must be harmless and cheap.
 TEST(Par, BranchesMayEndBeforeTheirTimeouts) {
   for (std::int64_t patience : {100, 1'000'000'000}) {
     const auto found = run_branches(50'000, [&](Channel<Words>& channel) {

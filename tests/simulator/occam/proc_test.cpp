@@ -1,4 +1,4 @@
-// Processes without a stack behave like those with one, at the same times.
+// Processes without a stack must behave as those with a stack do, at the same dates.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -9,7 +9,7 @@ namespace occam::proc_test {
 namespace {
 
 constexpr std::size_t INPUTS = 4;
-constexpr std::uint64_t MESSAGES = 6;  // number of messages from each writer
+constexpr std::uint64_t MESSAGES = 6;  // number of messages that each writer sends
 
 struct Writer {
   Channel<Words>& to;
@@ -30,11 +30,11 @@ struct Writer {
   }
 };
 
-// PRI ALT: the first input has priority over all others, which take turns if they are fair.
+// A PRI ALT in which input 0 has precedence over all others; if `fair`, these take turns.
 struct Reader {
   bool fair;
   std::vector<Channel<Words>*> inputs, rest{inputs.begin() + 1, inputs.end()};
-  Numbers seen = {};  // content of each message, and the cycle after it
+  Numbers seen = {};  // content of each message, and the cycle after its input
   std::size_t favourite = 0;
   Words got = {};
 
@@ -87,8 +87,8 @@ void start(Processor& cpu, Priority priority, bool has_stack, auto& body) {
     cpu.start("process", priority, body.without());
 }
 
-// Writers on the reader's processor, its companion and neighbours. Messages are whole, or follow a
-// tag or their size.
+// Runs writers on the reader's processor, on its companion and on neighbours. Messages are sent
+// whole, or after a tag or their size.
 Numbers run(std::uint64_t seed, Bodies bodies) {
   std::mt19937_64 random(seed);
   return isolated_numbers([&] {
@@ -123,7 +123,8 @@ Numbers run(std::uint64_t seed, Bodies bodies) {
   });
 }
 
-// start() refuses a function that returns a Proc, since it would create one and drop it.
+// start() must refuse a function that returns a Proc, because the function would make a Proc and
+// drop it.
 template <class Body>
 concept CanStart = requires(Processor& cpu, Body body) {
   cpu.start("", Priority::low, body);
@@ -180,7 +181,7 @@ TEST(Proc, EndsWhenItsOwnTimeHasCome) {
   EXPECT_EQ(cycles, Numbers{700});
 }
 
-// The example in the manual.
+// The example of the manual.
 Proc relay(Channel<Words>& from, Channel<Words>& to) {
   for (;;) co_await to.output(co_await from.input());
 }
@@ -204,7 +205,7 @@ TEST(Proc, PassesOnWhatItAwaits) {
   EXPECT_EQ(found, (Numbers{0, 1, 2}));
 }
 
-// A guard's action throws, whether or not the message was already there.
+// The body of a guard throws, whether the message was already there or not.
 TEST(Proc, CatchesWhatIsThrownInAnAlt) {
   const auto found = isolated_numbers([] {
     Numbers caught;
@@ -234,7 +235,7 @@ TEST(Proc, CatchesWhatIsThrownInAnAlt) {
   EXPECT_EQ(found, (Numbers{7, 7}));
 }
 
-// The ALT has no open guard, which it finds out only after a wait.
+// The ALT has no guard with a true condition, which it notices only after it has waited.
 TEST(Proc, CatchesWhatAnOperationThrowsAfterItHasWaited) {
   const auto found = isolated_numbers([] {
     Lab lab;
@@ -254,7 +255,7 @@ TEST(Proc, CatchesWhatAnOperationThrowsAfterItHasWaited) {
   EXPECT_EQ(found, (Numbers{1}));
 }
 
-// An operation throws in a process with a stack. The body then continues.
+// An operation throws in a process with a stack. The body must be able to catch this and continue.
 TEST(Operation, ThrowsInTheBodyAfterItHasWaited) {
   const auto found = isolated_numbers([] {
     Lab lab;
@@ -278,7 +279,7 @@ TEST(Operation, ThrowsInTheBodyAfterItHasWaited) {
   EXPECT_EQ(found, (Numbers{1, 7}));
 }
 
-// Objects of a process are destroyed with the machine, or when the body has ended.
+// Objects of a process must be destroyed with the machine, or when the body has ended.
 TEST(Proc, IsUnwoundWhereItWaits) {
   const auto found = isolated_numbers([] {
     const auto held = std::make_shared<int>(1);
@@ -304,7 +305,7 @@ TEST(Proc, IsUnwoundWhereItWaits) {
   EXPECT_EQ(found, (Numbers{2, 1}));
 }
 
-// The report of a deadlock, a fault, or a wait without co_await.
+// Runs a process, and returns the message of the deadlock, fault, or wait without co_await.
 std::string report(std::function<Proc(Lab&)> body) {
   return isolated([&] {
     Lab lab(make_exact_model(), machine::Code::bare, {.links = machine::Links::direct});

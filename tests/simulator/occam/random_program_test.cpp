@@ -1,5 +1,5 @@
-// Random programs with PARs, timeouts, soft and hard channels, computation, and both priorities.
-// They end, lose nothing, and account for every cycle.
+// Random programs with PARs, timeouts, soft and hard channels, computations and both priorities.
+// They must end, lose no message, and account for every cycle.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -9,13 +9,13 @@
 namespace occam {
 namespace {
 
-// A pair of processes on one channel: the writer computes and outputs. The reader takes each
-// message by an input, or by an ALT with a timeout that it repeats until the message comes.
+// Two processes with a channel. The writer computes and outputs. The reader takes each message by
+// an input, or by an ALT with a timeout, which it repeats until the message comes.
 struct Rendezvous {
   bool hard, by_alt, in_par;
   Priority writer, reader;
   int messages;
-  // computation in cycles, patience in ticks
+  // Computations in cycles; timeout in ticks.
   std::int64_t writer_computes, reader_computes, patience;
 };
 
@@ -58,7 +58,7 @@ void read_all(const Rendezvous& pair, Channel<Words>& channel, Tally& tally) {
       bool late = false;
       pri_alt(when(channel, got, [&] { received = true; }), after(deadline, [&] { late = true; }));
       if (late) {
-        patience *= 2;  // longer patience leaves time for the other processes
+        patience *= 2;  // a longer timeout leaves time for the other processes
         ++tally.timeouts;
         if (read_timer() < deadline) tally.wrong += "a timeout came early\n";
       }
@@ -69,7 +69,8 @@ void read_all(const Rendezvous& pair, Channel<Words>& channel, Tally& tally) {
   }
 }
 
-// Starts the pair, optionally as a branch of a PAR whose parent does nothing else.
+// Starts a process of the pair. If pair.in_par, the process is a branch of a PAR in another
+// process.
 void start(Processor& cpu, const Rendezvous& pair, Priority priority, std::function<void()> body) {
   if (!pair.in_par) {
     cpu.start("process", priority, std::move(body));
@@ -90,7 +91,7 @@ std::string run(std::uint64_t seed, const Model& model) {
     std::deque<Tally> tallies;
     int hard = 0;
     for (const Rendezvous& pair : pairs) {
-      // the second hard channel has the other direction
+      // The second hard channel has the opposite direction.
       const bool forward = pair.hard && hard++ == 0;
       Processor& from = pair.hard ? (forward ? here : there) : here;
       Processor& to = pair.hard ? (forward ? there : here) : here;

@@ -1,4 +1,4 @@
-// PROTOCOL with CASE: tag and contents are separate communications.
+// PROTOCOL with CASE: tag and contents are two communications.
 #include <gtest/gtest.h>
 
 #include "tests/support/lab.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 using Messages = std::vector<Words>;
 
-// The time at which the reader has all messages, in s, and the sum of their contents.
+// Returns the time in seconds at which the reader has all messages, and the sum of their contents.
 Numbers send(const Messages& messages, Protocol protocol, bool by_alt) {
   return isolated_numbers([&] {
     machine::Machine machine(make_exact_model());
