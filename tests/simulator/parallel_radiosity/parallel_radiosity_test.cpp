@@ -1,4 +1,5 @@
-// Radiosity on a simulated machine: its results on any machine, and its times.
+// Radiosity on a simulated machine: its solution must be the same on any machine. Also tests its
+// times.
 #include "base/errors.hpp"
 #include "simulator/parallel_radiosity/radiosity.hpp"
 
@@ -106,8 +107,8 @@ TEST(Amp, EveryFrameIsTheSequentialSolutionAfterItsShots) {
   });
 }
 
-// A single processor loses only the time of the rounds' decisions. On several processors, losses
-// are given as shares of the total time.
+// A single processor loses only the time that the root's decisions take. On several processors, all
+// losses and the useful part must add up to the total time.
 TEST(Amp, LossesAddUp) {
   const Mesh mesh = make_room(0, 4);
   for (const char* topology : {"line:1", "mesh:3x3"})
@@ -135,7 +136,7 @@ TEST(Amp, LossesAddUp) {
       });
 }
 
-// Without waiting, the machine's time is the cycles of its kernels.
+// There is no waiting, so the machine's time must be that of the kernels' cycles.
 TEST(Amp, OneProcessorTakesItsKernelsTime) {
   const Mesh mesh = make_room(0, 3);
   const Params params = make_params(5);
@@ -168,8 +169,8 @@ TEST(Amp, SharedGeometryGivesTheSameSolution) {
       });
 }
 
-// Another model on all processors is another machine. If only some processors have another model,
-// the faster ones wait.
+// If all processors have another model, this must be as another machine. If only some have, the
+// faster processors must wait.
 TEST(Amp, ProcessorsOfOtherModels) {
   const Mesh mesh = make_room(1, 3);
   for (const double cache_percent : {0., 30.}) {
@@ -189,7 +190,7 @@ TEST(Amp, ProcessorsOfOtherModels) {
     const auto quick_run = run_with({});
     const auto slow_run = run_with({}, "t800-20");
     EXPECT_EQ(run_with(all).time_s, slow_run.time_s);
-    // If one processor is slow, the others wait, at least if it has the most work.
+    // If one processor is slow, the others must wait, at least if it is the one with the most work.
     double latest = 0, most_unequal = 0;
     for (int id = 0; id < 5; ++id) {
       const auto mixed_run = run_with({{id, slow}});
@@ -224,7 +225,8 @@ TEST(Amp, RefusesWhatCannotBe) {
   EXPECT_NE(refusal("line:2", params).find("(0.01 % of a geometry"), std::string::npos);
 }
 
-// Timed kernels run again on a copy of the state.
+// Kernels whose host time is measured run again, on a copy of the state. The solution must not
+// change.
 TEST(Amp, TimedKernelsComputeTheSame) {
   const Mesh mesh = make_room(1, 2);
   for (const double cache_percent : {0.0, 50.0})
@@ -261,9 +263,9 @@ TEST(Amp, PatchesThatDoNotFitTheMemoryAreOutOfMemory) {
             "out of memory");
 }
 
-// If the set-up of a copy takes more cycles, processors take as many more for each colour that
-// enters or leaves a message. (The number of the routers' copies does not depend on the borders'
-// length.)
+// If the set-up of a copy takes more cycles, processors must take as many more for each colour that
+// enters or leaves a message. (The number of the routers' own copies does not depend on the length
+// of borders.)
 TEST(Amp, ColoursOfMessagesAreCopied) {
   constexpr int SHOTS = 3, MORE = 1000;
   const auto count_colours_of_borders = [](const Mesh& mesh) {
@@ -300,7 +302,7 @@ TEST(Amp, ColoursOfMessagesAreCopied) {
               1, 0.01);
 }
 
-// A strip is cut across, whatever its direction.
+// A strip must be cut across, whatever its direction in space.
 TEST(AmpDistribution, TilesAreCutAcrossTheLongerSide) {
   for (const int axis : {0, 1, 2}) {
     const radiosity::Vec axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -352,7 +354,8 @@ TEST(AmpDistribution, EveryPatchIsInOneShareAndEveryVertexIsFoundOnce) {
     }
 }
 
-// A patch that sends its corners needs three colours more than one that sends its mean.
+// A shot that carries the light of the patch's corners needs three colours more than one with its
+// mean.
 TEST(AmpMessages, AreAsLongAsWhatTheySay) {
   const auto model = machine::load_model("t805-25");
   const auto colour = get_bytes(model, "colour");
