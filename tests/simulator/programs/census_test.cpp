@@ -1,4 +1,4 @@
-// The work of each processor for others, counted over the routes.
+// The number of routes through each processor, and of its lower neighbours.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/programs/run_program.hpp"
@@ -15,8 +15,8 @@ Outcome<Row> run_census(const topologies::Topology& topology, const std::string&
   return run_program("census", setup, {{"pairs", pairs}});
 }
 
-// A route of d links passes through d - 1 processors. Each link makes one of its ends a lower
-// neighbour of the other.
+// A route of d links passes through d - 1 processors. Each link makes the processor at one of its
+// ends a lower neighbour of the other.
 TEST(ProgramsCensus, EveryLinkOfEveryRouteIsCounted) {
   for (unsigned seed = 0; seed < 50; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

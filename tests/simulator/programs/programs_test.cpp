@@ -1,4 +1,4 @@
-// Every program with its defaults on a small network. Experiments check the measurements.
+// Runs every program with its defaults on a small network. The experiments check what they measure.
 #include "simulator/programs/programs.hpp"
 
 #include <gtest/gtest.h>
@@ -87,7 +87,8 @@ TEST(Programs, ProgressiveRefinementTellsItsCyclesSoFar) {
   EXPECT_EQ(told, std::string(told.size(), '+'));
 }
 
-// The time is the start of the sender's link, then the bytes one after the other.
+// A message must take the time to start the sender's link, then the time of its bytes one after
+// another.
 TEST(Programs, AMessageTakesItsStartAndItsBytes) {
   const auto model = occam::make_exact_model();
   const auto& message = get_program("message");
@@ -102,7 +103,7 @@ TEST(Programs, AMessageTakesItsStartAndItsBytes) {
   }
 }
 
-// A single processor has no link. Its only queue is that of its client.
+// A single processor has no link. A packet to itself passes only the queue of its client.
 TEST(Programs, ANetworkDeliversToItsSender) {
   const auto model = machine::load_model("t805-25");
   const auto found = occam::isolated_numbers([&] {
@@ -111,11 +112,12 @@ TEST(Programs, ANetworkDeliversToItsSender) {
     return occam::Numbers{get_number(row, "latency_s"), get_number(row, "guards")};
   });
   EXPECT_GT(found.at(0), 0);
-  EXPECT_EQ(found.at(1), 2);  // guards of the queue: the entry, and the sender becoming free
+  // Guards of that queue: a packet from the entry, and the signal that the sender is free.
+  EXPECT_EQ(found.at(1), 2);
 }
 
-// A program that would run for ever stops at a time of its own. An earlier limit of the user ends
-// it without results; a later limit has no effect.
+// A program that would run for ever must stop at a date of its own. An earlier limit set by the
+// user must end it without results; a later limit must have no effect.
 TEST(Programs, WithoutAnEndRunUpToTheirDateOrTheUsersLimit) {
   const auto model = machine::load_model("t805-25");
   const auto& program = get_program("random_traffic");
@@ -155,7 +157,8 @@ TEST(Programs, OfRoutersNeedTwoProcessors) {
         << name;
 }
 
-// The latency is a mean over the packets of the window's second half.
+// The latency is a mean over the packets of the window's second half. Without packets it must be
+// empty.
 TEST(Programs, AMeanLatencyOfNoPacketIsEmpty) {
   const auto model = machine::load_model("t805-25");
   const double load = 0.0006, window_s = 0.5;
@@ -181,7 +184,7 @@ TEST(Programs, AMeanLatencyOfNoPacketIsEmpty) {
   EXPECT_GT(with, 0);
 }
 
-// The only link is cut before the first message.
+// The only link is cut before the first message, so the mean length of routes must be empty.
 TEST(Programs, AMeanWayOfNoMessageIsEmpty) {
   const auto model = machine::load_model("t805-25");
   const auto run = [&](std::vector<PlannedFault> faults) {
@@ -209,7 +212,8 @@ TEST(Programs, SharesOfNoAccessesAndNoRequestsAreEmpty) {
       EXPECT_EQ(cell == base::Cell(), is_empty && shares.contains(name)) << name;
 }
 
-// Two messages are sent within the window of 2 ms. One arrives shortly after its end.
+// Two messages are sent within the window of 2 ms. One of them arrives shortly after the window's
+// end.
 TEST(Programs, ARouterThatIsLateForAMomentIsNotSaturated) {
   const auto found = occam::isolated([] {
     const auto model = machine::load_model("t805-25");
@@ -222,7 +226,7 @@ TEST(Programs, ARouterThatIsLateForAMomentIsNotSaturated) {
     return fmt::format("{} {} {}", get_number(row, "accepted_per_s"), get_number(row, "overflowed"),
                        get_number(row, "saturated"));
   });
-  EXPECT_EQ(found, "125 0 0");  // the rate of one message in 2 ms from 4 processors, 1/s
+  EXPECT_EQ(found, "125 0 0");  // rate in 1/s of one message in 2 ms from 4 processors
 }
 
 TEST(Programs, ShowOnlyColumnsThatTheyHave) {
@@ -252,7 +256,7 @@ TEST(Programs, ParametersKnowWhatTheyAllow) {
   EXPECT_EQ(sources.find("messages")->assign(of_sources, 3), "a whole number from 4 to 10000000");
 }
 
-// The stages of an experiment file, [[stage]].
+// The stages of an experiment file ([[stage]]).
 TEST(Programs, LimitsOfAStageKnowWhatTheyAllow) {
   for (const char* name : {"farm", "iirra"}) {
     SCOPED_TRACE(name);

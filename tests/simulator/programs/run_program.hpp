@@ -1,4 +1,4 @@
-// Execution of a program by name, with parameters by name, as in an experiment file.
+// Runs a program by name, with parameters by name, as an experiment file does.
 #pragma once
 
 #include <map>
@@ -33,7 +33,7 @@ inline Outcome<Row> run_program(const std::string& name, const Setup& setup,
   return run_program(get_program(name), setup, settings);
 }
 
-// A setup with a small network, if the program uses one.
+// Makes a setup. It has a small network if the program uses one.
 inline Setup make_small_setup(const machine::Model& model, const Program& program) {
   Setup setup{model, topologies::make_topology(program.uses.network ? "tree:4" : "line:1")};
   if (program.uses.routes) setup.routes = topologies::make_routes(setup.topology);

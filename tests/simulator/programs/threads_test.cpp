@@ -1,4 +1,4 @@
-// Programs give the same rows on several threads as on one.
+// Programs must give the same rows on several threads as on one.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/programs/run_program.hpp"
@@ -7,7 +7,7 @@
 namespace programs {
 namespace {
 
-// The rows and the number of events of a small run.
+// Returns the rows and the number of events of a small run.
 std::pair<std::vector<Row>, std::uint64_t> run_in_parts(const Program& program,
                                                         const std::string& topology, int threads) {
   static const auto model = machine::load_model("t805-25");
