@@ -1,4 +1,4 @@
-// Functions shared by the programs that trace rays: columns and refusals.
+// Functions shared by the ray tracing programs: columns of results, and input that must be refused.
 #include <gtest/gtest.h>
 
 #include <map>
@@ -60,7 +60,7 @@ TEST(Scenes, HaveAtLeastOneObject) {
   EXPECT_NE(objects->assign(scene, std::int64_t{0}), "");
 }
 
-// Times count from the first task, like all times, not from the beginning of the set-up.
+// The times of saved pictures must count from the first task, not from the start of the machine.
 TEST(KeyImages, HaveTheirTimesAfterTheSetUp) {
   renderer::Params image;
   image.width = image.height = 1;
@@ -95,7 +95,8 @@ TEST(Models, EachHasItsWorkersBusyShareAndTasks) {
                 "each"}));
 }
 
-// One pixel in four of a stage's key image is lit. Key images of orders do not count.
+// In the key image of the stage, one pixel in four is lit. Key images of orders must not be
+// counted.
 TEST(Stages, HaveTheShareOfTheirImagesThatIsLit) {
   Rendering r;
   r.key_images = {{{1}, "stage1", {0, 0, 0, 0, 9, 0, 0, 0, 0, 0, 0, 0}},
@@ -107,7 +108,8 @@ TEST(Stages, HaveTheShareOfTheirImagesThatIsLit) {
   EXPECT_EQ(lit, (std::vector{0.25, 0.75}));
 }
 
-// With a key of [data], every data column has a cell, with or without a distributed scene.
+// If the experiment has a key of [data], every column about data must exist. It must have empty
+// cells if the scene is not distributed.
 TEST(DataColumns, AreThereWithAKeyAndEmptyWithoutSharing) {
   const auto row_of = [](bool is_given, bool is_shared) {
     DataFigures figures{.is_given = is_given, .use = {}};
