@@ -1,4 +1,5 @@
-// Data managers on a processor of their own, compared with managers on the application's processor.
+// Data managers on processors of their own, compared with managers on the processor of the
+// application.
 #include <gtest/gtest.h>
 
 #include "base/random.hpp"
@@ -10,7 +11,7 @@ namespace shared_memory {
 namespace {
 
 constexpr int NODES = 4, ITEMS = 40;
-constexpr std::uint64_t ITEM = 40;  // size of an item, bytes
+constexpr std::uint64_t ITEM = 40;  // size of an item in bytes
 
 machine::Model make_model(double access, double look_up) {
   return machine::override_model("t805-25",
@@ -20,7 +21,7 @@ machine::Model make_model(double access, double look_up) {
                                  "tests");
 }
 
-// The data use of a processor's application, and its end.
+// Data use of a processor's application, and the date of its end.
 struct Done {
   DataUse use;
   double end_s = 0;
@@ -28,7 +29,8 @@ struct Done {
 
 using Application = std::function<void(int id, DataManager&)>;
 
-// A line whose first processor serves. With `is_double`, the other applications have companions.
+// A line whose first processor serves data. If `is_double`, the other applications run on
+// companions.
 struct Line {
   Line(const machine::Model& model, bool is_double, Scheme scheme, const Application& application)
       : machine(model), catalogue(make_catalogue(ITEMS, ITEM)) {
@@ -72,7 +74,7 @@ struct Line {
   std::vector<Done> done;
 };
 
-// Accesses with some locality, and computations between them.
+// Makes accesses that favour some items, with computations between them.
 void make_accesses(int id, DataManager& manager) {
   base::Random random(1, static_cast<std::uint64_t>(id));
   for (int i = 0; i < 300; ++i) {
@@ -81,8 +83,9 @@ void make_accesses(int id, DataManager& manager) {
   }
 }
 
-// Whenever a record arrives, the cache's list is the same as on a single processor, so equally many
-// accesses are found locally. This holds even if updating the list takes much longer than a lookup.
+// Whenever a record arrives, the cache's LRU list must be the same as on a single processor, so
+// that as many accesses are found locally. This must hold even if updating the list takes much
+// longer than finding a record.
 TEST(CompanionManager, FindsLocallyWhatOneProcessorFinds) {
   for (const auto scheme : {Scheme::items, Scheme::pages})
     for (const auto& [access, look_up] : {std::pair(8500.0, 4250.0), {20e3, 100.0}}) {
@@ -114,7 +117,8 @@ TEST(CompanionManager, FindsLocallyWhatOneProcessorFinds) {
     }
 }
 
-// Accesses arrive faster than the list is sorted, so the application waits for room.
+// Accesses come faster than the list is updated, so the application must wait for room in the
+// queue.
 TEST(CompanionManager, TheQueueOfAccessesHasABound) {
   constexpr int ACCESSES = 300, MOST = 65;
   const auto found = occam::isolated_numbers([] {
@@ -123,12 +127,12 @@ TEST(CompanionManager, TheQueueOfAccessesHasABound) {
     });
     return occam::Numbers{run.done[1].end_s, static_cast<double>(run.done[1].use.accesses())};
   });
-  EXPECT_EQ(found.at(1), ACCESSES);  // local accesses; one more is requested
+  EXPECT_EQ(found.at(1), ACCESSES);  // number of local accesses; one more access is a request
   EXPECT_GT(found.at(0), (ACCESSES - MOST) * 19'900 / 25e6);
 }
 
 // Processor 1 of the line has the item, and computes for 1 s. Processor 2 requests the item. It
-// receives it after this computation, or immediately if processor 1 has a companion.
+// must receive the item after this computation, or at once if processor 1 has a companion.
 TEST(CompanionManager, ServesWhileTheApplicationComputes) {
   const auto measure = [&](bool is_double) {
     return occam::isolated_numbers([&] {

@@ -1,4 +1,4 @@
-// Virtual shared memory on random networks: every access gets its item, under any scheme.
+// Virtual shared memory on random networks: every access must get its item, under any scheme.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -17,7 +17,8 @@ using shared_memory::Level;
 
 constexpr std::uint64_t ITEM = 40;
 
-// A model whose managers are fast and never idle between checks, so that requests meet more often.
+// A model in which accesses are fast and managers check for messages all the time, so that requests
+// meet more often.
 const machine::Model& model() {
   static const auto quick = machine::override_model(
       "t805-25", {{"operation.data_access", 1000.0}, {"software.idle_period", 0.0}}, "tests");
@@ -40,7 +41,7 @@ std::vector<DataPass> run_on(const topologies::Topology& topology, const DataLoa
                   network::make_routing(load.network.method, topology, routes), load);
 }
 
-// All counts, by pass.
+// Returns all counts, pass by pass.
 occam::Numbers numbers_of(const std::vector<DataPass>& passes) {
   occam::Numbers numbers;
   for (const auto& pass : passes) {
@@ -127,8 +128,8 @@ TEST(DataManagers, EveryAccessGetsItsItem) {
   }
 }
 
-// In a line, all requests to the coordinator at its end pass the other processors. The items are
-// few, so that several processors request the same one at once.
+// On a line, all requests to the coordinator at its end pass the other processors. There are few
+// items, so several processors request the same item at the same time.
 TEST(DataManagers, PathAndQueueSpareRequests) {
   const auto line = topologies::make_line(7);
   occam::Numbers with(COLUMNS), without_queue(COLUMNS), direct(COLUMNS);
@@ -158,20 +159,22 @@ TEST(DataManagers, ACacheForAllAsksOnce) {
   auto load = make_load(50, 50, 400);
   load.passes = 2;
   const auto n = measure(topologies::make_topology("mesh:3x3"), load);
-  EXPECT_EQ(n[REQUESTS], 8 * 50);  // 400 draws reach every item, so 8 processors request all 50
+  // 400 random accesses reach every item, so 8 processors request all 50.
+  EXPECT_EQ(n[REQUESTS], 8 * 50);
   EXPECT_EQ(n[DISK], 50);
   EXPECT_EQ(n[COLUMNS + REQUESTS], 0);
   EXPECT_EQ(n[COLUMNS + LOCAL], 8 * 400);
 }
 
-// A local access costs a look at the channel, two data instructions, and no message.
+// A local access must cost a check for messages and two operations on data, and must send no
+// message.
 TEST(DataManagers, ALocalAccessTakesTheCalibratedTime) {
   auto load = make_load(1, 1, 1000);
   load.passes = 2;
   const auto n = measure(topologies::make_line(2), load);
   EXPECT_EQ(n[COLUMNS + LOCAL], 1000);
   const double look = (n[COLUMNS + TIME] * 25e6 - 1000 * 1000) / 1000;
-  EXPECT_GT(look, 30);  // cycles of a look: a PRI ALT with two guards
+  EXPECT_GT(look, 30);  // cycles of a check for messages: a PRI ALT with two guards
   EXPECT_LT(look, 200);
 }
 
@@ -212,7 +215,7 @@ TEST(DataManagers, BadInputIsNamed) {
   EXPECT_EQ(refusal(make_load(10, 1, 1)), "");
 }
 
-// A program that inspects the run sees each processor's own cache, and no other.
+// A live view must show for each processor the numbers of its own cache.
 TEST(DataManagers, EachIsShownWithItsNumbers) {
   struct Reader : observe::RunObserver {
     void begin(const machine::Machine&, const observe::ControlPanel& shown) override {

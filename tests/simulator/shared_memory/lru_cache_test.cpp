@@ -1,4 +1,4 @@
-// The LRU cache, compared with a searched list.
+// The LRU cache, compared with a list that is searched.
 #include "simulator/shared_memory/lru_cache.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 struct Naive {
   std::vector<std::uint64_t> bytes;
   std::uint64_t capacity;
-  std::vector<std::size_t> order;  // cached items, the most recent first
+  std::vector<std::size_t> order;  // items in the cache, the most recently used first
 
   bool holds(std::size_t record) const { return std::ranges::count(order, record) > 0; }
   std::uint64_t used() const {
