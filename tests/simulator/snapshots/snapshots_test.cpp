@@ -1,4 +1,4 @@
-// Sampling of a growing picture, and its animation.
+// Recording of a growing picture, and its animation.
 #include "simulator/snapshots/quality_curve.hpp"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace snapshots {
 namespace {
 
-// A display that shows picture i until times_s[i], inclusive. The picture's only byte is i.
+// A display that shows picture i up to and including times_s[i]. The only byte of picture i is i.
 struct Display {
   std::vector<double> times_s;
 
@@ -34,7 +34,8 @@ struct Display {
   }
 };
 
-// A display with up to 200 instants on a grid that includes the times of the samples.
+// Makes a display that changes at up to 200 times. These lie on a grid that includes the recording
+// times.
 Display random_display(std::mt19937_64& random) {
   std::set<double> times_s;
   for (auto n = 1 + random() % 200; n > 0; --n)
@@ -69,8 +70,8 @@ TEST(Recorder, TakesWhatIsShownAtEachTimeOnce) {
   }
 }
 
-// Samples are taken in equal steps from 0 on, and at the end. They are at least as many as
-// requested, and less than twice as many.
+// Pictures must be recorded at equal intervals from 0 on, and at the end. Their number must be at
+// least the requested one, and less than twice as many.
 TEST(Recorder, FollowsTheGrowthInEqualSteps) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -91,7 +92,7 @@ TEST(Recorder, FollowsTheGrowthInEqualSteps) {
   }
 }
 
-// Durations of a movie whose pictures have 1 x 1 pixel.
+// Returns the durations in ms of the pictures in an animation; the pictures have 1 x 1 pixel.
 std::vector<int> durations_of_movie(const std::vector<double>& times_s) {
   std::vector<Snapshot> pictures;
   for (const double at_s : times_s) {
@@ -104,8 +105,8 @@ std::vector<int> durations_of_movie(const std::vector<double>& times_s) {
   return test::durations_of_webp(base::read_text(path));
 }
 
-// The last picture lasts 2 s. Every other picture lasts in proportion to the time until the next
-// one, together 6 s.
+// The last picture must last 2 s. Every other picture must last in proportion to the time until the
+// next one; together these must last 6 s.
 TEST(Movie, ShowsPicturesInProportionToTheirTimes) {
   EXPECT_EQ(durations_of_movie({0, 1, 3, 4}), (std::vector{1500, 3000, 1500, 2000}));
   EXPECT_EQ(durations_of_movie({0, 0.02, 0.05}), (std::vector{2400, 3600, 2000}));
