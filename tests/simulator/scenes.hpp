@@ -1,12 +1,13 @@
 #pragma once
-// Scenes that tests of several programs use.
+// Scenes for the tests of several programs.
 #include <random>
 
 #include "renderer/files/load_scene.hpp"
 
 namespace test {
 
-/// Glass, a mirror, a floor and two lights, which generate every kind of ray.
+/// Makes a scene with glass, a mirror, a floor and two lights, which together cause every kind of
+/// ray.
 inline renderer::Scene make_glass_scene() {
   return renderer::parse_scene(
       "v\nfrom 0 -4 1.5\nat 0 0 0.3\nup 0 0 1\nangle 40\nhither 0.01\nresolution 24 24\n"
@@ -17,7 +18,7 @@ inline renderer::Scene make_glass_scene() {
       "glass");
 }
 
-/// The glass scene with a lens, area lights and rough surfaces.
+/// Makes the same scene with a lens, area lights and rough surfaces.
 inline renderer::Scene make_soft_scene() {
   renderer::Scene scene = make_glass_scene();
   scene.view.lens = {.aperture = 0.3, .focus = 4};
@@ -31,7 +32,7 @@ inline renderer::Scene make_soft_scene() {
   return scene;
 }
 
-/// Several samples per pixel, adaptive in half the cases.
+/// Makes parameters with several samples per pixel. In half the cases, sampling is adaptive.
 inline renderer::Sampling random_sampling(std::mt19937_64& random) {
   renderer::Sampling sampling;
   sampling.pixel_samples = 1 + static_cast<int>(random() % 7);
