@@ -1,5 +1,5 @@
-// A program of one's own: a barrier over a tree. Everybody tells its parent when all below it have
-// come; the root then lets everybody go.
+// A program of one's own: a barrier over a tree. Each processor reports to its parent when all
+// processors below it have arrived. When all have arrived, the root lets them go.
 #include "simulator/programs/declare/support.hpp"
 #include "topologies/route/routes.hpp"
 
@@ -18,7 +18,7 @@ struct Measured {
 
 using occam::Signal;
 
-// The link between a processor and its parent, with a channel each way.
+// The link between a processor and its parent, with a channel in each direction.
 struct Way {
   Way(machine::Machine& machine, machine::Processor& parent, machine::Processor& child)
       : up(child.name() + ".up", machine.link(child, parent)),
@@ -26,7 +26,8 @@ struct Way {
   Channel<Signal> up, down;
 };
 
-// A processor's part: its children have come, it has come, all may go.
+// One round on a processor: waits until its children have arrived, reports to the parent, waits
+// until it may go, and lets the children go.
 void pass_barrier(Way* parent, const std::vector<Way*>& children) {
   for (Way* child : children) in(child->up);
   if (parent) {

@@ -1,4 +1,5 @@
-// A topology of one's own: a ladder of two rails and N rungs. Made in memory, checked, measured.
+// A topology of one's own: a ladder of two rails and N rungs. It is made in memory, checked and
+// measured.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -20,7 +21,8 @@ Topology make_ladder(int rungs) {
     if (p % 2 == 0) t.links.push_back({{p, 3}, {p + 1, 3}});
     if (p + 2 < t.processors) t.links.push_back({{p, 1}, {p + 2, 2}});
   }
-  t.bisection_width = rungs % 2 ? 3 : 2;  // of an odd ladder the middle rung is cut as well
+  // If the number of rungs is odd, the middle rung is cut as well.
+  t.bisection_width = rungs % 2 ? 3 : 2;
   if (rungs == 1) t.bisection_width = 1;
   return t;
 }
@@ -28,7 +30,7 @@ Topology make_ladder(int rungs) {
 int main(int argc, char** argv) {
   for (const int rungs : {1, 2, 3, argc > 1 ? std::atoi(argv[1]) : 8}) {
     const Topology ladder = make_ladder(rungs);
-    check(ladder);  // ports, order of the links, all connected; throws BadInput
+    check(ladder);  // ports, order of links, connectedness; throws BadInput
     const auto metrics = eval_metrics(ladder);
     fmt::print("{:9}  {:2} links, diameter {}, mean distance {:.3f}\n", ladder.name, metrics.links,
                metrics.diameter, metrics.mean_distance);

@@ -1,5 +1,5 @@
-// An operation that costs cycles: a kernel counts what it does, the model says what each count
-// costs, and a process is charged the product.
+// An operation that costs cycles. A kernel counts its operations, the model says what each of them
+// costs, and a process is charged the sum.
 #include <fmt/format.h>
 
 #include <array>
@@ -10,19 +10,20 @@
 
 namespace {
 
-// What the kernel counts, and the names of that in a model file's [operation].
+// The operations that the kernel counts, and their names in section [operation] of a model file.
 enum Op { texel_read, colour_mixed, OP_COUNT };
 constexpr std::array<std::string_view, OP_COUNT> NAMES = {"texel_read", "colour_mixed"};
 using Work = std::array<std::uint64_t, OP_COUNT>;
 
-// The lines that a contributor adds to simulator/machine/models/t805-25.toml: an operation is a sum
-// of instructions, or of other operations, and says where that comes from.
+// The lines to add to simulator/machine/models/t805-25.toml. The cost of an operation is a sum of
+// instructions or of other operations, and its source is stated.
 constexpr const char* ENTRIES = R"([operation]
 texel_read = { value = "2 * instruction.integer_mul + 3 * instruction.load", unit = "cycles", provenance = "assumed", source = "a row's and a column's address, three colours" }
 colour_mixed = { value = "3 * instruction.mul + 3 * instruction.add", unit = "cycles", provenance = "assumed", source = "three products added to three sums" }
 )";
 
-// A kernel is ordinary C++, knows no machine, and returns its result beside its work.
+// A kernel is ordinary C++ without knowledge of the machine. It counts its work while it computes
+// the result.
 double sample_bilinear(Work& work) {
   double sum = 0;
   for (int corner = 0; corner < 4; ++corner) {

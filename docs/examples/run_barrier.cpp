@@ -1,4 +1,4 @@
-// Runs the barrier of barrier.cpp on a topology, as `tlab run` does.
+// Runs the program of barrier.cpp on a topology, as `tlab run` would.
 #include <fmt/format.h>
 
 #include "simulator/programs/declare/program.hpp"
