@@ -28,7 +28,7 @@ struct CoordinationChannels {
 };
 
 /// Parameters of the process that distributes rays. It sends rays from the ray database to the
-/// workers, makes child rays at the intersections that the workers return, and forwards the
+/// workers. The workers return intersections. The process makes their child rays and forwards the
 /// intersections to the display (thesis, figure 4.15).
 struct CoordinationSetup {
   const renderer::Scene& scene;

@@ -50,7 +50,7 @@ struct Result : ray_tracing::Rendering {
   std::uint64_t tasks = 0;   ///< number of tasks, which are rays or blocks
   std::size_t peak_tasks_in_farm = 0;
   double drain_s = 0;               ///< part of time_s that follows the sending of the last task
-  topologies::Topology topology;    ///< the workers' topology as wired
+  topologies::Topology topology;    ///< the workers' topology without a link that was removed
   double mean_depth = 0;            ///< mean distance of workers from the coordinator, in links
   machine::Cycles kernel_cycles{};  ///< cycles charged for the workers' tasks
   double kernel_host_s = 0;         ///< measured only with Setup::profile

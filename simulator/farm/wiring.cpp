@@ -32,8 +32,8 @@ Channel<Message>* hard(std::deque<Channel<Message>>& pool, Machine& machine, Pro
 topologies::Topology free_root_port(topologies::Topology topology) {
   const auto all = topologies::neighbours(topology)[topology.root];
   if (topologies::free_port(topology, topology.root) >= 0) return topology;
-  // Tries the links of the root from the last to the first. Moves links with a parallel link to the
-  // end first, because removing one of them never separates processors.
+  // Tries the links of the root from the last to the first. Links that have a parallel link are
+  // moved to the end, because removing one of them never separates processors.
   auto around = all;
   std::ranges::stable_partition(around, [&](const auto& n) {
     return std::ranges::count(all, n.processor, &topologies::Neighbour::processor) == 1;

@@ -72,8 +72,8 @@ void Coordinator::hand_out() {
   for (std::size_t i = 0; i < workers.size(); ++i) give_first(workers[i], std::move(first[i]));
 }
 
-// Sends image cells to a worker in as few messages as possible. A worker for which there are no
-// cells gets one empty message, so that it knows that it may request tasks.
+// Sends image cells to a worker in as few messages as possible. If there are no cells for the
+// worker, sends one empty message, after which the worker may request tasks.
 void Coordinator::give_first(int worker, std::vector<SampledCell> cells) {
   const auto room = (shared_.longest - shared_.sizes.of(Tasks{})) / shared_.sizes.cell;
   for (std::size_t i = 0; i == 0 || i < cells.size();) {

@@ -40,7 +40,7 @@ std::array<double, 2> steal(const Model& model, const LinkRates& rates) {
 
 // The processes that have not ended, on processors that have not been stopped, by id.
 using Blocked = std::map<ProcessId, const Process*>;
-// For each blocked process, the processes each of which could end its wait.
+// For each blocked process, all processes that alone could end its wait.
 using Waits = std::map<ProcessId, std::vector<ProcessId>>;
 
 bool waits_for_input(const Process& process) {

@@ -208,7 +208,8 @@ class Process {
   std::string name_;
 };
 
-/// What Process::sync() is for a body with a stack, for a Proc: `co_await Sync()`.
+/// Lets a Proc sync: `co_await Sync()` does for a Proc what Process::sync() does for a body with a
+/// stack.
 class [[nodiscard]] Sync final : public Operation {
  public:
   bool go_on(Process& self) override {

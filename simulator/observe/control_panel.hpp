@@ -1,5 +1,5 @@
 #pragma once
-// What a live page shows of a run and lets its user command. A program provides the functions.
+// Functions of a program for a live page, which shows the run and takes commands of its user.
 #include <any>
 #include <cstdint>
 #include <functional>

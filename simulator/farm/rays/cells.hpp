@@ -66,7 +66,7 @@ enum class CellLight : std::uint8_t {
 
 /// Final sums of a complete pixel with adaptive sampling whose samples have unequal weights.
 struct FinishedPixel {
-  std::uint32_t sample = 0;  ///< y * width + x
+  std::uint32_t sample = 0;  ///< number of the pixel: y * width + x
   /// The pixel's estimated colour multiplied by its number of samples.
   renderer::Samples::Sums sums;
 };

@@ -14,7 +14,7 @@ namespace farm {
 /// If all are 0, the criteria are compared one after another instead of being added.
 struct Weights {
   double influence = 0;  ///< weight of the ray's largest influence factor
-  double level = 0;      ///< weight of 1 / level
+  double level = 0;      ///< weight of 1 / level, where primary rays have level 1
   double cell = 0;       ///< weight of log2(cell size) / log2(largest cell size)
   bool operator==(const Weights&) const = default;
 };
@@ -22,9 +22,10 @@ struct Weights {
 /// Limits set by the user. A ray within all limits is "in interactive mode" (RMI) and is traced
 /// first. Any other ray waits for the non-interactive phase (RMNI).
 struct Limits {
-  double min_influence = 0.0;      ///< minimum influence factor
-  int depth_reflected = 1000;      ///< maximum level of rays that follow only reflections
-  int depth_transmitted = 1000;    ///< maximum level of transmitted rays and their descendants
+  double min_influence = 0.0;  ///< minimum influence factor
+  /// Maximum level in the shading tree of rays that follow only reflections.
+  int depth_reflected = 1000;
+  int depth_transmitted = 1000;    ///< maximum level of transmitted rays and of their descendants
   int min_cell = 1;                ///< minimum side of image cells in pixels
   renderer::Area area;             ///< pixels that a ray's cell must overlap; 0 x 0 for all
   std::optional<Weights> weights;  ///< if absent, the weights in the farm's parameters apply

@@ -20,7 +20,7 @@ struct Weights {
   double size = 4;       ///< log2 of the cell's side divided by log2 of the largest cell's side
   double samples = 2;    ///< 1 without samples, 0 with 13 samples
   double contrast = 1;   ///< contrast between the cell's samples (thesis, Eq 4.7)
-  double depth = 1;      ///< 1 / lowest level in the shading trees at which a ray waits
+  double depth = 1;      ///< 1 / lowest level at which a ray waits; primary rays have level 1
   double influence = 1;  ///< largest influence factor of the waiting rays
   bool operator==(const Weights&) const = default;
 };
@@ -28,9 +28,10 @@ struct Weights {
 /// Limits of increasing realism, set by the user. A step of a cell that exceeds a limit waits for
 /// the non-interactive phase.
 struct Limits {
-  double min_influence = 0.0;      ///< minimum influence factor of a ray
-  int depth_reflected = 1000;      ///< maximum level of rays that follow only reflections
-  int depth_transmitted = 1000;    ///< maximum level of transmitted rays and their descendants
+  double min_influence = 0.0;  ///< minimum influence factor of a ray
+  /// Maximum level in the shading tree of rays that follow only reflections.
+  int depth_reflected = 1000;
+  int depth_transmitted = 1000;    ///< maximum level of transmitted rays and of their descendants
   int min_cell = 2;                ///< minimum side of a cell in pixels
   int max_samples = 13;            ///< maximum number of samples in a cell
   double min_contrast = 0.0;       ///< minimum contrast at which a cell is divided
@@ -56,9 +57,9 @@ struct Quantities {
 
 enum class Advance : std::uint8_t {
   none,    ///< no step is within the limits; the cell waits for new limits
-  sample,  ///< take the samples of the next level
+  sample,  ///< take the samples of the cell's next sampling level
   divide,  ///< divide the cell into four
-  deepen   ///< trace the next level of the samples' shading trees
+  deepen   ///< trace the next level of the shading trees of the cell's samples
 };
 
 /// Chooses a cell's next step. While the contrast is at least the influence factor of the waiting

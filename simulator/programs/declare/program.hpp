@@ -21,7 +21,7 @@ namespace programs {
 using base::column;
 using base::Row;
 
-/// What a program's run is given, in addition to its parameters.
+/// Arguments of a program's run, in addition to its parameters.
 struct Setup {
   const machine::Model& model;
   topologies::Topology topology;           ///< a single processor if the program uses no network
@@ -107,11 +107,11 @@ struct ColumnHelp {
 /// The optional parts of an experiment that a program uses. If a program does not use a part, the
 /// experiment must not contain it.
 struct Uses {
-  bool network = false;  ///< the program uses [network]
+  bool network = false;  ///< the program uses the section [network]
   bool routes = false;   ///< the program uses the routes and trees of [network]
-  bool faults = false;   ///< the program uses [[fault]]
+  bool faults = false;   ///< the program uses the list [[fault]]
   bool timed = false;    ///< the program can charge host times: run.cost = "timed"
-  bool others = false;   ///< the program uses [[processor]]
+  bool others = false;   ///< the program uses the list [[processor]]
   /// It can run with --threads, because its processors share only constant data on the host.
   bool threads = false;
 };

@@ -46,8 +46,9 @@ TEST(Dma, SlowsAComputationDownByItsShareWhileWordsMove) {
   EXPECT_NEAR(found.at(2), blocked + cycles_to_move(model, 10'000), ROUNDING);
 }
 
-// A computation that lasts longer than the message must take the cost of starting the message, its
-// own cycles, STEAL_WORD cycles for each word, and two switches when the message has arrived.
+// A computation that lasts longer than the message must take its own cycles, the cost of starting
+// the message, and STEAL_WORD cycles for each word. Two switches follow when the message has
+// arrived.
 TEST(Dma, TakesItsCyclesFromAComputationThatLastsLonger) {
   const std::int64_t cycles = 200'000, words = 1000;
   for (const Model& model : {make_stealing_model(), machine::load_model("t805-25"),

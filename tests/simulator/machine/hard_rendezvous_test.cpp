@@ -95,7 +95,8 @@ TEST(HardRendezvous, StartsWhenBothEndsAreThereAndTakesBytesOverRate) {
   expect_hard_times(machine::load_model("t414-20"), make_hard_cases(false));
 }
 
-// Whether a guard is ready must depend on simulated times, not on which process was created first.
+// Simulated times must determine if a guard is ready. The order in which processes were created
+// must not matter.
 TEST(HardRendezvous, AltReaderPaysItsInstructionsFirst) {
   expect_hard_times(make_exact_model(), make_hard_cases(true));
   expect_hard_times(machine::load_model("t805-25"), make_hard_cases(true));

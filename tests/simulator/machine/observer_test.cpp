@@ -1,5 +1,4 @@
-// What an observer is told about random machines: the reported activities must add up to the
-// counts.
+// Activities that an observer of random machines receives: they must add up to the counts.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/machine/bursts.hpp"
