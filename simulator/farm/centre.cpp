@@ -11,7 +11,7 @@ void interaction(ray_tracing::Orders<Limits>& orders, const Progress& progress,
                  Channel<Command>& into_coordination) {
   out(into_coordination, Command{Begin{}});
   // Coordination ignores a second Begin. It receives the second one only after it has stored the
-  // initial rays and recorded when the user's time starts, from which orders are timed.
+  // initial rays and recorded when the user's time starts. Orders are timed from this start.
   if (orders.has_any()) out(into_coordination, Command{Begin{}});
   for (bool has_left = false; !has_left;) {
     const auto what = orders[orders.next(progress.begun)].what;

@@ -223,7 +223,7 @@ class Coordinator {
                 });
   }
 
-  // Stores the primary ray of sample number `pass` of the pixel to which `ray` belongs.
+  // Stores the primary ray of sample number `pass` of the pixel that `ray` belongs to.
   void deposit_sample(const renderer::Ray& ray, int pass) {
     auto primary = make_primary_of(ray.sample, pass);
     primary.is_urgent = ray.is_urgent;

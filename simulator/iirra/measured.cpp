@@ -116,8 +116,8 @@ Losses find_losses(const Result& result) {
   const double needed =
       static_cast<double>(result.rays_image.total()) / static_cast<double>(result.rays.total());
   Losses losses;
-  // While a process waits for data, its CPU may run another process. Only the part of the waiting
-  // time in which the CPU is idle is lost.
+  // While a process waits for data, its CPU may run another process. Only waiting time with an idle
+  // CPU is lost.
   const double not_busy = std::max(0.0, 1 - busy_s / all_s);
   losses.data = result.shared ? std::min(not_busy, result.shared->data.waited.value / all_s) : 0;
   losses.idle = not_busy - losses.data;

@@ -34,7 +34,7 @@ double clock_interval_s();
 /// so that their times are comparable.
 const Host& this_host();
 
-/// Stored functions (replays), each of which repeats one call of a kernel. They lie contiguously in
+/// Stored functions (replays). Each of them repeats one call of a kernel. They lie contiguously in
 /// memory. If they were scattered among the simulation's other allocations, cache misses would
 /// dominate the time of short calls.
 class Replays {

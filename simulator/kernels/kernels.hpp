@@ -83,8 +83,8 @@ class KernelCost {
     return result;
   }
   /// For a kernel that changes an object: calls it with `state`. If costs are host times, calls it
-  /// again later with `scratch`, on which it must do the same amount of work. Neither object may
-  /// move. Returns the numbers of operations.
+  /// again later with `scratch`, where it must do the same amount of work. Neither object may move.
+  /// Returns the numbers of operations.
   template <class State, class Kernel>
   renderer::Work operator()(State& state, State& scratch, Kernel kernel) {
     renderer::Work work;

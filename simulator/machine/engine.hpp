@@ -41,8 +41,7 @@ class Engine {
   std::size_t add_link(int a, int b, LinkRates rates, std::size_t rank) {
     return carrier_->add_link(a, b, rates, rank);
   }
-  /// True if every process needs a stack, even one whose body is a Proc. This is so with SimGrid's
-  /// actors.
+  /// True if every process needs a stack, even for a Proc. This is so with SimGrid's actors.
   bool needs_stacks() const { return needs_stacks_; }
   /// Makes the coroutine of a process. It is resumed by callbacks and, after run(), only to unwind
   /// its stack.

@@ -78,7 +78,7 @@ class Machine {
 
   /// Runs until nothing can happen any more, or until the time limit. Rethrows an exception thrown
   /// by a process. Throws Deadlock if no event is left although some processes have not ended; the
-  /// message names the channels on which they wait.
+  /// message names the channels where they wait.
   End run(Seconds until = {std::numeric_limits<double>::infinity()});
 
   /// Date of the clock. In a machine with several parts, valid only between runs; during a run use

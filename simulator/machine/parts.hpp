@@ -1,5 +1,5 @@
 #pragma once
-// A machine divided into parts, each of which is run by a host thread.
+// A machine divided into parts. A host thread runs each part.
 //
 // Processors interact only over links, and any process needs a minimum time to reach a link, the
 // lookahead. During a window of this length, all parts can therefore run in parallel. Events on

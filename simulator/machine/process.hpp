@@ -143,7 +143,7 @@ class Process {
   /// this one waits for input.
   void set_server() { is_server_ = true; }
   bool is_server() const { return is_server_; }
-  /// Number of waits that have started, by which the present wait can be identified.
+  /// Number of waits that have started. It identifies the present wait.
   std::uint64_t waits() const { return waits_; }
   const Wait* wait() const {
     return wait_;
@@ -191,7 +191,7 @@ class Process {
   Seconds ready_at_{};                    // date at which it joined the ready queue
   Proc proc_;                             // the body, if it has no stack
   std::unique_ptr<Coroutine> coroutine_;  // the body, if it has a stack
-  Operation* operation_ = nullptr;        // operation in which a body with a stack waits
+  Operation* operation_ = nullptr;        // operation that a body with a stack waits for
   Wait* wait_ = nullptr;
   Seconds blocked_since_{};
   std::uint64_t waits_ = 0;

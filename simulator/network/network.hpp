@@ -16,7 +16,7 @@ enum class Method : std::uint8_t {
   /// Sender processes only for clients and lower-numbered neighbours (thesis, figures 5.12 to
   /// 5.14).
   green,
-  /// Routes on which links cannot wait for each other in a cycle (see make_acyclic_routing).
+  /// Routes that let no links wait for each other in a cycle (see make_acyclic_routing).
   acyclic,
 };
 
@@ -32,16 +32,16 @@ struct Params {
   /// that the client receives messages for, one bit for each. If empty, each processor has one
   /// client for all.
   std::vector<std::vector<std::uint32_t>> processes;
-  /// By processor: the companion on which clients number 1 and higher run, or null if all clients
-  /// run on the processor itself. If empty, null for all processors.
+  /// By processor: the companion that runs clients number 1 and higher, or null if all clients run
+  /// on the processor itself. If empty, null for all processors.
   std::vector<const machine::Processor*> companions = {};
 };
 
 /// The two channels between a process and its router. Only one process may use a client.
 class Client {
  public:
-  /// `longest` is the maximum length in bytes of a message's contents. `own` is the processor on
-  /// which the client's process runs: either `router` or its companion.
+  /// `longest` is the maximum length in bytes of a message's contents. `own` is the processor of
+  /// the client's process: either `router` or its companion.
   Client(int processor, const std::string& name, bool pointers, std::uint64_t longest,
          const machine::Processor& own, const machine::Processor& router)
       : processor_(processor),

@@ -165,10 +165,10 @@ struct Node {
   std::optional<Message> take(int way);
   /// Outputs a message to this way: `channel ! message`. Returns false if the link is cut.
   bool pass(int way, const Message& message);
-  /// Determines by which ways a message that came by `came_by` must leave (determ.ways.out in
-  /// figure 5.14 of the thesis). An undeliverable message is addressed to its sender instead. If
-  /// there is no way to the sender either, returns no ways. If pointers are passed, also charges
-  /// the allocation and release of a buffer for each way.
+  /// Determines the ways out for a message that came by `came_by` (determ.ways.out in figure 5.14
+  /// of the thesis). An undeliverable message is addressed to its sender instead. If there is no
+  /// way to the sender either, returns no ways. If pointers are passed, also charges the allocation
+  /// and release of a buffer for each way.
   WaysOut find_ways_out(Message& message, int came_by);
   /// Returns messages that must be returned to this processor's client and that the caller must
   /// send next. They stand for the processors that the client's GLOBAL message cannot reach.

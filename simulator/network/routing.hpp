@@ -34,8 +34,8 @@ class Routing {
   Kind kind() const { return kind_; }
   /// Mean number of links on a route, over all pairs of processors that are connected.
   double mean_distance() const { return routes_.mean_distance(); }
-  /// Number of cuts of links so far. A GLOBAL message keeps using the tree of the epoch (time
-  /// between two cuts) in which it was sent, so that no processor receives it twice.
+  /// Number of cuts of links so far. A GLOBAL message keeps using the tree of its epoch (the time
+  /// between two cuts when it was sent), so that no processor receives it twice.
   std::size_t epoch() const { return epochs_.size() - 1; }
   /// Ports of processor `at` that lead to its children in the tree of `sender`, in ascending order.
   const std::vector<int>& tree_ports(std::size_t epoch, int sender, int at) const;
@@ -80,7 +80,7 @@ class Routing {
 
 /// Makes routes that cannot deadlock, and a tree from the root for all GLOBAL messages. Keeps
 /// `routes` if on these routes and the tree links cannot wait for each other in a cycle. Otherwise
-/// makes up*/down* routes, on which a message never goes up again once it has gone down.
+/// makes up*/down* routes: a message that has gone down never goes up again.
 Routing make_acyclic_routing(const topologies::Topology& topology,
                              const topologies::RoutingTable& routes);
 

@@ -42,9 +42,9 @@ struct ControlPanel {
   /// numbers.
   std::vector<int> network;
   std::optional<Picture> picture;
-  /// Computes with the sequential renderer the picture with which the run will end; rows start at
-  /// the top. Gives up, with an empty result, when `goes_on` returns false. Another thread may call
-  /// this function while the machine runs.
+  /// Computes the final picture of the run with the sequential renderer; rows start at the top.
+  /// Gives up, with an empty result, when `goes_on` returns false. Another thread may call this
+  /// function while the machine runs.
   std::function<std::vector<std::uint8_t>(const std::function<bool()>& goes_on)> sequential;
   std::vector<Gauge> gauges;
   std::function<double()> count_rays;  ///< empty (no function) if the program traces no rays

@@ -48,8 +48,8 @@ class ChannelBase {
   const std::string& name() const { return name_; }
   const ChannelUse& use() const { return use_; }
   bool hard() const { return link_ != nullptr; }
-  /// True if the two ends are on different CPUs. What happens at the other end is then known only
-  /// up to the present date.
+  /// True if the two ends are on different CPUs. Events at the other end are then known only up to
+  /// the present date.
   bool joins_cpus() const { return joins_cpus_; }
   /// True if the link has been cut. Inputs and outputs then block for ever, except those whose
   /// names end in `_or_fail`. Guards of ALTs are then never ready.
@@ -183,7 +183,7 @@ class [[nodiscard]] ChannelBase::Exchange : public machine::Operation, machine::
   bool is_second_ = false, may_fail_ = false, failed_ = false;
 };
 
-/// Parts in which a message is communicated:
+/// Parts of a message, each communicated separately:
 /// - simple: one part.
 /// - variant: occam's PROTOCOL with CASE, `channel ! tag; contents`. First the tag (a byte), then
 /// the

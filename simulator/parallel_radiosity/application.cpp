@@ -211,7 +211,7 @@ void Root::run() {
   send(network::make_global(AMP_PROCESS), Stop{});
 }
 
-// True if the solution is complete: the condition by which radiosity::solve ends.
+// True if the solution is complete. The condition is that of radiosity::solve.
 bool Root::is_over(const Candidate& best) const {
   const auto& solve = common_.params.solve;
   return shots_ >= solve.shots || eval_share(best.unshot) <= solve.tolerance || !best.shot;

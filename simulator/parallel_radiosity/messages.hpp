@@ -18,8 +18,7 @@ struct Candidate {
   radiosity::Unshot unshot;
 
   /// Merges the candidates of two subtrees: keeps the brighter patch, or if both are equally bright
-  /// the one with the lower number. The result does not depend on the order in which candidates are
-  /// merged.
+  /// the one with the lower number. The result does not depend on the order of merging.
   Candidate& operator+=(const Candidate& other);
 };
 /// Broadcast by the root in place of a radiosity::Shot when the solution is complete.

@@ -9,8 +9,8 @@ namespace parallel_radiosity {
 /// Measurements of the final picture.
 struct PictureSummary {
   double radiosity_mean = 0;  ///< mean over the patches whose material also exists in the reference
-  double exposure = 0;  ///< factor by which the picture was brightened for display; greater than 0
-  double reference_mean = 0;                     ///< only with a reference
+  double exposure = 0;        ///< factor on the picture's brightness for display; greater than 0
+  double reference_mean = 0;  ///< only with a reference
   std::optional<radiosity::PictureError> error;  ///< only with a reference
 };
 

@@ -10,7 +10,7 @@ struct ProgramParams {
   RoomParams room;
   Params machine;      ///< distribution and costs; the member `solve` is set from `room`
   double amplify = 1;  ///< factor on the brightness of the difference image, 0 to 1e6
-  /// The part of the picture's central line in which the peak is searched: from 0 (left edge) to 1
+  /// The part of the picture's central line that is searched for the peak: from 0 (left edge) to 1
   /// (right edge).
   double peak_from = 0, peak_to = 1;
 };

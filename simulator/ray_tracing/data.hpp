@@ -35,7 +35,7 @@ struct SharedUse {
   double workers_s = 0;           ///< duration of the run in s, multiplied by the number of workers
 };
 
-/// The data from which the columns about distributed scenes are computed.
+/// The input for the columns about distributed scenes.
 struct DataFigures {
   bool is_given = false;         ///< true if the experiment contains any key of [data]
   std::optional<SharedUse> use;  ///< only if the scene is distributed

@@ -1,5 +1,5 @@
 #pragma once
-// The order in which the pixels of an image are computed: the key image.order.
+// The order of computing the pixels of an image: the key image.order.
 #include "base/fields.hpp"
 
 namespace ray_tracing {

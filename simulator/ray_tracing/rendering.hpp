@@ -33,7 +33,7 @@ struct Rendering {
   std::vector<std::string> notes;           ///< about orders without effect and removed links
 };
 
-/// Renders the picture with which every run of these parameters ends, with the sequential renderer.
+/// Renders the final picture of every run with these parameters, with the sequential renderer.
 /// Returns an empty list as soon as `goes_on` returns false.
 std::vector<std::uint8_t> render_sequentially(const renderer::Scene& scene,
                                               const renderer::Params& params,

@@ -28,7 +28,7 @@ SceneSize size_of(const SceneChoice& scene);
 
 /// The column "objects". Does not count the floor below generated spheres.
 programs::Row describe(const SceneChoice& scene);
-/// A text that contains all parameters on which the image of a run depends.
+/// A text of all parameters that determine the image of a run.
 std::string picture_key(const SceneChoice& scene, const renderer::Params& image);
 /// If `key` is scene.objects and has no effect, because the source itself determines the number of
 /// objects, returns "scene.source". Otherwise returns "".

@@ -90,8 +90,8 @@ class ItemServer : public DataManager {
   ItemServer(DataManagerMeans means, const Catalogue& catalogue)
       : DataManager(std::move(means)), catalogue_(catalogue) {}
 
-  // A local access to an item that is not in the cache does not insert it, so that it does not
-  // evict items that other processors requested.
+  // A local access does not insert a missing item into the cache. Items requested by other
+  // processors are thus not evicted.
   void access(Item item) override {
     look();
     this_process().charge(costs_.look_up);

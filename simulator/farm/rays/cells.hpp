@@ -1,6 +1,6 @@
 #pragma once
 // Image cells (thesis, 4.3.2 and 4.3.7): square tiles of the image. A cell's upper left pixel is
-// its sample. Defines the order in which cells are sampled, and how a sample paints its cell.
+// its sample. Defines the order of sampling the cells, and how a sample paints its cell.
 #include <memory>
 #include <optional>
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace farm {
 
-/// The order in which cells of equal size are sampled (thesis, 4.3.7).
+/// The order of sampling for cells of equal size (thesis, 4.3.7).
 enum class CellOrder : std::uint8_t {
   random,      ///< random, determined by a seed
   sequential,  ///< from top to bottom, each row from left to right
@@ -50,9 +50,9 @@ struct Cells {
   std::uint32_t rank_of(std::uint32_t sample) const;
 };
 
-/// Makes the first primary ray of each sample, in the order in which rays are stored: from the
-/// largest cells to the smallest, and among equal sizes as `cells` specifies. With
-/// CellOrder::adaptive, makes only the rays of the largest cells.
+/// Makes the first primary ray of each sample, in the order of storing: from the largest cells to
+/// the smallest, and among equal sizes as `cells` specifies. With CellOrder::adaptive, makes only
+/// the rays of the largest cells.
 std::vector<renderer::Ray> make_initial_rays(const renderer::Scene& scene,
                                              const renderer::Params& params, const Cells& cells,
                                              std::uint64_t seed);
@@ -88,7 +88,7 @@ class FrameBuffer {
   void finish(const FinishedPixel& finished, renderer::Work& work);
   /// Sets the background, a picture of the same size.
   void set_background(std::vector<std::uint8_t> rgb8) { rgb8_ = std::move(rgb8); }
-  /// Adds a block in which all pixels are complete.
+  /// Adds a block of complete pixels.
   void add(const renderer::Block& block, renderer::Work& work);
 
   /// The sums of all pixels. When all rays have arrived, they equal those of renderer::render().

@@ -14,7 +14,7 @@ class Ledger {
  public:
   explicit Ledger(const renderer::Params& params);
 
-  /// Returns those corners of a pixel for which no probe ray was requested before, as arguments (x,
+  /// Returns the corners of a pixel without the corners already requested before, as arguments (x,
   /// y) of make_probe(). Marks them as requested.
   std::vector<std::pair<int, int>> ask_corners(std::uint32_t pixel);
   /// Records the object hit by a probe ray at a corner. Returns the pixels whose four corners are

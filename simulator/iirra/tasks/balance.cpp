@@ -19,7 +19,7 @@ class NoBalance : public Balance {
   }
 };
 
-// Base class of methods in which workers without tasks make requests. A worker sends one request,
+// Base class of methods that let workers without tasks make requests. A worker sends one request,
 // then waits for tasks or new limits. A worker that receives a request and has no tasks to spare
 // may store the request until it has.
 class Passive : public Balance {

@@ -98,7 +98,7 @@ CellQuadrants make_cell_quadrants(const Area& image, int max_cell) {
 
 namespace {
 
-// Returns a number by which cells of equal importance are sorted, lowest first.
+// Returns a sort key for cells of equal importance; the lowest comes first.
 std::uint64_t eval_place(const Ordering& o, const SampledCell& cell, double contrast) {
   const int column = (cell.x - o.image.x) / cell.side, row = (cell.y - o.image.y) / cell.side;
   const auto drawn = [&] {

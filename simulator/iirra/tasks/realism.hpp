@@ -1,7 +1,6 @@
 #pragma once
 // Increasing realism in IIRRA (thesis, 5.1.3 and 5.3): six measured quantities of an image cell,
-// the user's limits on them, the choice of a cell's next step, and the order in which cells are
-// refined.
+// the user's limits on them, the choice of a cell's next step, and the order of refining cells.
 #include <map>
 #include <memory>
 #include <optional>
@@ -68,7 +67,7 @@ enum class Advance : std::uint8_t {
 /// pixels come last.
 Advance choose(const SampledCell& cell, const Quantities& quantities, const Limits& limits);
 
-/// The order in which cells of equal importance are refined.
+/// The order of refining cells of equal importance.
 enum class CellOrder : std::uint8_t {
   bayer,       ///< by Bayer's dither matrix (thesis, Eq 5.7), extended to any power of two
   random,      ///< random, determined by a seed

@@ -16,8 +16,8 @@ using renderer::progressive::Point;
 
 /// The image cell of a task.
 struct TaskCell : SampledCell {
-  /// Number of times that this cell, and the cells from which it was divided, have been painted.
-  /// The display compares these numbers to find the newer of two paintings of a pixel.
+  /// Number of times that this cell, and the larger cells that contained it, have been painted. The
+  /// display compares these numbers to find the newer of two paintings of a pixel.
   std::uint32_t paintings = 0;
   int sampled = 0;  ///< number of points of the next level that have already been sampled
 };
@@ -69,8 +69,8 @@ class TaskStores {
   void add(const Task& task, TaskWork& work);
   /// Removes and returns the most important task, or nothing if the priority queue is empty.
   std::optional<Task> take(TaskWork& work);
-  /// Removes and returns a task for which `may_go` is true, or nothing. Searches only the last
-  /// LOOKED_AT elements of the heap, so that the most important tasks stay.
+  /// Removes and returns a task that `may_go` accepts, or nothing. Searches only the last LOOKED_AT
+  /// elements of the heap, so that the most important tasks stay.
   std::optional<Task> take_last(const std::function<bool(const Task&)>& may_go, TaskWork& work);
   /// Removes and returns all tasks, so that they can be compared with new limits.
   std::vector<Task> take_all();

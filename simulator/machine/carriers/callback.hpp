@@ -21,7 +21,7 @@ class Callback {
     new (body_) Body(body);
   }
   void operator()() { call_(body_); }
-  /// Prefetches the object to which the first captured variable of the callback points. If that
+  /// Prefetches the object that the first captured variable of the callback points to. If that
   /// variable is not a pointer, the prefetch is useless but harmless.
   void prefetch() const {
     std::uintptr_t at = 0;

@@ -3,7 +3,7 @@
 // implementation uses SimGrid, the other computes the times itself.
 //
 // Each link has two directions, which a carrier numbers. The two directions of a link have
-// consecutive numbers, the first of which is even.
+// consecutive numbers, first an even one.
 #include <cstdint>
 #include <memory>
 #include <string>

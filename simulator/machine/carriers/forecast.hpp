@@ -22,7 +22,7 @@ class Forecast {
   /// has arrived or is lost. Dates are in seconds and must not decrease.
   void start(std::size_t direction, double bytes, double date);
   void end(std::size_t direction, double date);
-  /// Updates the predictions for links on which messages have started or ended since the last call.
+  /// Updates the predictions for links where messages have started or ended since the last call.
   void settle() {
     if (!changed_.empty()) foresee_changed();
   }
@@ -67,7 +67,7 @@ class Forecast {
     std::size_t rank;
     double since = 0;
     std::array<Way, 2> ways = {};
-    std::size_t newest = 0;  // direction in which a message started last
+    std::size_t newest = 0;  // direction of the message that started last
     bool changed = false;
   };
   // An entry of the heap. It is outdated if its number differs from Way::valid; it is removed when

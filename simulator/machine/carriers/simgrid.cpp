@@ -383,7 +383,7 @@ void OnSimGrid::start_all(double date) {
 }
 
 // Starts the communication when SimGrid's clock reaches the date of tlab's clock. Communications of
-// one date start in the order in which they were requested.
+// one date start in the order of the requests.
 void OnSimGrid::start_later(std::size_t number) {
   const double date = events_.now();
   const bool timer_set = !starts_.empty() && starts_.back().first == date;

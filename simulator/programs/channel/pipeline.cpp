@@ -1,4 +1,4 @@
-// A full pipeline in which every stage inputs, computes and outputs.
+// A full pipeline. Every stage inputs, computes and outputs.
 #include "simulator/programs/declare/support.hpp"
 
 namespace programs {

@@ -99,7 +99,7 @@ class Test {
   const network::Routing& routing_;
   shared_memory::VirtualMemory& memory_;
   std::vector<std::vector<Mark>> marks_;  // by pass, then by processor
-  // Sums of the weights of items 0 to k, from which items are drawn at random.
+  // Sums of the weights of items 0 to k, for drawing items at random.
   std::vector<double> wanted_;
 };
 

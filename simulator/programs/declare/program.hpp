@@ -44,7 +44,7 @@ struct Image {
   std::string name;            ///< unique name of letters, digits and "-", such as "picture"
   std::optional<double> at_s;  ///< for an intermediate picture: time in s at which it was complete
   std::function<void(const std::string& path)> save;  ///< writes a file of the type `extension`
-  /// Writes an OpenEXR file, in which colours are not clipped.
+  /// Writes an OpenEXR file, whose colours are not clipped.
   std::function<void(const std::string& path)> save_exr = nullptr;
   /// If true, the file name does not contain the point of the sweep, unless several images have one
   /// name.
@@ -135,8 +135,8 @@ struct NetworkDrawing {
   std::vector<Outsider> outsiders = {};
 };
 
-/// What tables and reports show of a program's results. The defaults also apply to experiments that
-/// run several programs.
+/// The results of a program that tables and reports show. The defaults also apply to experiments
+/// that run several programs.
 struct Shows {
   /// Columns that come first, even if they are not axes of the sweep.
   std::vector<std::string> leading = {};
@@ -160,7 +160,7 @@ struct Program {
   std::function<void(const Setup&, const std::any&)> check;
   /// Columns whose values are known before a run. Tables show them beside the axes of the sweep.
   std::function<Row(const std::any&)> describe = {};
-  /// Runs for which this function returns equal keys must produce equal images. If it is empty,
+  /// Returns a key. Runs with equal keys must produce equal images. If the function is empty,
   /// images are not compared.
   std::function<std::string(const std::any&)> picture_key = {};
   bool shows_picture = false;  ///< true if the picture can be watched during the run

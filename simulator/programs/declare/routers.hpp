@@ -7,7 +7,7 @@
 
 namespace programs {
 
-/// Names of the methods by which routers avoid deadlock. The farm accepts all of them except naive.
+/// Names of the routers' methods to avoid deadlock. The farm accepts all of them except naive.
 inline const base::Names<network::Method> METHODS = {{"green", network::Method::green},
                                                      {"chalmers", network::Method::chalmers},
                                                      {"acyclic", network::Method::acyclic},

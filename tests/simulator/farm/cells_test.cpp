@@ -1,5 +1,5 @@
-// Image cells, the orders in which they are sampled, and the picture on the display. Compares the
-// picture with a simple computation.
+// Image cells, the orders of sampling them, and the picture on the display. Compares the picture
+// with a simple computation.
 #include "simulator/farm/rays/cells.hpp"
 
 #include <gtest/gtest.h>
@@ -90,7 +90,7 @@ TEST(FrameBuffer, PointsLightOnePixelEach) {
   EXPECT_EQ(work[renderer::Op::pixel_drawn], 3u);
 }
 
-// The picture must not depend on the order in which contributions arrive.
+// The picture must not depend on the order of arrival of the contributions.
 TEST(FrameBuffer, ShowsTheSameInAnyOrder) {
   for (const auto light : {CellLight::constant, CellLight::point, CellLight::smooth})
     for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -169,7 +169,7 @@ TEST(FrameBuffer, SmoothCellsAreBilinear) {
 }
 
 // A pixel must show the mean of those of its samples whose primary ray has arrived. In the end this
-// equals the sum of the contributions, each of which has the weight 1 / pixel_samples.
+// equals the sum of the contributions, each with the weight 1 / pixel_samples.
 TEST(FrameBuffer, ShowsTheMeanOfSamples) {
   renderer::Sampling sampling;
   sampling.pixel_samples = 4;

@@ -14,8 +14,8 @@ using occam::isolated_numbers, occam::Lab, occam::Numbers, occam::Processor, occ
 
 constexpr int WAYS = 4, ROUNDS = 6;
 
-// Runs the results router. Each input sends its results as fast as possible, then Stop. Returns, in
-// the order of output, the number of the input from which each result came, and -1 for Stop.
+// Runs the results router. Each input sends its results as fast as possible, then Stop. Returns for
+// each result, in the order of output, the number of its input, and -1 for Stop.
 Numbers run_results_router() {
   return isolated_numbers([] {
     Lab lab;

@@ -2,9 +2,9 @@
 // activities, and uses no code of the simulator.
 //
 // Every process has high priority and relays the messages of one stream: it inputs, computes and
-// outputs. A CPU runs its processes in the order in which they become ready; each keeps the CPU
-// until it reaches a link. A transfer on a link slows all work on the CPUs at its ends, from its
-// start to its end.
+// outputs. A CPU runs its processes first come, first served, by the date of becoming ready; each
+// keeps the CPU until it reaches a link. A transfer on a link slows all work on the CPUs at its
+// ends, from its start to its end.
 #pragma once
 
 #include <algorithm>

@@ -106,8 +106,8 @@ TEST_F(Engines, PartsShareWindows) {
 }
 
 // At the time limit, one process waits for ever, one computes, one waits in a PAR, and one has not
-// begun. All must be unwound: their objects must be destroyed, the innermost first. Of the process
-// that has not begun, only the captured variables of its body may be destroyed.
+// begun. All must be unwound: their objects must be destroyed, the innermost first. The process
+// that has not begun has no objects yet; only the captured variables of its body may be destroyed.
 TEST_F(Engines, BodiesThatHaveNotEndedAreUnwound) {
   for (const auto& engine : ALL_KINDS) {
     const auto log = isolated([&] {

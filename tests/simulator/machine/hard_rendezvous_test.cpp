@@ -95,8 +95,8 @@ TEST(HardRendezvous, StartsWhenBothEndsAreThereAndTakesBytesOverRate) {
   expect_hard_times(machine::load_model("t414-20"), make_hard_cases(false));
 }
 
-// Simulated times must determine if a guard is ready. The order in which processes were created
-// must not matter.
+// Simulated times must determine if a guard is ready. The order of creating the processes must not
+// matter.
 TEST(HardRendezvous, AltReaderPaysItsInstructionsFirst) {
   expect_hard_times(make_exact_model(), make_hard_cases(true));
   expect_hard_times(machine::load_model("t805-25"), make_hard_cases(true));

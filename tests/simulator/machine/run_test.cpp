@@ -130,7 +130,7 @@ TEST(Run, WithoutALimitEndsThoughAProcessOnlyComputes) {
   EXPECT_EQ(found, (Numbers{1, 12'345, 12'345}));
 }
 
-// Observes the same run up to a limit and beyond it. What happens up to the limit must be the same.
+// Observes the same run up to a limit and beyond it. Events up to the limit must be the same.
 TEST(Run, LimitDoesNotChangeWhatHappensBefore) {
   const auto seen = [](std::int64_t limit, std::int64_t until) {
     return isolated([&] {

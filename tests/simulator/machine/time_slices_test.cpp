@@ -1,4 +1,4 @@
-// Time slices, by which low-priority processes share the CPU.
+// Time slices: low-priority processes share the CPU.
 #include <gtest/gtest.h>
 
 #include <random>
@@ -8,7 +8,7 @@
 namespace occam {
 namespace {
 
-// A period in which one low-priority process computes and no other one does.
+// A period when one low-priority process computes and no other one does.
 struct Stretch {
   std::size_t process;
   double begin, end;
@@ -51,7 +51,7 @@ std::string check_slices(std::uint64_t seed) {
     auto expect = [&](bool holds, const char* what) { holds || (wrong += what, wrong += '\n', 0); };
     expect(stretches.back().end == static_cast<double>(total), "total time is not conserved");
     expect(ends == whole_ends, "computing in one piece ends at another time");
-    std::deque<std::size_t> queue;  // processes in the order in which they must run
+    std::deque<std::size_t> queue;  // processes in the required order of running
     for (std::size_t i = 0; i < lengths.size(); ++i) queue.push_back(i);
     for (const Stretch& s : stretches) {
       const auto next = queue.front();

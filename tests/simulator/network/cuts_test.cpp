@@ -11,7 +11,7 @@
 namespace network {
 namespace {
 
-using Way = std::pair<int, int>;  // a processor, and the port by which a message leaves it
+using Way = std::pair<int, int>;  // a processor, and a port where a message leaves it
 using Waits = std::map<Way, std::set<Way>>;
 
 // Adds all routes to the graph: a message that holds one link of its route waits for the next one.

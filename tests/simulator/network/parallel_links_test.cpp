@@ -17,8 +17,8 @@ topologies::Topology pair_joined_by(int links) {
 constexpr int CLIENTS = 4;
 constexpr std::uint64_t BYTES = 100'000, MESSAGES = 8;
 
-// Returns the time in seconds in which each process of one processor sends its messages to a
-// process of the other. Checks that the messages of each process arrive in order.
+// Each process of one processor sends messages to a process of the other. Returns the total time in
+// seconds. Checks that the messages of each process arrive in order.
 std::string time_of(int links, Method method) {
   return isolated([&] {
     Params params;

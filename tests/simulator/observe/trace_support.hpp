@@ -17,7 +17,7 @@ inline std::string saved(void (*save)(const Trace&, std::ostream&), const Trace&
   return out.str();
 }
 
-// A trace of 10 ms in which two processors exchange one message.
+// A trace of 10 ms: one processor sends a message to another.
 inline Trace make_small_trace() {
   using enum Trace::Doing;
   Trace trace;

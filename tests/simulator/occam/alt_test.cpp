@@ -1,4 +1,4 @@
-// ALT: which guard is chosen, when, at what cost, and that no message is lost.
+// ALT: the chosen guard, its time and cost. No message may be lost.
 #include <gtest/gtest.h>
 
 #include <algorithm>

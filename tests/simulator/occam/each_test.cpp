@@ -48,7 +48,7 @@ Numbers run(std::uint64_t seed, Priority priority, const Reader& reader) {
   });
 }
 
-// Reads by a PRI ALT in which input 0 has precedence over all others, and these take turns.
+// Reads by a PRI ALT. Input 0 has precedence over all others, and these take turns.
 template <bool fair>
 void read_by_each(std::span<Channel<Words>* const> inputs, Numbers& seen) {
   const auto rest = inputs.subspan(1);

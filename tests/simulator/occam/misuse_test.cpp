@@ -101,7 +101,7 @@ TEST(Misuse, ASecondWriterIsRefusedBeforeTheFirstWaits) {
 }
 
 // Several processes may use an end of a channel one after the other: in successive PARs, or after a
-// message by which one hands it over to the next.
+// message that hands it over to the next process.
 TEST(Misuse, AnEndMayBeHandedOver) {
   for (const bool hard : {false, true}) {
     const auto found = isolated_numbers([&] {

@@ -30,7 +30,7 @@ struct Writer {
   }
 };
 
-// A PRI ALT in which input 0 has precedence over all others; if `fair`, these take turns.
+// A PRI ALT. Input 0 has precedence over all others; if `fair`, these take turns.
 struct Reader {
   bool fair;
   std::vector<Channel<Words>*> inputs, rest{inputs.begin() + 1, inputs.end()};

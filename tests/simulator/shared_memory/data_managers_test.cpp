@@ -17,8 +17,8 @@ using shared_memory::Level;
 
 constexpr std::uint64_t ITEM = 40;
 
-// A model in which accesses are fast and managers check for messages all the time, so that requests
-// meet more often.
+// A model with fast accesses. Managers check for messages all the time, so that requests meet more
+// often.
 const machine::Model& model() {
   static const auto quick = machine::override_model(
       "t805-25", {{"operation.data_access", 1000.0}, {"software.idle_period", 0.0}}, "tests");

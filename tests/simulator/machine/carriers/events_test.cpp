@@ -1,4 +1,4 @@
-// The order in which events are handled.
+// The order of handling events.
 #include "simulator/machine/carriers/events.hpp"
 
 #include <gtest/gtest.h>

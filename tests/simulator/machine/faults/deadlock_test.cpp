@@ -1,5 +1,5 @@
-// The report of a deadlock: what each process waits for, from which processes, and the cycle of
-// waits.
+// The report of a deadlock: the wait of each process, the processes that could end it, and the
+// cycle of waits.
 #include "tests/simulator/machine/failures.hpp"
 
 namespace occam {

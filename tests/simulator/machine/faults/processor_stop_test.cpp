@@ -11,7 +11,7 @@ namespace {
 
 constexpr double STOP = 5000;  // cycle at which the processor stops
 
-// Two processors with a link, of which the second stops.
+// Two processors with a link. The second one stops.
 struct StoppedPair {
   StoppedPair() {
     lab.machine.connect(a, b);
