@@ -254,7 +254,7 @@ void Cpu::compute(Process& low, Seconds time) {
   low_.since = now();
   low_.end = now() + Seconds{time.value / speed_};
   low_.left = time;
-  // If they are equal, the process was pre-empted meanwhile.
+  // If the process is the interrupted one, the timer is set when it resumes.
   if (interrupted_ != &low) arm_low_timer();
 }
 

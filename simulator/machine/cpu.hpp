@@ -136,7 +136,7 @@ class Cpu {
 
   // State of the high-priority process that occupies the CPU.
   struct High {
-    // It waits for its charged cycles to pass; the end depends on the CPU's speed.
+    // The process waits for its charged cycles to pass. The end depends on the CPU's speed.
     bool computing = false;
     bool preempting = false;  // its next computation includes a switch from low priority
     std::uint64_t id = 0;     // pending events with another number have no effect

@@ -70,7 +70,7 @@ class Processor {
   /// Makes the process ready at a future date, if it is then still in the wait with number `wait`
   /// (see Process::waits).
   void wake_at(Seconds date, Process& process, std::uint64_t wait);
-  /// Does the same as wake_at(), but before all other events of that date.
+  /// Does the same as wake_at(), but before all other events of `date`.
   void wake_first_at(Seconds date, Process& process, std::uint64_t wait);
 
   /// Makes the id of the next process, which is unique within a machine.

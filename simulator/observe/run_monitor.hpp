@@ -37,8 +37,8 @@ inline void notify_change(const RunMonitor* monitor, machine::Seconds now) {
 /// fills the trace even then. After a failure of a link or a processor, a deadlock is a valid
 /// outcome of the experiment: it is not thrown but returned as End::deadlock.
 machine::End run(machine::Machine& machine, RunMonitor& monitor, const ControlPanel& view = {});
-/// Does the same if `monitor` is not null. Otherwise runs the machine without a limit, stores no
-/// outcome and throws every Deadlock.
+/// If `monitor` is not null, calls the function above. Otherwise runs the machine without a limit,
+/// stores no outcome and throws every Deadlock.
 machine::End run(machine::Machine& machine, RunMonitor* monitor, const ControlPanel& view = {});
 
 }  // namespace observe

@@ -18,7 +18,7 @@ inline renderer::Scene make_glass_scene() {
       "glass");
 }
 
-/// Makes the same scene with a lens, area lights and rough surfaces.
+/// Makes the scene of make_glass_scene() with a lens, area lights and rough surfaces.
 inline renderer::Scene make_soft_scene() {
   renderer::Scene scene = make_glass_scene();
   scene.view.lens = {.aperture = 0.3, .focus = 4};

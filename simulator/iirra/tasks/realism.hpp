@@ -95,7 +95,7 @@ CellQuadrants make_cell_quadrants(const renderer::Area& image, int max_cell);
 
 /// Parameters that determine the importance of a cell.
 struct Ordering {
-  renderer::Area image;  ///< in pixels; the first cell is at the upper left
+  renderer::Area image;  ///< computed area in pixels; the first cell is at its upper left
   int max_cell = 16;
   CellOrder order = CellOrder::bayer;
   std::uint64_t seed = 1;

@@ -112,7 +112,7 @@ struct Uses {
   bool faults = false;   ///< the program uses the list [[fault]]
   bool timed = false;    ///< the program can charge host times: run.cost = "timed"
   bool others = false;   ///< the program uses the list [[processor]]
-  /// It can run with --threads, because its processors share only constant data on the host.
+  /// The program can run with --threads, because its processors share only constant data.
   bool threads = false;
 };
 

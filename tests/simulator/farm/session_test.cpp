@@ -102,7 +102,8 @@ TEST(Session, EndsWithTheImage) {
   }
 }
 
-// The same must hold with several samples per pixel, a lens, area lights and rough surfaces.
+// With several samples per pixel, a lens, area lights and rough surfaces, the result must also be
+// the sequential image.
 TEST(Session, EndsWithTheImageOfSeveralSamples) {
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

@@ -124,7 +124,8 @@ TEST(FailureDeadlock, SaysThatTheLinkIsCut) {
   }
 }
 
-// Nor must a cut while the process, which is ahead of the clock, has not yet reached the link.
+// The link is cut while the process, ahead of the clock, has not yet reached it. This must not
+// postpone the date of the deadlock.
 TEST(FailureDeadlock, IsNotPutOffByACutBeforeTheProcessComes) {
   const auto blocked = static_cast<double>(make_exact_model().channel.blocked.value);
   const auto report = deadlock_of(blocked / 2, [](Lab& lab, Processor& a, Processor& b) {

@@ -66,9 +66,10 @@ void read_by_each(std::span<Channel<Words>* const> inputs, Numbers& seen) {
       pri_alt(first, each(rest, favourite, take), otherwise(false, [] {}));
 }
 
-// Reads by the same PRI ALT, written guard by guard. Each guard but the first costs a step of the
-// replicator. If such a guard is chosen, the address of its channel is computed again. With a fair
-// choice, each of these computations also costs a division, and so does the next favourite.
+// Reads by the PRI ALT of read_by_each(), written guard by guard. Each guard but the first costs a
+// step of the replicator. If such a guard is chosen, the address of its channel is computed again.
+// With a fair choice, each of these computations also costs a division, and so does the next
+// favourite.
 template <bool fair>
 void read_by_guards(std::span<Channel<Words>* const> inputs, Numbers& seen) {
   const auto& costs = this_process().processor().model().alternative;
