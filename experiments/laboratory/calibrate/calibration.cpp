@@ -27,8 +27,9 @@ namespace {
 using base::require;
 using Texts = std::vector<std::string>;
 
-// Reads the experiment with `sweep` and the task's model in place of its own. The model's path
-// becomes absolute, since paths in the file are relative to its folder.
+// Loads the task's experiment file, with its sweep replaced by `sweep` and its machine model by the
+// task's model. The path of a model file becomes absolute, because the loader would take a relative
+// path from the folder of the experiment file.
 ExperimentFile read_task(const CalibrationTask& task, const toml::table& sweep) {
   const auto model =
       task.model.ends_with(".toml") ? std::filesystem::absolute(task.model).string() : task.model;
@@ -44,7 +45,8 @@ ExperimentFile read_task(const CalibrationTask& task, const toml::table& sweep) 
 }
 
 // Throws if the experiment overrides entries of the model, because the fitted model file would not
-// contain the overrides. Also throws if the experiment has axes that were not measured.
+// contain these overrides. Also throws if an axis of the experiment is no column of the
+// measurements.
 void check_experiment(const CalibrationTask& task, const Texts& columns) {
   if (task.experiment.empty()) return;
   const auto file = load_experiment(task.experiment, {});
@@ -58,9 +60,9 @@ void check_experiment(const CalibrationTask& task, const Texts& columns) {
             task.model);
 }
 
-// The measured values and their settings.
+// The measured results, each with the experiment settings under which it was measured.
 struct Measurements {
-  Table settings;  ///< The experiment keys of each measurement.
+  Table settings;  ///< one row for each measurement: the values of its experiment keys
   std::vector<double> values;
   std::string column;
   Texts unused;
@@ -131,8 +133,8 @@ void push_back(toml::array& list, const Value& value) {
     list.push_back(to_string(cell));
 }
 
-// Makes a sweep whose coupled axes take every distinct setting once. `which` receives, for each
-// measurement, the index of its point in the sweep.
+// Makes a sweep with one point for each distinct row of `settings`. Fills `which` with the number
+// of the sweep's point, from 0, for each measurement.
 toml::table make_sweep(const Table& settings, std::vector<std::size_t>& which) {
   std::vector<std::vector<Value>> points;
   toml::array values;
@@ -151,7 +153,7 @@ toml::table make_sweep(const Table& settings, std::vector<std::size_t>& which) {
   return sweep;
 }
 
-// Simulates the experiment at each setting with changed model entries.
+// Simulates all measured settings with given values of the model's entries.
 class Runs {
  public:
   Runs(const CalibrationTask& task, const Measurements& measured)
@@ -159,7 +161,7 @@ class Runs {
     for (const auto& point : file_.points) check_point(point.experiment);
   }
 
-  /// The simulated result for each measurement.
+  /// Returns the simulated result for each measurement.
   const std::vector<double>& eval(const Texts& entries, const std::vector<double>& values) {
     if (values == values_) return given_;
     Results results;
@@ -239,8 +241,8 @@ Calibration calibrate(const CalibrationTask& task) {
   require(!entries.empty(), "--entries", "found none, expected the entries to fit");
   const auto measured = read_measurements(task);
   Runs runs(task, measured);
-  // Fits the logarithms of the entries: entries are positive, and results are roughly proportional
-  // to them.
+  // The fit works on logarithms of the entries, because entries are positive and simulated results
+  // are roughly proportional to them.
   constexpr double MOST_FACTOR = 1e4, SHARE = 0.02, CYCLES = 20;
   std::vector<double> start;
   for (const auto* entry : entries) start.push_back(std::log(entry->value));
@@ -257,8 +259,8 @@ Calibration calibrate(const CalibrationTask& task) {
       given[i] = std::log(given[i] / measured.values[i]);
     return given;
   };
-  // The step of the numerical derivative. The simulated machine rounds to whole cycles, so an entry
-  // in cycles needs a large step.
+  // Step of the numerical derivative, as a difference of logarithms. The simulated machine rounds
+  // to whole cycles, so a small change of an entry in cycles might have no effect.
   const auto step = [&](std::size_t i, double logarithm) {
     const double value = std::exp(logarithm);
     return std::log1p(entries[i]->unit == "cycles" ? std::max(SHARE, CYCLES / value) : SHARE);

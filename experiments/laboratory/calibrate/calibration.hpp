@@ -11,7 +11,8 @@ namespace laboratory {
 struct CalibrationTask {
   std::string model;         ///< The name or file of the model to fit.
   std::string measurements;  ///< A CSV file: columns of experiment keys, and one column of results.
-  std::string experiment;    ///< The experiment file that was measured; "": the program "message".
+  std::string experiment;    ///< The experiment file to simulate; "": an experiment that runs the
+                             ///< program "message".
   std::vector<std::string> entries;  ///< Names of the entries to fit, such as "link.one_way_20".
 };
 
@@ -24,19 +25,21 @@ struct FittedEntry {
 struct Calibration {
   std::vector<FittedEntry> entries;
   std::string column;  ///< name of the measured result's column
-  /// A table with one row for each measurement: its keys, the measured and the fitted result, and
-  /// the relative error.
+  /// one row for each measurement: its settings, measured result, fitted result and relative error
+  /// in percent
   Table compared;
   double rms = 0;                   ///< root mean square of the relative errors
-  std::vector<std::string> unused;  ///< CSV columns that are neither keys nor results
+  std::vector<std::string> unused;  ///< names of CSV columns that are neither experiment keys nor
+                                    ///< the measured result
 };
 
-/// Fits the entries by least squares of log(model / measured), which assumes that all measurements
-/// have equal relative errors. Simulates every setting with the engine "direct". Throws
+/// Fits the entries so that the sum of squares of log(simulated / measured) is least, which assumes
+/// equal relative errors in all measurements. Simulates with the engine "direct". Throws
 /// base::BadInput, with the file or the entry, for
-///   - no more measurements than entries, or a measurement of 0 or less;
+///   - too few measurements (there must be more measurements than entries), or one that is not
+///     positive;
 ///   - an entry that the model lacks, or whose value is not positive;
-///   - entries that the measurements do not determine;
+///   - entries whose values the measurements do not determine;
 ///   - an experiment that changes the machine model, or has an axis that is no column of the
 ///     measurements.
 Calibration calibrate(const CalibrationTask& task);
@@ -45,16 +48,16 @@ Calibration calibrate(const CalibrationTask& task);
 /// measurement.
 std::string to_text(const Calibration& calibration);
 
-/// Makes the text of the model file `file`: the fitted entries, marked as calibrated, with their
-/// intervals as ranges.
+/// Makes the text of the model file `file`. It contains the fitted entries, marked as calibrated,
+/// and gives their 95 % intervals as ranges.
 std::string to_model_file(const Calibration& calibration, const CalibrationTask& task,
                           const std::string& file);
 
-/// True if to_model_file() has made this text.
+/// True if the text was made by to_model_file().
 bool is_fitted_model(std::string_view text);
 
-/// Makes a template for the user's model `file` that lists all entries of the model `base` as
-/// comments, by section.
+/// Makes the text of a new model file `file`. The new model equals `base`; comments list all
+/// entries of `base`, by section, for the user to change.
 std::string make_model_file(const std::string& base, const std::string& file);
 
 }  // namespace laboratory

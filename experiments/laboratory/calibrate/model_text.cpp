@@ -26,7 +26,7 @@ std::string name_base(const std::string& base, const std::string& file) {
   return fs::relative(fs::absolute(base), fs::absolute(file).parent_path()).string();
 }
 
-// Ends the first line of a fitted model after the name of its base.
+// The end of the first line of every fitted model file, by which is_fitted_model() recognises it.
 constexpr std::string_view IS_FITTED =
     ", with entries fitted to measurements (tlab model --fit). The root mean square error is\n";
 
