@@ -20,8 +20,8 @@ struct CompareOptions {
   std::string output;
 };
 
-// Throws unless the output is a page or a table, can be written, and lies outside the compared
-// results.
+// Throws unless the output has the extension .html or .csv, can be written, and lies outside the
+// results folders that are compared.
 void check_target(const CompareOptions& o) {
   base::require(o.output.ends_with(".html") || o.output.ends_with(".csv"), "--output",
                 "found {}, expected a name that ends with .html or .csv", o.output);

@@ -83,7 +83,7 @@ Texts write_nff(const std::string& source, const std::string& output, LeftOut& l
   return {{output, nff.text()}};
 }
 
-// True if a file is an OBJ file whose material library is `library`.
+// True if `output` is an OBJ file that names `library` as its material file.
 bool names_library(const std::string& output, const fs::path& library) {
   if (!fs::is_regular_file(output)) return false;
   const auto text = base::read_own_text(output);
@@ -112,8 +112,8 @@ Texts write_obj(const std::string& source, const std::string& output, LeftOut& l
   return {{library.string(), obj.library()}, {output, obj.text()}};
 }
 
-// CPU seconds allowed for converting a mesh, by the size of its file. Other files of its folder
-// count too if they have the same name or end in .bin, since a .gltf file may refer to them.
+// CPU seconds allowed for converting a mesh, by the size of its files. Counts the files of the
+// folder that have the mesh's name or the extension .bin, since a .gltf file may refer to them.
 rlim_t find_time_limit(const std::string& source) {
   constexpr double LEAST_S = 1, S_PER_BYTE = 2e-5;
   std::uintmax_t bytes = 0;
@@ -126,21 +126,24 @@ rlim_t find_time_limit(const std::string& source) {
   return static_cast<rlim_t>(LEAST_S + S_PER_BYTE * static_cast<double>(bytes));
 }
 
-// Converts a mesh in a separate process with a limit on CPU time (see read_mesh()).
+// Converts a mesh in a separate process with a limit on CPU time, because the library Assimp may
+// take very long for some files (see read_mesh()).
 Converted convert_apart(const std::string& source, const std::function<Converted()>& convert) {
   base::check_can_read(source);
   const auto limit_s = find_time_limit(source);
   const auto job = [&](std::size_t) {
     const rlimit limit{limit_s, limit_s + 1};
     setrlimit(RLIMIT_CPU, &limit);
-    alarm(static_cast<unsigned>(20 + 10 * limit_s));  // for a part that is a pipe without a writer
+    alarm(static_cast<unsigned>(20 + 10 * limit_s));  // limit on real time: reading a pipe without
+                                                      // a writer would block forever
     if (!std::freopen("/dev/null", "w", stderr)) throw std::runtime_error("/dev/null");
     const auto [texts, left_out, remarks] = convert();
-    // This process alone knows all files that Assimp has read.
+    // Checks in this process, because only it knows which files Assimp has read.
     for (const auto& [path, text] : texts) base::check_no_input(path);
     nlohmann::json json = {{"left_out", left_out}, {"remarks", remarks}};
     for (const auto& [path, text] : texts) json["texts"].push_back({path, text});
-    std::string bytes;  // file name, perhaps invalid UTF-8
+    std::string bytes;  // encoded as CBOR, not as JSON text, because a file name may be invalid
+                        // UTF-8
     nlohmann::json::to_cbor(json, bytes);
     return bytes;
   };

@@ -54,7 +54,8 @@ void add_list_command(CLI::App& app) {
   command->callback([o] { list(*o); });
 }
 
-// Finds the help on a command or a program (both if they share the name), or on all keys.
+// Finds the help on the command or program named `word`, or on both if they share the name. The
+// word "keys" stands for the keys of all experiment files and programs.
 std::string find_help(const CLI::App& app, const std::string& word) {
   if (word == "keys") return describe_keys() + "\n" + describe_programs();
   std::string text;

@@ -30,14 +30,14 @@ namespace {
 namespace fs = std::filesystem;
 
 struct LiveOptions {
-  std::string source;  ///< an experiment file, or a folder of results
+  std::string source;  ///< an experiment file, or a folder of earlier results
   std::string output, record, speed = "1";
   Overrides overrides;
   std::optional<std::uint16_t> port;
   bool no_browser = false;
 };
 
-// Reads the pace of the run, in simulated seconds per second of real time.
+// Reads the value of --speed, in simulated seconds per second of real time.
 double read_speed(const std::string& text) {
   if (text == "max") return std::numeric_limits<double>::infinity();
   const auto speed = base::parse_number<double>(text);
@@ -82,9 +82,9 @@ fs::path find_recording(const LiveOptions& o, const ExperimentFile& file) {
   return recording;
 }
 
-// A temporary page that redirects the browser to the session. All users of the computer can read
-// command lines, so these must not contain the session's secret address. Only the owner can read
-// the page, which is removed with the object.
+// A temporary page that redirects the browser to the session's secret address. Passing the address
+// itself on the browser's command line would show it to all users of the computer, but only the
+// owner can read this page. The destructor removes the page.
 class Doorway {
  public:
   /// Throws std::system_error if the temporary folder cannot be made.
@@ -112,8 +112,8 @@ void open_browser(const std::string& file) {
   posix_spawn_file_actions_destroy(&quiet);
 }
 
-// Stores the session's result as the record of its recording, so that `tlab run` of the recording
-// finds it. Returns the options for that run.
+// Stores the session's result as if `tlab run` had simulated the session's recording, so that `tlab
+// run` of the recording need not simulate it again. Returns the options for that `tlab run`.
 RunOptions keep_result(const RunOptions& options, const Session& session, PointResult result) {
   RunOptions rerun = options;
   if (const auto ended_s = session.ended_by_hand_s()) {
@@ -129,15 +129,16 @@ RunOptions keep_result(const RunOptions& options, const Session& session, PointR
   return rerun;
 }
 
-// Runs the point while live pages watch it. Writes the recording of the session to options.file
-// even if the run fails.
+// Simulates the experiment's only point, controlled by the browser pages of the session. Writes a
+// recording of the user's actions to options.file, even if the simulation fails.
 RunOptions run_watched(const RunOptions& options, const ExperimentFile& file, Session& session) {
   std::optional<PointResult> result;
   std::exception_ptr failure;
   try {
     result = run_point(file.points[0], options, results_folder(options) / records_folder(),
                        {.controller = &session});
-  } catch (const machine::Fault&) {  // reported by the run of the recording
+  } catch (const machine::Fault&) {  // the caller simulates the recording again, which reports the
+                                     // fault
   } catch (...) {
     failure = std::current_exception();
   }

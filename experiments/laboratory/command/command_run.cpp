@@ -10,7 +10,7 @@
 namespace laboratory {
 namespace {
 
-// A time from the start of the program.
+// Declares an option that takes a simulated time in seconds, from the start of the program.
 base::Field<RunOptions> seconds_field(const std::string& name, double RunOptions::*member,
                                       const std::string& help) {
   auto field =
@@ -20,14 +20,14 @@ base::Field<RunOptions> seconds_field(const std::string& name, double RunOptions
   return field;
 }
 
-// The default file name of a film, in the folder that contains the results folder.
+// The default file name of a film. The file lies beside the results folder.
 std::string choose_film(const std::string& kind, const RunOptions& options) {
   auto results = results_folder(options).lexically_normal();
   if (!results.has_filename()) results = results.parent_path();
   return results.string() + "-" + kind + ".webp";
 }
 
-// Reads the value of --animate: "picture=grown.webp" or "network".
+// Reads the value of --animate: the kind of film, and perhaps a file, as in "picture=grown.webp".
 void read_film(const std::string& text, RunOptions& options) {
   const auto kind = text.substr(0, text.find('='));
   auto* file = kind == "picture"   ? &options.films.picture

@@ -27,16 +27,18 @@ constexpr std::size_t MOST_SHOWN = 20;
 
 struct VerifyOptions {
   std::vector<std::string> paths;  // experiment files, or folders of them
-  // options of each run; `output` is the results folder, or its parent if there are several files
+  // options of each run; `output` is the results folder, or its parent if there are several
+  // experiments
   RunOptions run;
   bool all = false;        // show every point of a check instead of only the worst ones
-  std::string junit, tap;  // files for CI systems; none if empty
+  std::string junit, tap;  // report files for CI systems; "": no such file
 };
 
 struct Candidate {
   std::string file;
   fs::path name;       // name of the results folder inside the output folder
-  bool named = false;  // the user named the file itself, not a folder that contains it
+  bool named = false;  // true if the user named the file itself, false if the user named a folder
+                       // that contains it
 };
 
 std::vector<Candidate> find_candidates(const std::string& path) {
@@ -54,7 +56,7 @@ std::vector<Candidate> find_candidates(const std::string& path) {
 }
 
 struct Verified {
-  std::vector<TestCase> cases = {};  // one for each check, in order
+  std::vector<TestCase> cases = {};  // one for each check, in the order of the files
   std::size_t undrawn = 0;
 
   std::size_t count_holding() const {
@@ -105,7 +107,8 @@ void verify_file(const Candidate& candidate, const VerifyOptions& options, bool 
   throw_failures(s.file, s.results, "the other results are in " + run.output);
 }
 
-// Verifies an experiment. If it cannot be run, saves the reports with what is known, for CI.
+// Verifies an experiment. If an error prevents it, saves the CI reports of the results so far, and
+// then rethrows the error.
 void verify_and_report(const Candidate& candidate, const VerifyOptions& options, bool alone,
                        Verified& verified) {
   try {
@@ -119,8 +122,8 @@ void verify_and_report(const Candidate& candidate, const VerifyOptions& options,
   }
 }
 
-// Runs the experiments and prints every check with its points. Then throws Failure unless all
-// checks hold and every file and folder contains a check. A check without points counts as failed.
+// Runs the experiments and prints every check with its points. Then throws Failure if a check fails
+// or applies to no point, or if a given file or folder contains no check.
 void verify(const VerifyOptions& options) {
   std::vector<std::vector<Candidate>> candidates;
   for (const auto& path : options.paths) candidates.push_back(find_candidates(path));

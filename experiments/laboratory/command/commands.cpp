@@ -38,8 +38,8 @@
 namespace laboratory {
 namespace {
 
-// Chooses the output format: the given one, or else by the file's extension. Throws if the two
-// disagree.
+// Chooses the output format: the option's value, or else by the extension of the output file.
+// Throws if they disagree.
 std::string choose_format(const std::string& asked, const std::string& file) {
   static const std::map<std::string, std::string> ENDINGS = {
       {".dot", "dot"}, {".gv", "dot"}, {".graphml", "graphml"}, {".svg", "svg"}, {".csv", "csv"}};
@@ -190,7 +190,7 @@ int do_command(CLI::App& app, int argc, char** argv) {
     check_command(app, argc, argv);
     app.parse(argc, argv);
     return 0;
-  } catch (const CLI::ParseError& error) {  // CLI11 reports --help by an exception too
+  } catch (const CLI::ParseError& error) {  // CLI11 throws an exception for --help too
     std::ostringstream out, problems;
     const bool is_help = app.exit(error, out, problems) == 0;
     print_out("{}", out.str());
@@ -199,7 +199,7 @@ int do_command(CLI::App& app, int argc, char** argv) {
   }
 }
 
-// True if the output pipe's reader has closed it.
+// True if the error is that the reader of our output pipe has closed it.
 bool is_broken_pipe(const std::exception& error) {
   const auto* failed = dynamic_cast<const std::system_error*>(&error);
   return failed && failed->code() == std::errc::broken_pipe;
@@ -226,7 +226,7 @@ int run_tlab(int argc, char** argv) try {
     complain(describe_error(error));
     return exit_code_of(error);
   }
-} catch (const std::exception& error) {  // thrown by code around the command
+} catch (const std::exception& error) {  // thrown outside the inner try block
   complain(describe_error(error));
   return exit_code_of(error);
 }

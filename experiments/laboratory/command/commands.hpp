@@ -1,6 +1,6 @@
 #pragma once
-// The subcommands of tlab. Each declares its options and the action that uses them. Small commands
-// are in commands.cpp.
+// The subcommands of tlab. Each function declares the options of a subcommand and the action that
+// they configure. Subcommands with little code are in commands.cpp.
 namespace CLI {
 class App;
 }
@@ -16,8 +16,8 @@ void add_convert_command(CLI::App& app);
 void add_guide_commands(CLI::App& app);  ///< adds the commands list, help and init
 
 /// Parses and executes the command line. Returns the exit code of the program:
-///   - 0: done;
-///   - 1: a check failed, or a simulation broke down;
+///   - 0: success;
+///   - 1: a check or a simulation failed;
 ///   - 2: bad input or usage;
 ///   - 3: the simulated program deadlocked, ran out of memory, or did what the machine forbids;
 ///   - 130: interrupted by the user.

@@ -17,8 +17,8 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// Maps a command to the kind of names that its arguments denote, as in `tlab list`. Other commands
-// take files.
+// Maps a command to the kind of names that its arguments are, one of the kinds of `tlab list`. The
+// arguments of all other commands are files.
 const std::map<std::string, std::string> NAMES = {
     {"topology", "topologies"}, {"model", "models"},      {"render", "scenes"},
     {"columns", "programs"},    {"help", "programs"},     {"run", "experiments"},
@@ -29,12 +29,12 @@ std::string names_of(const CLI::App& command) {
   return found == NAMES.end() ? "" : fmt::format("tlab list {} --names", found->second);
 }
 
-// Joins a help text to one line and removes characters that are special to shells.
+// Keeps the first line of a help text, without characters that are special to shells.
 std::string plain(const std::string& help) {
   return std::regex_replace(help.substr(0, help.find('\n')), std::regex("['\"`\\\\:\\[\\]$]"), "");
 }
 
-// The option's names, such as "-o" and "--output". Positional arguments have none.
+// The spellings of an option, such as "-o" and "--output"; none for a positional argument.
 Names option_names(const CLI::Option& option) {
   Names names;
   for (const auto& name : option.get_snames()) names.push_back("-" + name);

@@ -8,12 +8,12 @@ class App;
 
 namespace laboratory {
 
-/// Makes the completion script for "bash", "zsh" or "fish". It contains the commands and options,
-/// with help texts if the shell shows them. It calls `tlab list --names` for names, and completes
-/// all other arguments to files. Throws base::BadInput for another shell.
+/// Makes the completion script for the shell "bash", "zsh" or "fish". The script lists commands and
+/// options, with help texts if the shell can show them. It calls `tlab list --names` to complete
+/// names, and completes all other arguments as files. Throws base::BadInput for another shell.
 std::string make_completion(const CLI::App& app, const std::string& shell);
 
-/// Adds `tlab completion`.
+/// Adds the command `tlab completion`.
 void add_completion_command(CLI::App& app);
 
 }  // namespace laboratory

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t ABOUT_COLUMN = 30;  // column at which descriptions begin
 
-// "  NAME   ABOUT", with the description on a line of its own if the name is long.
+// Formats "  NAME   ABOUT". A long name gets a line of its own, and the description the next one.
 std::string line_of(const std::string& name, const std::string& about) {
   std::string line = "  " + name;
   if (about.empty()) return line + "\n";
@@ -24,7 +24,8 @@ std::string conditions(const char* label, const std::set<CLI::Option*>& options)
   return names.empty() ? "" : fmt::format(" {}: {}", label, fmt::join(names, " "));
 }
 
-// What follows an option's name: the text given for it, or its type, default and conditions.
+// Text after an option's name: the option's own text if it has one, else type, default and
+// conditions.
 std::string values_of(const CLI::Option& option) {
   if (!option.get_option_text().empty()) return " " + option.get_option_text();
   std::string text;

@@ -12,7 +12,8 @@
 #define HAS_FEATURE(x) 0
 #endif
 
-// Sanitizers replace functions that the handlers below need, and are not ready so early.
+// Not in builds with sanitizers: they intercept functions that the code below calls, and are not
+// initialised before .preinit_array runs.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
     !HAS_FEATURE(address_sanitizer) && !HAS_FEATURE(thread_sanitizer)
 namespace {
@@ -24,8 +25,8 @@ void end_early(int) {
   _exit(laboratory::EXIT_INTERRUPTED);
 }
 
-// Handles signals before the static initialisation of the libraries, which may take a while. The
-// program has no files to remove yet.
+// Handles signals already while the libraries initialise their static objects, which may take a
+// while. The handler only prints a message and exits, since there are no files to remove yet.
 void handle_signals() {
   for (const int asked : laboratory::ASKS_TO_END) {
     struct sigaction now {};

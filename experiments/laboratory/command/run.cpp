@@ -53,7 +53,7 @@ void print_notes(const Simulation& s) {
   if (notes.size() > MOST_NOTES) print_out("...\n");
 }
 
-// Lists the final image of each run, without the intermediate images.
+// Lists the final image of each point, without the images of earlier simulated times.
 std::set<std::string> list_images(const Simulation& s) {
   std::set<std::string> names;
   for (const auto& result : s.results)
@@ -124,7 +124,7 @@ void print_verdict(const CheckResult& check, const Table& table) {
 
 namespace {
 
-// The answers to [[best]] in sentences; none if no point was completed.
+// Answers the questions of [[best]], in sentences. Empty if no point was completed.
 std::vector<std::string> answer_questions(const CheckPlan& plan, const Simulation& s) {
   std::vector<std::string> sentences;
   const auto is_done = [&](const auto& row) { return is_complete_row(s.table, row); };
@@ -134,8 +134,8 @@ std::vector<std::string> answer_questions(const CheckPlan& plan, const Simulatio
   return sentences;
 }
 
-// Prints the answers, checks and failures of results already written. Throws Failure for an
-// interrupt, a failed point or a failed check.
+// Prints the answers to [[best]], the checks and the failures, after the results are written.
+// Throws Failure if the user interrupted, or if a point or a check failed.
 void judge(const RunOptions& options, const CheckPlan& plan, const Simulation& s) {
   const auto output = results_folder(options).string();
   for (const auto& failure : s.undrawn) complain(failure);
@@ -184,7 +184,8 @@ std::vector<std::size_t> read_numbers(const std::vector<std::string>& texts, std
   return {numbers.begin(), numbers.end()};
 }
 
-// Throws for points with timed costs: results that depend on the host's speed cannot be merged.
+// Throws if a point has the setting cost = "timed". Its results depend on the speed of the host, so
+// results of different hosts cannot be merged.
 void check_counted(const ExperimentFile& file, const std::vector<std::size_t>& numbers) {
   for (const auto i : numbers)
     base::require(!file.points[i].experiment.is_timed, file.path,

@@ -5,43 +5,45 @@
 
 namespace laboratory {
 
-/// Treatment of points without records: simulate them, or throw an error.
+/// What to do with points of the sweep that have no stored results: simulate them, or throw an
+/// error.
 enum class Missing { run, refuse };
 
-/// Runs every missing point and evaluates the checks. Writes results.csv, run.json, checks.csv,
-/// images, plots and report.html into the folder, either all of them or none. Only the records of
-/// points are written earlier, each as soon as its point is done.
+/// Simulates every point without a record (the stored result of one point), and evaluates the
+/// checks. Writes results.csv, run.json, checks.csv, images, plots and report.html into the folder,
+/// either all of them or none. The records alone are written earlier, each as soon as its point is
+/// done.
 ///
-/// The results depend only on the experiment. They are independent of the number of jobs, and of
-/// points kept from an earlier, partial or killed run. If some points fail, or a limit or the user
+/// The results depend only on the experiment: not on the number of jobs, nor on which points were
+/// kept from an earlier, partial or killed run. If some points fail, or a time limit or the user
 /// ends the run early, the results are kept and marked incomplete. Failed checks do not affect the
 /// results.
 ///
-/// Throws BadInput if the folder has results of another experiment, and for missing points under
-/// Missing::refuse. Writes nothing if all points failed.
+/// Throws BadInput if the folder holds results of another experiment, and for points without
+/// records under Missing::refuse. Writes nothing if all points failed.
 Simulation simulate(const RunOptions& options, const ExperimentFile& file, const CheckPlan& plan,
                     Missing missing = Missing::run);
 
-/// Simulates the experiment and prints a summary. After writing everything, throws Failure if the
-/// user interrupted, a point failed, or a check fails. A check that matches no point of this run is
-/// mentioned, but does not fail.
+/// Simulates the experiment and prints a summary. Writes all results first, and then throws Failure
+/// if the user interrupted, a point failed, or a check fails. Mentions checks that match no point
+/// of this run, but does not count them as failed.
 void run_experiment(const RunOptions& options);
 
 /// Prints the outcome of a check, on one line.
 void print_verdict(const CheckResult& check, const Table& table);
 
-/// Prints one line for each point, with fields separated by tabs: number, key, axes, and "there" or
-/// "missing".
+/// Prints one line for each point, with fields separated by tabs: number, key, values of the axes,
+/// and "there" if the point has a record or "missing" if not.
 void list_points(const RunOptions& options);
 
-/// Runs those of the chosen points that have no records. Writes only their records and the
-/// description of their experiment, for merge_results. Several processes may do so at once. Throws
-/// BadInput for unknown point numbers and for cost = "timed". Throws Failure if the user
-/// interrupted or a point failed.
+/// Simulates the points chosen with --point that have no records. Writes only their records and the
+/// description of their experiment, which merge_results() needs. Several processes may do this for
+/// one folder at the same time. Throws BadInput for unknown point numbers and for cost = "timed".
+/// Throws Failure if the user interrupted or a point failed.
 void run_chosen_points(const RunOptions& options);
 
-/// Writes the files of run_experiment into a folder that holds the record of every point. Throws
-/// BadInput with a list of missing records.
+/// Writes the files of run_experiment() into a folder that already holds the record of every point.
+/// Throws BadInput, with a list of the missing records, if it lacks some.
 void merge_results(const std::string& folder);
 
 }  // namespace laboratory

@@ -1,4 +1,4 @@
-// Simulation of an experiment into its results folder.
+// Simulates an experiment and writes its results folder.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -43,8 +43,8 @@ constexpr std::size_t MOST_NAMED = 20;
                                    missing.size() > MOST_NAMED ? "\n  ..." : ""));
 }
 
-// Simulates the points without records, or throws if `missing` forbids it. `there` receives the
-// number of records found.
+// Simulates the points without records, or throws if `missing` forbids it. Sets `there` to the
+// number of points that had records.
 Results make_results(const PointsPlan& plan, Missing missing, std::size_t& there) {
   Results results = find_points(plan, all_points(plan.file));
   const auto to_run = missing_points(results);
@@ -63,7 +63,7 @@ Results make_results(const PointsPlan& plan, Missing missing, std::size_t& there
   return results;
 }
 
-// Drops the points that did not run because the user interrupted.
+// Drops the points that were not simulated because the user interrupted the run.
 void keep_points_that_ran(Simulation& s, const PointsPlan& plan) {
   const auto all = std::move(s.file.points);
   s.file.points.clear();
@@ -105,11 +105,11 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
   Simulation s;
   s.file = file;
   s.host_speeds = measure_host(s.file);
-  // the file's own points precede the machines drawn from [uncertain]
+  // The points of the file come first, then copies of them for each machine drawn from [uncertain].
   const ExperimentFile all = spread(s.file);
   s.asked = all.points.size();
   PointsPlan plan(options, all, inspect_names(checks, s.file), run_recorded_point);
-  check_results_folder(results);  // all inputs are known now
+  check_results_folder(results);  // after all inputs are known, so that none of them is overwritten
   plan.lone = folder.working() / lone_records_folder();
   folder.fill([&] {
     Results drawn = make_results(plan, missing, s.there);
