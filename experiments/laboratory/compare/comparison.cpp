@@ -25,7 +25,7 @@ using Texts = std::vector<std::string>;
 
 constexpr std::pair<double, double> NO_BAND = {NAN, NAN};
 
-// Columns that are a setting in at least one run, and hence not a result.
+// Names of the columns that are a setting in at least one run. These are not compared as results.
 std::set<std::string> find_settings(const std::vector<ComparedRun>& runs) {
   std::set<std::string> settings;
   for (const auto& run : runs) {
@@ -36,7 +36,8 @@ std::set<std::string> find_settings(const std::vector<ComparedRun>& runs) {
   return settings;
 }
 
-// The columns of the first run's default table that all runs have.
+// The columns that the terminal shows by default for the first run, without those that another run
+// lacks.
 Texts usual_columns(const std::vector<ComparedRun>& runs, const Texts& common) {
   const auto& first = runs[0].simulation;
   const auto shown = choose_view(first.file, first.table).columns;
@@ -46,10 +47,10 @@ Texts usual_columns(const std::vector<ComparedRun>& runs, const Texts& common) {
   return columns;
 }
 
-// One sentence for each result, and the list of differing results.
+// Sentences on the results that differ, with a last sentence on the results that are equal.
 struct ResultFindings {
   Texts sentences;
-  Texts differing;  ///< Results that differ between runs; if none do, the first result.
+  Texts differing;  ///< names of results that differ between runs; if none do, the first result
 };
 
 ResultFindings find_results(const Comparison& c) {
@@ -75,7 +76,7 @@ ResultFindings find_results(const Comparison& c) {
   return found;
 }
 
-// Lists the points and columns left out of the comparison, with reasons.
+// Lists the points and columns that are not compared, with the reasons.
 Texts note_gaps(const Comparison& c) {
   Texts notes;
   for (std::size_t r = 0; r < c.runs.size(); ++r) {
@@ -95,7 +96,8 @@ Texts note_gaps(const Comparison& c) {
   return notes;
 }
 
-// Adds error bars to curves of the results of all runs, whose rows are those of stack_runs().
+// Adds error bars to the curves of a plot whose table was made by stack_runs(): its rows are the
+// points of the first run, then those of the second run, and so on.
 void add_bars(Plot& plot, const MatchedRuns& matched) {
   const auto count = matched.points.size();
   for (auto& series : plot.series) {
@@ -113,8 +115,8 @@ void add_bars(Plot& plot, const MatchedRuns& matched) {
   }
 }
 
-// Plots the ratio of a result to the first run's result at each point, with error bars if there are
-// intervals, and a line at 1.
+// Plots, for each run after the first, the ratio of its result to the first run's at each point.
+// Adds error bars if the ratios have intervals, and a line at the ratio 1.
 std::vector<Plot> plot_ratio(const MatchedRuns& matched, const std::string& column) {
   const auto name =
       fmt::format("{}, relative to {}", without_unit(make_label(column)), matched.runs[0].name);
@@ -123,7 +125,7 @@ std::vector<Plot> plot_ratio(const MatchedRuns& matched, const std::string& colu
   const auto count = matched.points.size();
   table.rows.erase(table.rows.begin(), table.rows.begin() + static_cast<std::ptrdiff_t>(count));
   std::vector<std::pair<double, double>> bands;
-  double least = 1, most = 1;  // The range of the y axis, which always includes a ratio of 1.
+  double least = 1, most = 1;  // limits of the y axis, which always includes the ratio 1
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const auto ratio = find_ratio(matched, matched.points[i % count], 1 + i / count, column);
     auto& cell = table.rows[i].emplace_back();

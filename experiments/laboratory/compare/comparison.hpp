@@ -1,5 +1,5 @@
 #pragma once
-// Comparison of two or more runs, as text for a terminal and as a page.
+// Comparison of two or more runs, as text for a terminal and as an HTML page.
 #include <string>
 #include <vector>
 
@@ -8,25 +8,27 @@
 
 namespace laboratory {
 
-/// Runs that are compared at their common points. The first is the reference.
+/// Runs that are compared at the points of the sweep that all of them have. The first run is the
+/// reference.
 struct Comparison {
   std::vector<ComparedRun> runs;
   MatchedRuns matched;
   std::vector<std::string> columns;  ///< results to compare, at least one
 };
 
-/// Compares runs. `columns` names the results to compare; if empty, they are those of the first
-/// run's default table. Throws as load_runs and match_points do. Throws BadInput for a column that
-/// is a setting in some run, or not numeric in all runs.
+/// Compares the runs in the given results folders. `columns` names the results to compare; if
+/// empty, these are the results that are shown by default for the first run. Throws as load_runs()
+/// and match_points() do. Throws BadInput for a column that is a setting in some run, or not
+/// numeric in all runs.
 Comparison compare_runs(const std::vector<std::string>& folders,
                         const std::vector<std::string>& columns);
 
-/// Formats the comparison for a terminal: differing settings and model entries, one sentence for
-/// each result, and a table of the first differing result.
+/// Formats the comparison for a terminal: the settings and model entries that differ, sentences on
+/// the results, and a table of the first result that differs.
 std::string to_text(const Comparison& comparison);
 
 /// Formats the comparison as an HTML page in the layout of reports. The page names the plots that
-/// could not be drawn, which are also added to `undrawn`.
+/// could not be drawn, which are also appended to `undrawn`.
 std::string to_page(const Comparison& comparison, std::vector<std::string>& undrawn);
 
 }  // namespace laboratory

@@ -25,7 +25,7 @@ bool varies(const Table& table, const std::string& axis) {
   return column && distinct(table, all_rows(table), *column).size() > 1;
 }
 
-// The axes that take several values in at least one run, in the order of runs and tables.
+// The axes that take several values in at least one run, in the order in which they appear first.
 Texts find_varying(const std::vector<NamedTable>& runs) {
   Texts found;
   for (const auto& run : runs)
@@ -46,8 +46,9 @@ void check_everywhere(const std::vector<NamedTable>& runs, const std::string& ax
                   axis, std::ranges::find_if(runs, has)->name, without->name));
 }
 
-// Throws if the second seed varies independently of the first, since samples that share the value
-// of a seed are not independent. Seeds that change together, as coupled axes, are valid.
+// Throws if the seed `other` varies and is not determined by the seed `seed`. A grid of two seeds
+// contains points that share the value of a seed, and these are not independent samples. Two seeds
+// that always change together are valid.
 void check_coupled(const std::vector<NamedTable>& runs, const std::string& seed,
                    const std::string& other) {
   for (const auto& [name, table] : runs) {
@@ -63,7 +64,7 @@ void check_coupled(const std::vector<NamedTable>& runs, const std::string& seed,
 
 using Key = std::vector<std::string>;
 
-// The values of the axes in a row, with 2 and 2.0 spelled alike.
+// The values of the axes in a row, spelled so that 2 and 2.0 are equal.
 Key key_of(const Table& table, std::size_t row, const Texts& axes) {
   Key key;
   for (const auto& axis : axes) {

@@ -1,5 +1,5 @@
 #pragma once
-// Matching of the points that several runs have in common.
+// Finds the points of the sweep that several runs have in common.
 #include <string>
 #include <vector>
 
@@ -13,25 +13,27 @@ struct NamedTable {
   Table table;
 };
 
-/// Runs with their rows grouped by point. Rows of one run that differ only in the seed are samples
-/// of the same point.
+/// The tables of several runs, with the rows grouped by point (combination of axis values). Rows of
+/// one run that differ only in the seed are samples of the same point.
 struct MatchedRuns {
   struct Point {
     std::vector<Value> at;                       ///< values of the axes at this point
-    std::vector<std::vector<std::size_t>> rows;  ///< row numbers of each run at this point
+    std::vector<std::vector<std::size_t>> rows;  ///< for each run, the numbers of its rows at this
+                                                 ///< point
   };
   std::vector<NamedTable> runs;
   std::vector<std::string> axes;      ///< axes that take several values in at least one run
   std::string seed;                   ///< name of the seed that takes several values; "": none
   std::vector<Point> points;          ///< points common to all runs, in the order of the first run
-  std::vector<std::size_t> left_out;  ///< number of each run's rows at points that other runs lack
+  std::vector<std::size_t> left_out;  ///< for each run, the number of its rows whose point is
+                                      ///< missing in another run
 };
 
-/// Matches the runs. Throws BadInput if an axis with several values in one run is missing in
-/// another, if two seeds vary independently, or if the runs have no common point.
+/// Groups the rows of the runs by point. Throws BadInput if an axis with several values in one run
+/// is missing in another, if two seeds vary independently, or if the runs have no common point.
 MatchedRuns match_points(std::vector<NamedTable> runs);
 
-/// Formats a point, such as "workers = 3, objects = 200".
+/// Formats the axis values of a point: "workers = 3, objects = 200".
 std::string name_point(const MatchedRuns& matched, const MatchedRuns::Point& point);
 
 }  // namespace laboratory

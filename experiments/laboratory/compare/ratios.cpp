@@ -20,7 +20,7 @@ bool is_empty(const Table& table, std::size_t row, const std::string& column) {
 }
 
 // The numbers of a column in the given rows, without empty cells. No value if all cells are empty
-// or one of them is a string.
+// or a cell is a string.
 std::optional<Numbers> find_numbers(const Table& table, const Rows& rows,
                                     const std::string& column) {
   Numbers numbers;
@@ -34,7 +34,7 @@ std::optional<Numbers> find_numbers(const Table& table, const Rows& rows,
   return numbers.empty() ? std::nullopt : std::optional(numbers);
 }
 
-// The logarithms of a column's numbers; none if a number is infinite or not positive.
+// The logarithms of the numbers of a column; no value if a number is infinite or not positive.
 std::optional<Numbers> find_logs(const Table& table, const Rows& rows, const std::string& column) {
   auto numbers = find_numbers(table, rows, column);
   if (!numbers) return std::nullopt;
@@ -45,8 +45,8 @@ std::optional<Numbers> find_logs(const Table& table, const Rows& rows, const std
   return numbers;
 }
 
-// The result of a run at a point. Several samples yield their geometric mean, or the arithmetic
-// mean if not all are positive.
+// The result of a run at a point. For several samples it is their geometric mean, or their
+// arithmetic mean if one of them is not positive.
 Value find_value(const MatchedRuns& matched, const MatchedRuns::Point& point, std::size_t run,
                  const std::string& column) {
   const Table& table = matched.runs[run].table;
@@ -57,8 +57,8 @@ Value find_value(const MatchedRuns& matched, const MatchedRuns::Point& point, st
   return {};
 }
 
-// The rows of both runs in the order of the seeds of `a`, without seeds for which the column is
-// empty in either run; none if the two runs have different seeds.
+// Rows of two runs, paired by equal seeds: both lists have the seeds in the same order. Omits seeds
+// for which the column is empty in either run. No value if the runs have different seeds.
 std::optional<std::pair<Rows, Rows>> pair_seeds(const Table& a, const Table& b, const Rows& rows_a,
                                                 const Rows& rows_b, const std::string& seed,
                                                 const std::string& column) {
@@ -77,7 +77,7 @@ std::optional<std::pair<Rows, Rows>> pair_seeds(const Table& a, const Table& b, 
   return paired;
 }
 
-// True if two cells are equal up to rounding.
+// True if two cells are equal, or are numbers that differ only by rounding.
 bool is_near(const Value& a, const Value& b) {
   const auto x = as_number(a), y = as_number(b);
   if (!x || !y) return is_same(a, b);

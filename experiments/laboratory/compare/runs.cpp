@@ -20,9 +20,10 @@ namespace fs = std::filesystem;
 
 using Texts = std::vector<std::string>;
 
-constexpr const char* BY_DEFAULT = "by default";  // shown for settings whose default is unknown
+constexpr const char* BY_DEFAULT = "by default";  // shown for a setting that the file does not set
+                                                  // and whose default is unknown
 
-// The components of a path, without "." and a trailing separator.
+// The components of a path, without "." and without a trailing separator.
 Texts parts_of(const std::string& folder) {
   Texts parts;
   for (const auto& part : fs::absolute(folder).lexically_normal())
@@ -88,7 +89,7 @@ std::string unquote(const std::string& text) {
   return is_quoted ? text.substr(1, text.size() - 2) : text;
 }
 
-// The value of a key that the file does not set.
+// The default value of a key that the file does not set.
 std::string default_of(const ExperimentFile& file, const std::string& key) {
   const Experiment& e = file.points[0].experiment;
   if (key == "program.name") return e.program->name;
@@ -112,7 +113,7 @@ std::string value_of(const ExperimentFile& file, const std::string& key) {
   return values.empty() ? default_of(file, key) : fmt::format("[{}]", join_texts(values, ", "));
 }
 
-// Adds a row for a setting whose values differ between the runs; otherwise does nothing.
+// Adds a row for a setting if its values differ between the runs.
 void add_row(Table& table, const Texts& begin, const Texts& values) {
   if (std::ranges::all_of(values, [&](const auto& value) { return value == values[0]; })) return;
   auto& row = table.rows.emplace_back();
@@ -142,7 +143,8 @@ Texts find_shared_models(const std::vector<ComparedRun>& runs) {
   return shared;
 }
 
-// Adds a row for each differing entry of the given models, one model from each run.
+// Adds a row for each entry whose value differs between the models. There is one model for each
+// run.
 void add_entries(Table& table, const std::string& prefix,
                  const std::vector<const RecordedModel*>& models) {
   std::map<std::string, std::string> units;
@@ -159,8 +161,8 @@ void add_entries(Table& table, const std::string& prefix,
   }
 }
 
-// Makes the named column the first axis. If the table lacks it, inserts a column with the constant
-// value.
+// Makes the named column the first axis of the table. If the table lacks this column, inserts it
+// with `value` in every row.
 void add_axis(Table& table, const std::string& axis, const std::string& value) {
   const auto column = table.find(axis);
   const auto move = [&](auto& cells, auto otherwise) {

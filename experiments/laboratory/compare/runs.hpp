@@ -1,5 +1,5 @@
 #pragma once
-// Results of runs to compare, with the differences between their experiments and machine models.
+// Loads the results of runs to compare, and finds differences between their experiments and models.
 #include <map>
 #include <string>
 #include <vector>
@@ -19,15 +19,16 @@ struct RecordedModel {
   std::map<std::string, Entry> entries;
 };
 
-/// A results folder.
+/// The content of a results folder.
 struct ComparedRun {
   std::string folder;
-  std::string name;     ///< the shortest final part of the folder's path that identifies the run
+  std::string name;     ///< the shortest final part of the folder's path that no other compared run
+                        ///< has
   std::string command;  ///< the command that produced the results
   std::string version;  ///< version of tlab that produced the results
   Simulation simulation;
   std::vector<RecordedModel> models;
-  /// hash of each file that the experiment read, by path
+  /// hash of each file that the experiment read, by the file's path
   std::map<std::string, std::string> inputs;
 };
 
@@ -35,18 +36,20 @@ struct ComparedRun {
 /// folder with no results or damaged ones.
 std::vector<ComparedRun> load_runs(const std::vector<std::string>& folders);
 
-/// Makes the results tables without rows of incomplete points. If an axis of one run is a constant
-/// key of another, the other's table also gets this axis, with the constant in every row.
+/// Makes the results table of each run, without rows of incomplete points. If a key is an axis in
+/// one run and has a single value in another run, the other run's table also gets this axis, with
+/// the value in every row.
 std::vector<NamedTable> make_tables(const std::vector<ComparedRun>& runs);
 
-/// Makes a table with one row for each difference between the experiments: "setting", then a column
-/// for each run. Settings are tlab's version, the keys of the experiment files, and the contents of
-/// input files. An axis is shown with all its values, "[1, 3, 7]".
+/// Makes a table with one row for each setting that differs between the runs: its name, then its
+/// value in each run. Settings are tlab's version, the keys of the experiment files, and the
+/// contents of input files. An axis is shown as the list of its values, "[1, 3, 7]".
 Table find_differing_settings(const std::vector<ComparedRun>& runs);
 
-/// Makes a table with one row for each model entry whose values differ: "entry", "unit", then a
-/// column for each run. Runs with several models are compared by the models common to all, with
-/// entries as "MODEL: ENTRY". An additional row "models" then lists the models of each run.
+/// Makes a table with one row for each model entry whose value differs: "entry", "unit", then the
+/// value in each run. If a run has several models, only models with names that all runs have are
+/// compared. Their entries are shown as "MODEL: ENTRY", and a row "models" lists the models of each
+/// run if they differ.
 Table find_differing_entries(const std::vector<ComparedRun>& runs);
 
 }  // namespace laboratory
