@@ -9,8 +9,8 @@
 
 namespace laboratory {
 
-/// A name for an expression: [let] t_start = "channel.blocked / cpu.clock". Expressions may refer
-/// to other rows of the sweep as {COLUMN @ AXIS = VALUE, ...} (see expression.hpp).
+/// A name for an expression, such as [let] t_start = "channel.blocked / cpu.clock". Expressions may
+/// refer to other rows of the results table as {COLUMN @ AXIS = VALUE, ...} (see expression.hpp).
 struct Definition {
   std::string name, formula;
   std::string place;  ///< position for errors, "e.toml:9: let.t_start"
@@ -27,27 +27,30 @@ struct Check {
   std::vector<std::string> keys;  ///< columns of the reference that identify a point
   std::string column;             ///< column of the reference that has the expected values
   std::string at_least, at_most;  ///< inclusive bounds, as expressions
-  std::string where;              ///< expression; only points where it is not 0 are checked
-  std::string calibrated;        ///< expression; the machine was fitted to points where it is not 0
-  std::optional<double> within;  ///< largest allowed relative error at any point
+  std::string where;              ///< expression; the check covers only points where it is not 0
+  std::string calibrated;         ///< expression; points where it is not 0 were used to fit the
+                                  ///< machine model, and are marked as such
+  std::optional<double> within;   ///< largest allowed relative error at any point
   std::optional<double> within_mean;  ///< largest allowed mean of the relative errors
   std::optional<double> within_abs;   ///< largest allowed absolute error, in the column's unit
-  /// required share of expected values that lie in the 90 % interval over machines drawn at random
+  /// least share of expected values, 0 to 1, that must lie in the 90 % intervals of the results on
+  /// machines drawn at random from [uncertain]
   std::optional<double> covers;
-  bool may_be_empty = false;  ///< the check holds if it applies to no point
+  bool may_be_empty = false;  ///< true: the check holds even if it applies to no point
 
   bool has_bounds() const { return !at_least.empty() || !at_most.empty(); }
-  /// True if errors are in the column's unit; otherwise they are relative to the expected value.
+  /// True if errors are in the column's unit, false if they are relative to the expected value.
   bool is_absolute() const { return within_abs.has_value() || has_bounds(); }
 };
 
-/// One [[baseline]]: adds a column with the speed-up of each row over another row of the same
+/// One [[baseline]]: adds a column with the speed-up of each row over a baseline row of the same
 /// sweep.
 struct BaselineSpec {
   std::string name;   ///< the NAME in the name of the added column, "speedup_NAME"
   std::string place;  ///< position for errors, "e.toml:12: baseline \"NAME\""
-  std::string at;     ///< the baseline row: AXIS = VALUE, ..., as in {COLUMN @ ...}
-  /// the compared column; the speed-up is the baseline's value / the row's value
+  std::string at;     ///< conditions that select the baseline row: AXIS = VALUE, ..., as in {COLUMN
+                      ///< @ AXIS = VALUE, ...}
+  /// column to compare; the speed-up is its value in the baseline row / its value in the row
   std::string of = "time_s";
 
   std::string column() const { return "speedup_" + name; }
@@ -55,41 +58,45 @@ struct BaselineSpec {
 
 enum class Law { none, amdahl, gustafson, sun_ni, log };
 
-/// One [[plot]]. As in a [[check]], columns may also be names of [let] or expressions.
+/// One [[plot]]. Its columns may also be names from [let], or expressions.
 struct PlotSpec {
   std::string name;   ///< file name of the plot, without extension
   std::string place;  ///< position for errors, "e.toml:12: plot \"NAME\""
   std::string title;
   std::string x;
-  std::vector<std::string> y;  ///< one or more columns, each with its own curves
-  /// Axes that distinguish curves; absent: all axes that vary, except x.
+  std::vector<std::string> y;  ///< columns on the y axis, at least one
+  /// axes whose values distinguish curves; no value: all axes that vary, except x
   std::optional<std::vector<std::string>> series;
   std::string where;   ///< expression; only points where it is not 0 are plotted; "": all points
   bool ideal = false;  ///< adds the line y = x
   std::optional<bool> log_x, log_y;
   std::string x_label, y_label;
-  base::Source reference;         ///< a CSV file with reference values
+  base::Source reference;         ///< a CSV file with values to plot beside the results
   std::vector<std::string> keys;  ///< columns of the reference that identify a point
   std::string column;             ///< column of the reference that is plotted
   std::string reference_name;     ///< name of the reference in the plot's legend
   Law fit = Law::none;
-  std::string growth;    ///< expression for G(n) of Sun and Ni's law
+  std::string growth;    ///< expression for G(n), the growth of the work with n processors in Sun
+                         ///< and Ni's law
   bool optimum = false;  ///< marks the largest y of each curve
 };
 
-/// One [[best]]: finds the values of some axes that optimise `of`, for each combination of other
-/// axes. Seeds are samples: means compete, and are equal if their difference may be chance.
+/// One [[best]]: finds the values of the axes `over` that optimise `of`, separately for each
+/// combination of values of `for_each`. Results for several seeds are averaged before the
+/// comparison. Means count as equally good if their difference may be due to chance.
 struct BestSpec {
   std::string name;
   std::string place;              ///< position for errors, "e.toml:12: best \"NAME\""
-  std::string of;                 ///< the optimised column, name of [let] or expression
+  std::string of;                 ///< the quantity to optimise: a column, a name from [let] or an
+                                  ///< expression
   bool least = true;              ///< true: minimises `of`; false: maximises it
   std::vector<std::string> over;  ///< axes whose values compete
   /// axes whose values are separate cases, each with its own best
   std::vector<std::string> for_each;
   std::string where;
-  std::string pays;   ///< numeric axis: finds the value up to which each doubling pays
-  double gain = 0.1;  ///< least relative gain for which doubling pays
+  std::string pays;   ///< numeric axis; also finds the value up to which each doubling improves
+                      ///< `of` by at least `gain`
+  double gain = 0.1;  ///< least relative improvement for which a doubling pays
 };
 
 /// The section [report].

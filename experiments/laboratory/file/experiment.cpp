@@ -15,7 +15,7 @@ namespace {
 
 using base::BadInput;
 
-// Sets the value of a dotted key, and creates missing sections.
+// Sets the value of a key with dots in a TOML table, and creates missing sections.
 void assign(toml::table& file, std::string_view key, const toml::node& value) {
   toml::table* section = &file;
   for (auto dot = key.find('.'); dot != std::string_view::npos; dot = key.find('.')) {
@@ -27,7 +27,7 @@ void assign(toml::table& file, std::string_view key, const toml::node& value) {
   section->insert_or_assign(key, value);
 }
 
-// Sets a key of the file, which may be an axis: "sweep.topology, workers".
+// Sets a key of the file. The key may name axes, as in "sweep.topology, workers".
 void set_key(toml::table& file, const std::string& key, const toml::node& value) {
   if (!key.starts_with("sweep.")) return assign(file, key, value);
   auto* sweep = file.insert("sweep", toml::table{}).first->second.as_table();
@@ -35,8 +35,8 @@ void set_key(toml::table& file, const std::string& key, const toml::node& value)
   sweep->insert_or_assign(join_names(key.substr(6)), value);
 }
 
-// Sets keys of the file to the values in the table `by` and its subtables. `prefix` precedes the
-// names of the keys.
+// Sets keys of the file to the values in the table `by` and its subtables. `prefix` is put before
+// the name of each key.
 void replace_keys(toml::table& file, const toml::table& by, const std::string& prefix) {
   for (auto&& [name, node] : by) {
     const auto key = prefix + std::string(name.str());
@@ -47,7 +47,7 @@ void replace_keys(toml::table& file, const toml::table& by, const std::string& p
   }
 }
 
-// Removes [reduced] from the file. If `is_reduced`, its values replace those of the file.
+// Removes [reduced] from the file. If `is_reduced`, first sets the keys of the file to its values.
 void take_reduced(toml::table& file, bool is_reduced, const std::string& path) {
   const auto* node = file.get("reduced");
   if (!node) return;
@@ -57,12 +57,13 @@ void take_reduced(toml::table& file, bool is_reduced, const std::string& path) {
   if (is_reduced) replace_keys(file, reduced, "");
 }
 
-// Collects the numeric keys of the file. Values of axes override those of the file.
+// Collects the numeric values of all keys at one point of the sweep. Values of axes replace those
+// of the file.
 std::map<std::string, double, std::less<>> find_numbers(const Keys& keys,
                                                         const std::vector<Coordinate>& at) {
   std::map<std::string, double, std::less<>> numbers;
   auto add = [&](const std::string& key, const toml::node& node) {
-    if (key.starts_with("model.")) return;  // these are taken from the model itself
+    if (key.starts_with("model.")) return;  // model entries come from the model itself
     if (node.is_number())
       numbers[key] = *node.value<double>();
     else
@@ -73,7 +74,8 @@ std::map<std::string, double, std::less<>> find_numbers(const Keys& keys,
   return numbers;
 }
 
-// Throws for an override of a key that an axis sets, since it would have no effect.
+// Throws if a key is overridden that is also set by an axis, since the override would have no
+// effect.
 void check_not_shadowed(const Override& override, const std::vector<Coupled>& axes) {
   for (const auto& coupled : axes)
     for (const auto& axis : coupled)

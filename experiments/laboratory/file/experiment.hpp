@@ -16,12 +16,13 @@
 
 namespace laboratory {
 
-/// A TOML value that outlives the table that contains it.
+/// A value of a TOML file. Keeps the table that contains it alive.
 using Node = std::shared_ptr<const toml::node>;
-/// Makes a truth value, a number, a text or a list of texts.
+/// Makes a TOML value from a truth value, a number, a string or a list of strings.
 Node make_node(const base::Scalar& value);
 
-/// A [[fault]] with its position in the file, "e.toml:12: [[fault]] 2".
+/// A [[fault]]: a planned failure of a link or processor, with its position for errors, "e.toml:12:
+/// [[fault]] 2".
 struct FaultSpec {
   programs::PlannedFault fault;
   std::string place;
@@ -33,15 +34,15 @@ struct ModelSpec {
   machine::Overrides entries = {};
 };
 
-/// A [[processor]]: a processor of the topology whose model differs from the machine's.
+/// A [[processor]]: a processor of the network that has a model of its own.
 struct OtherProcessor {
   int number = 0;
   ModelSpec model;
   std::string place;  ///< position for errors, "e.toml:12: [[processor]] 2"
 };
 
-/// The settings of one run: every key of the file with its value or default. Paths are relative to
-/// the current folder. Strings keep the file's spelling.
+/// The settings of one point: every key of the file with its value or default. Paths are relative
+/// to the current folder. Strings are spelled as in the file.
 struct Experiment {
   std::string title, question;
   const programs::Program* program = nullptr;  ///< program that the key program.name selects
@@ -49,45 +50,51 @@ struct Experiment {
   /// model of the machine, from machine.model and [model]
   ModelSpec model{{"t805-25", "t805-25"}};
   std::vector<OtherProcessor> others;     ///< processors with other models, from [[processor]]
-  base::Source topology{"tree", "tree"};  ///< generator (sized by `workers`), specification or file
+  base::Source topology{"tree", "tree"};  ///< name of a generator, which makes `workers`
+                                          ///< processors; a full specification such as "tree:7"; or
+                                          ///< a file
   std::int64_t workers = 7;               ///< number of processors in the network
   int switches = 0;  ///< C004 link switches on every link not listed in `switches_between`
-  /// three numbers: two processors, counted from 0, and the switches on the links between them
+  /// triples: two processors, counted from 0, and the number of switches on each link between them
   std::vector<std::array<int, 3>> switches_between;
-  base::Source routes;  ///< "xy", or a file with some of the routes; "": shortest routes
-  /// broadcast trees, "per_root" or "single"; "": single if tree_links are given, else per_root
+  base::Source routes;  ///< "xy"; or a file with some of the routes, all others being shortest
+                        ///< routes; "": shortest routes
+  /// broadcast trees: "per_root" or "single"; "": "single" if `tree_links` is not empty, else
+  /// "per_root"
   std::string tree;
-  /// links of the single tree; none: breadth-first tree of the root
+  /// links of the single tree; if empty, the tree is found by breadth-first search from the root
   topologies::TreeLinks tree_links;
   std::vector<FaultSpec> faults;  ///< faults from [[fault]]
-  std::int64_t repetitions = 1;   ///< number of seeds, which become an axis of the sweep
+  std::int64_t repetitions = 1;   ///< number of seeds to simulate each point with; the seeds become
+                                  ///< an axis of the sweep
   bool is_timed = false;          ///< true if the key run.cost is "timed"
   machine::EngineParams engine;   ///< from the keys run.engine and run.processes
-  /// host speed for timed costs, cycles per host second, once it is known
+  /// cycles of simulated work per second of host CPU time, for timed costs; no value until measured
   std::optional<double> cycles_per_host_s = {};
 };
 
-/// The keys of a file that concern single points, by their dotted names, with their values.
+/// The keys of a file that determine the settings of points, by their dotted names.
 using Keys = std::map<std::string, Node>;
-/// Lists them. Omits [sweep], [let], [[check]] and the tables for the report.
+/// Lists these keys. Omits [sweep], [let], [[check]] and the tables for the report.
 Keys list_keys(const std::shared_ptr<const toml::table>& file);
-/// The values as spelled in TOML, without keys that do not change results.
+/// Spells the values as in TOML. Omits keys that have no effect on results.
 std::map<std::string, std::string> spell_keys(const Keys& keys);
 
-/// The files that a point reads, such as scene, network and routes, without the machine model.
+/// The files that a point reads, such as scene, network and routes. Omits the file of the machine
+/// model.
 std::vector<std::string> files_of(const Experiment& experiment);
 
-/// The section [uncertain].
+/// The section [uncertain]: repeats the simulation on randomly varied machines.
 struct Uncertain {
-  /// number of machines drawn at random from the ranges of the model's entries; 0: none
+  /// number of machines whose model entries are drawn at random from their ranges; 0: none
   std::int64_t machines = 0;
   std::int64_t seed = 1;
 };
 
-/// A key of the experiment file, for help.
+/// Description of a key of the experiment file, for help texts.
 struct Setting {
-  /// Dotted name: "scene.objects". As an axis of [sweep], its last part is enough: "objects".
-  /// Entries of the model have the prefix "model", as in "model.link.one_way_rate".
+  /// Dotted name, "scene.objects". An axis of [sweep] may use its last part only, "objects". Names
+  /// of model entries begin with "model.", as in "model.link.one_way_rate".
   std::string key;
   std::string help, unit = {};
   base::Domain domain = {base::Domain::Kind::any};
@@ -110,34 +117,35 @@ struct Axis {
   std::string key;   ///< dotted key that the axis sets, "scene.objects"
   std::vector<Node> values;
 };
-/// Coupled axes, as in "workers, height" = [[1, 16], ...]. A single axis is a list of one.
+/// Axes that change together, as in "workers, height" = [[1, 16], ...]. A list of one axis if it
+/// changes alone.
 using Coupled = std::vector<Axis>;
 
 /// The value of one axis at a point.
 struct Coordinate {
-  std::string axis, key;  ///< as of the Axis
+  std::string axis, key;  ///< the members `name` and `key` of the Axis
   Node value;
 };
 
-/// One point of a sweep.
+/// One point of a sweep: a combination of axis values, and the settings that result.
 struct Point {
   std::vector<Coordinate> at;  ///< values of the axes of [sweep], in their order
   Experiment experiment;
-  /// The numbers that the file assigns to keys, such as "image.width" -> 100, without defaults.
+  /// The numbers that the file assigns to keys, such as "image.width" -> 100. Omits defaults.
   std::map<std::string, double, std::less<>> numbers;
 };
 
-/// Formats the axes of a point: "objects = 200, workers = 3". For the only point of a file without
-/// a sweep, the result is "".
+/// Formats the axis values of a point: "objects = 200, workers = 3". Returns "" for the only point
+/// of a file without a sweep.
 std::string name_of(const Point& point);
 
 struct ExperimentFile {
-  /// path of the file as the user spelled it, relative to the current folder at that time
+  /// path of the file as the user spelled it, relative to the current folder when it was loaded
   std::string path;
   std::string folder;  ///< folder that paths in the file are relative to; "": the current folder
   std::shared_ptr<const toml::table> content;  ///< the file after applying --set
   std::vector<Coupled> sweep;                  ///< the axes of [sweep]
-  /// all points, the last axis varying fastest; a file without a sweep has one point
+  /// all points of the sweep; the last axis varies fastest; a file without a sweep has one point
   std::vector<Point> points;
   Keys keys;
   std::vector<Definition> definitions;  ///< names of [let] with their expressions
@@ -152,13 +160,13 @@ struct ExperimentFile {
   auto axes() const { return sweep | std::views::join; }
 };
 
-/// A value that replaces that of a key.
+/// A value that replaces the value of a key in the file, as with the option --set.
 struct Override {
   std::string key;  ///< dotted key, "scene.objects"; for an axis "sweep.workers"
   Node value;
-  std::string spelled = {};  ///< text that the user gave to --set; "" if tlab itself set the value
+  std::string spelled = {};  ///< the user's argument of --set; "" if tlab itself set the value
 
-  /// The override as an argument of --set.
+  /// Spells the override as an argument of --set.
   std::string text() const;
 };
 using Overrides = std::vector<Override>;
@@ -166,10 +174,10 @@ using Overrides = std::vector<Override>;
 /// Reads "key.path=value". A value that is not valid TOML counts as a string. Throws BadInput.
 Override parse_override(const std::string& text);
 
-/// Formats the content of a file as TOML, with the axes in the order of the sweep.
+/// Formats the content of a file as TOML, with the axes of [sweep] in their order.
 std::string resolve(const ExperimentFile& file);
 
-/// An experiment file, or a text in its place.
+/// The path of an experiment file, or the path and a text that is read instead of the file.
 struct ExperimentSource {
   ExperimentSource(const std::string& path);
   /// Paths in the text are relative to `folder`.
@@ -180,9 +188,9 @@ struct ExperimentSource {
   std::optional<std::string> text;  ///< replaces the content of the file
 };
 
-/// Reads and checks an experiment. Applies the values of [reduced] if `is_reduced`, then
+/// Reads and checks an experiment. First applies the values of [reduced] if `is_reduced`, then
 /// `overrides`. Throws BadInput with the file, the line or key, the value found, and the nearest
-/// valid key.
+/// valid name.
 ExperimentFile load_experiment(const ExperimentSource& source, const Overrides& overrides,
                                bool is_reduced = false);
 

@@ -14,7 +14,7 @@ namespace {
 using base::BadInput;
 using base::trim;
 
-// Removes single quotes: 'tree' becomes tree.
+// Removes one pair of quotes: 'tree' becomes tree.
 std::string without_quotes(const std::string& text) {
   const bool is_quoted = text.size() > 2 && (text.front() == '"' || text.front() == '\'') &&
                          text.back() == text.front();
@@ -29,14 +29,15 @@ RowReference::Condition parse_condition(const std::string& text, const std::stri
     throw BadInput(fmt::format("{}: found \"{}\", expected AXIS = VALUE", place, text));
   try {
     condition.value.emplace(condition.text, place);
-    // not an expression but a string; Rows refuses it if the axis is numeric
+    // The condition is a string, not an expression. The class Rows refuses it if the axis is
+    // numeric.
   } catch (const BadInput&) {
   }
   condition.text = without_quotes(condition.text);
   return condition;
 }
 
-// Parses a reference to other rows, including its braces.
+// Parses a reference to another row, {COLUMN @ AXIS = VALUE, ...}, with its braces.
 RowReference parse_reference(const std::string& text, const std::string& place) {
   const auto parts = base::split(std::string_view(text).substr(1, text.size() - 2), '@');
   if (parts.size() != 2 || !base::Formula::is_name(std::string(parts[0])))
@@ -53,7 +54,7 @@ RowReference parse_reference(const std::string& text, const std::string& place) 
   return reference;
 }
 
-// Makes a valid variable name that resembles the text.
+// Makes a valid name of a variable, which resembles the text so that errors remain readable.
 std::string spell_as_name(std::string text) {
   for (char& c : text)
     if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';

@@ -15,8 +15,8 @@ using base::BadInput;
 
 constexpr int MOST_SWITCHES = 16;
 
-// Sets one number for every link, or a list of [a, b, number] with processor numbers of the
-// topology.
+// Sets the number of switches on every link, or on some links by a list of [a, b, number], where a
+// and b are processors of the topology.
 bool set_switches(Experiment& e, const base::Scalar& value) {
   if (const auto* all = std::get_if<std::int64_t>(&value)) {
     if (*all < 0 || *all > MOST_SWITCHES) return false;
@@ -31,14 +31,15 @@ bool set_switches(Experiment& e, const base::Scalar& value) {
   return true;
 }
 
-// Sets a routing method, or a file.
+// Sets the routes: the name of a routing method, or a file.
 bool set_routes(Experiment& e, const base::Scalar& value) {
   e.routes = std::get<base::Source>(value);
   if (e.routes.text == topologies::XY_ROUTES) e.routes.path = e.routes.text;
   return true;
 }
 
-// Sets the links of a broadcast tree. Their ends are checked later, when the topology is known.
+// Sets the links of a broadcast tree. Their processors are checked later, when the topology is
+// known.
 bool set_tree_links(Experiment& e, const base::Scalar& value) {
   const auto links = find_rows<2>(value, LAST_PROCESSOR);
   if (!links) return false;
@@ -47,7 +48,8 @@ bool set_tree_links(Experiment& e, const base::Scalar& value) {
   return true;
 }
 
-// The name of the program. It is read before other keys, since their reading depends on it.
+// The key program.name. It is read before all other keys, since their meaning depends on the
+// program.
 base::Field<Experiment> program_field() {
   base::Domain names{base::Domain::Kind::choice};
   for (const auto& program : programs::all_programs()) names.choices.push_back(program.name);
@@ -118,8 +120,8 @@ const base::Fields<Experiment>& common_fields() {
 // [[fault]].
 struct Section {
   std::string key, help;
-  /// Reads the section into a point. Null for sections that do not belong to points. These cannot
-  /// be axes, and read_judgement reads them.
+  /// Reads the section into the settings of a point. Null for sections that are not part of a
+  /// point's settings: these cannot be axes, and read_judgement() reads them.
   void (*read)(Experiment&, const Place&) = nullptr;
 };
 
@@ -141,7 +143,7 @@ const std::vector<Section>& sections() {
   return all;
 }
 
-// Finds the item with this key; null if there is none.
+// Finds the item whose key is `key`; null if there is none.
 template <class Item, class KeyOf>
 const Item* find_by(const std::vector<Item>& items, KeyOf key_of, const std::string& key) {
   const auto found = std::ranges::find(items, key, key_of);
@@ -166,7 +168,7 @@ const programs::Program* read_program(const Place& at) {
   return programs::find_program(std::get<std::string>(read_value(at, domain)));
 }
 
-// Reads the tables of a list such as [[stage]]. Each becomes a record.
+// Reads the tables of a list of the program, such as [[stage]]. Each table becomes a record.
 void bind_list(Experiment& experiment, const programs::RecordList& list, const Place& at) {
   list.clear(experiment.params);
   check_tables(at);
@@ -181,7 +183,8 @@ void bind_list(Experiment& experiment, const programs::RecordList& list, const P
   }
 }
 
-// Overrides an entry of the machine model. Its name is checked later, when the model is made.
+// Overrides an entry of the machine model. The entry's name is checked later, when the model is
+// made.
 void bind_model_entry(Experiment& experiment, const Place& at) {
   if (!at.node.is_number() && !at.node.is_string()) at.refuse("a number, or a formula in quotes");
   const auto entry = at.key.substr(at.key.find('.') + 1);
@@ -194,7 +197,7 @@ void bind_model_entry(Experiment& experiment, const Place& at) {
     value = *at.node.value_exact<std::string>();
 }
 
-// Throws BadInput for a common key that has no effect on any of the programs.
+// Throws BadInput if a key common to all programs has no effect on any program of this experiment.
 void check_used(const Programs& in_play, const Place& at) {
   const auto refuse = [&](const char* what, bool programs::Uses::*uses) {
     if (std::ranges::any_of(in_play, [&](const auto* p) { return p->uses.*uses; })) return;
@@ -220,7 +223,7 @@ std::vector<std::string> common_keys() {
   return keys;
 }
 
-// Throws for an unknown key, and for a key of another program.
+// Throws for a key that is unknown or belongs to another program.
 [[noreturn]] void refuse_unknown(const Programs& in_play, const Place& at) {
   std::vector<std::string> known;
   for (const auto* program : in_play) {
@@ -240,7 +243,7 @@ std::vector<std::string> common_keys() {
   refuse_key(at, known);
 }
 
-// The member of an experiment or of its program's parameters that a key sets.
+// The data member that a key sets, in the experiment or in the parameters of its program.
 struct Member {
   void* place;
   const base::Domain& domain;
@@ -342,8 +345,8 @@ Axis name_axis(const std::string& name, const Programs& in_play, const std::stri
   for (const auto* program : in_play)
     for (const auto& list : program->lists) try_key(list.key);
   const auto known_here = known;
-  // Also accepts parameters of other programs. Binding their values then throws an error that names
-  // the program.
+  // Accepts parameters of other programs here, because assigning their values later throws an error
+  // that names the right program.
   for (const auto& other : programs::all_programs())
     for (const auto& p : other.parameters) try_key(programs::key_of(p));
   if (found) return *found;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t MAX_POINTS = 100'000;
 
-// Moves nested axes into one flat table, since TOML reads names with dots as nested tables.
+// Makes one flat table of axes. TOML reads unquoted axis names with dots as nested tables.
 void flatten(toml::table& from, const std::string& prefix, toml::table& into) {
   for (auto&& [name, node] : from) {
     const auto dotted = prefix + std::string(name.str());
@@ -48,8 +48,8 @@ std::string spell(const toml::node& value) {
   return is_number ? fmt::format("{}", *value.value<double>()) : to_toml(value);
 }
 
-// Reads the values of each axis from a list. For coupled axes it is a list of lists with one value
-// for each axis. Each value keeps `file`, which contains it, alive.
+// Reads the values of each axis from a list. For axes that change together, each element of the
+// list is a list with one value for each axis. The values share ownership of `file`.
 void read_values(Coupled& axes, const Place& at, const std::shared_ptr<const toml::table>& file) {
   const auto* list = at.node.as_array();
   if (!list || list->empty()) at.refuse("an array of values, at least one");
@@ -67,13 +67,14 @@ void read_values(Coupled& axes, const Place& at, const std::shared_ptr<const tom
   }
 }
 
-// A key that is a seed, and its value.
+// The key of a seed, and the first value of the seed.
 struct Seed {
   std::string key;
   std::int64_t first;
 };
 
-// The seeds of the programs that have an effect. The values are those of the first point.
+// Lists the seeds of the programs, without seeds that have no effect. Takes their values from the
+// first point of the sweep.
 std::vector<Seed> find_seed_keys(const Experiment& first, const Programs& in_play) {
   std::vector<Seed> seeds;
   for (const auto* program : in_play) {
@@ -117,7 +118,7 @@ std::vector<Coupled> read_axes(const std::shared_ptr<const toml::table>& file,
   const auto* sweep = (*file)["sweep"].as_table();
   if (!sweep) return all;
   for (const auto& names : order) {
-    // --set may have replaced [sweep], so that an axis is missing
+    // [sweep] may lack a listed axis, since --set may have replaced the section
     if (!sweep->contains(names)) continue;
     Coupled& axes = all.emplace_back();
     for (const auto& name : split_names(names)) axes.push_back({name, {}, {}});
@@ -203,7 +204,7 @@ std::string resolve(const ExperimentFile& file) {
     return is_short ? axis.name : axis.key;
   };
   for (const auto& coupled : file.sweep) {
-    if (coupled[0].values.empty()) continue;  // the axis of randomly drawn machines
+    if (coupled[0].values.empty()) continue;  // the axis that numbers the randomly drawn machines
     std::vector<std::string> names, entries;
     for (const auto& axis : coupled) names.push_back(name_of(axis));
     for (std::size_t i = 0; i < coupled[0].values.size(); ++i) {

@@ -14,7 +14,7 @@ using base::Scalar;
 
 constexpr double LARGEST = 1e300;
 
-// Getter for fields without a default: returns an empty value.
+// Getter for a field without a default.
 template <class P>
 Scalar no_value(const P&) {
   return {};
@@ -75,7 +75,7 @@ void check_complete(const OtherProcessor& other, const toml::table& table) {
     require(table.contains(key), other.place, "\"{}\" is missing", key);
 }
 
-// Reads the tables [[KEY]], each with its number and position.
+// Reads each of the tables [[KEY]], with its number and its position in the file.
 template <class Record>
 std::vector<Record> read_records(const Place& list, const base::Fields<Record>& fields) {
   std::vector<Record> records;
@@ -141,7 +141,7 @@ const base::Fields<Check>& check_fields() {
   return all;
 }
 
-// Lists the keys among `keys` that the table has: "formula and at_least".
+// Lists those of the `keys` that the table contains: "formula and at_least".
 std::string join_given(const toml::table& table, std::vector<std::string> keys) {
   std::erase_if(keys, [&](const auto& key) { return !table.contains(key); });
   return fmt::format("{}", fmt::join(keys, " and "));
@@ -277,7 +277,7 @@ const base::Fields<Uncertain>& uncertain_fields() {
 void check_complete(const PlotSpec& s, const toml::table&) {
   require(!s.name.starts_with('.') && s.name.find('/') == std::string::npos, s.place,
           "expected a name without / and without a leading point, because files get this name");
-  // bytes; file systems allow 255, including extensions that tlab appends
+  // In bytes. File systems allow 255 bytes, which must also hold the extensions that tlab appends.
   constexpr std::size_t LONGEST = 200;
   require(s.name.size() <= LONGEST, s.place,
           "found a name of {} bytes, expected at most {}, because files get this name",
@@ -310,7 +310,7 @@ void check_complete(const BaselineSpec& s, const toml::table&) {
           s.of);
 }
 
-// Reads the tables [[KEY]], each with its name and position.
+// Reads each of the tables [[KEY]], with its name and its position in the file.
 template <class Spec>
 std::vector<Spec> read_all(const Place& at, const base::Fields<Spec>& fields) {
   std::vector<Spec> specs;
@@ -373,7 +373,7 @@ std::vector<Setting> table_settings() {
   std::vector<Setting> all;
   add_settings(all, fault_fields(), "fault.");
   add_settings(all, processor_fields(), "processor.");
-  for (auto& setting : all) setting.domain.is_required = true;  // none of these has a default
+  for (auto& setting : all) setting.domain.is_required = true;  // none of these keys has a default
   all.push_back({"model.SECTION.NAME", "replaces an entry of the machine model"});
   add_settings(all, check_fields(), "check.");
   add_settings(all, plot_fields(), "plot.");

@@ -8,7 +8,7 @@
 namespace laboratory {
 
 std::string Place::where() const {
-  const auto line = node.source().begin.line;  // line number; 0 for a value from --set
+  const auto line = node.source().begin.line;  // 0 for a value from --set
   return line > 0 ? fmt::format("{}:{}", origin, line) : fmt::format("{}, with --set", origin);
 }
 
@@ -19,14 +19,15 @@ void Place::refuse(const std::string& expected) const {
 
 namespace {
 
-// The text of a number; no value if it is infinite or not a number.
+// Spells a number; no value if the node is not a finite number.
 std::optional<std::string> find_number_text(const toml::node& node) {
   const auto number = node.value<double>();
   if (!node.is_number() || !std::isfinite(*number)) return std::nullopt;
   return fmt::format("{}", *number);
 }
 
-// A list of texts; if `are_expressions`, numbers become texts. No value for other lists.
+// Reads a list of strings; no value for other lists. If `are_expressions`, numbers also count as
+// strings.
 base::Scalar read_texts(const toml::array& list, bool are_expressions) {
   std::vector<std::string> texts;
   for (const auto& entry : list) {
@@ -37,7 +38,7 @@ base::Scalar read_texts(const toml::array& list, bool are_expressions) {
   return texts.size() == list.size() ? base::Scalar(texts) : base::Scalar();
 }
 
-// A list of numbers, or of lists of numbers; no value for other lists.
+// Reads a list of numbers, or of lists of numbers; no value for other lists.
 base::Scalar read_list(const toml::array& list) {
   std::vector<double> numbers;
   std::vector<std::vector<double>> rows;
@@ -50,8 +51,8 @@ base::Scalar read_list(const toml::array& list) {
   return rows.size() == list.size() ? base::Scalar(rows) : base::Scalar();
 }
 
-// Makes the path of a file in the folder. If `is_source`, a text without an extension is not a file
-// but a name, such as "tree:7".
+// Finds the path of a file, relative to `folder`. If `is_source`, a text without an extension is a
+// name such as "tree:7", not a file.
 base::Source make_source(const std::string& text, const std::string& folder, bool is_source) {
   const std::filesystem::path path(text);
   const bool is_name = is_source && (!path.has_extension() || path.is_absolute());

@@ -1,6 +1,6 @@
 #pragma once
-// Typed access to values of a TOML file, and assignment to declared fields. Errors give the
-// position, the value found and the expected one.
+// Typed access to values of a TOML file, and their assignment to declared fields. Error messages
+// give the position, the value found and the value expected.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -24,11 +24,11 @@ std::string spell_text(const std::string& text);
 
 using base::to_toml;
 
-/// A TOML value with its position.
+/// A TOML value with its position in a file, for error messages.
 struct Place {
   std::string origin;  ///< name of the file
   std::string key;     ///< dotted key, "scene.objects"
-  std::string folder;  ///< folder that paths are relative to
+  std::string folder;  ///< folder that paths in the value are relative to
   const toml::node& node;
   std::string owner = {};  ///< prefix of the key in error messages, "[[fault]] 2: "
 
@@ -42,14 +42,15 @@ struct Place {
   [[noreturn]] void refuse(const std::string& expected) const;
 };
 
-/// Reads a value. Strings that name files become sources. Throws BadInput for a value outside the
-/// domain. If the domain is a choice, the message suggests the nearest valid value.
+/// Reads a value of the given domain. A string that names a file becomes a source. Throws BadInput
+/// for a value outside the domain. If the domain is a choice, the message suggests the nearest
+/// valid value.
 base::Scalar read_value(const Place& at, const base::Domain& domain);
-/// Reads a text, or a number as text.
+/// Reads the text of an expression, which may also be written as a number.
 std::string read_expression(const Place& at);
 
-/// Reads a list of rows with N whole numbers each, from 0 to `high`; none if the value is not such
-/// a list.
+/// Reads a list of rows with N whole numbers each, from 0 to `high`. No value if `value` is no such
+/// list.
 template <std::size_t N>
 std::optional<std::vector<std::array<int, N>>> find_rows(const base::Scalar& value, int high) {
   std::vector<std::array<int, N>> all;
@@ -63,15 +64,15 @@ std::optional<std::vector<std::array<int, N>>> find_rows(const base::Scalar& val
   }
   return all;
 }
-/// Throws BadInput unless the value is [[key]], a list of tables. An empty list is an error unless
-/// `may_be_empty`.
+/// Throws BadInput unless the value is a list of tables, written [[key]]. An empty list is an error
+/// unless `may_be_empty`.
 void check_tables(const Place& at, bool may_be_empty = false);
 
-/// Throws BadInput for an unknown key, with the nearest valid one. For `section.KEY`, it prefers a
-/// key that ends in KEY.
+/// Throws BadInput for an unknown key, with the nearest valid key. Prefers a key that ends in KEY
+/// if the unknown key is `section.KEY`.
 [[noreturn]] void refuse_key(const Place& at, const std::vector<std::string>& known);
 
-/// Sets the fields named in a table. Throws BadInput for an unknown key.
+/// Sets the fields that a table names to its values. Throws BadInput for an unknown key.
 template <class P>
 void assign_all(P& params, const base::Fields<P>& fields, const toml::table& table,
                 const Place& at) {
