@@ -8,7 +8,7 @@ namespace laboratory {
 
 enum class Tone { good, bad, caution, heading };
 
-/// A text with visible control characters and perhaps a colour.
+/// A text for the terminal: control characters are made visible, and it may contain colour codes.
 struct Painted {
   std::string text;
 };

@@ -6,9 +6,9 @@
 
 namespace laboratory {
 
-/// While this object lives and standard error is a terminal, shows "WHAT, 3 s" there after the
-/// delay `after`. The display has its own thread, which receives no signals. Processes forked
-/// meanwhile must call exec.
+/// While this object lives and standard error is a terminal, shows there "WHAT, 3 s" (host time).
+/// The display begins after the delay `after`. It has its own thread, which receives no signals.
+/// Processes forked while the object lives must call exec.
 class ElapsedTime {
  public:
   explicit ElapsedTime(std::string what, std::chrono::milliseconds after = std::chrono::seconds(2));

@@ -20,7 +20,9 @@
 namespace laboratory {
 namespace {
 
-constexpr std::size_t RESERVE = std::size_t{2} << 20;  // bytes, enough to unwind and to report
+constexpr std::size_t RESERVE = std::size_t{2} << 20;  // bytes, freed when memory is exhausted:
+                                                       // enough to unwind the stack and to report
+                                                       // the error
 
 std::atomic<void*> reserve = nullptr;
 pid_t main_process = 0;
@@ -54,7 +56,7 @@ bool has_little_memory() {
 [[noreturn]] void terminate() {
   constexpr int NO_RESOURCES = 2;
   if (!is_out_of_memory()) other_terminate();
-  // Child processes have copies of the parent's clean-up actions and must not run them.
+  // Child processes have copies of the parent's clean-up actions. Only the parent may run them.
   if (getpid() == main_process) {
     base::undo_all();
     for (const std::string_view part : {"tlab: ", NO_MEMORY, "\n"})

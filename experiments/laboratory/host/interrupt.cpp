@@ -20,9 +20,10 @@ namespace {
 constexpr char END_NOW = 'e', WORK_IS_DONE = 'd';
 
 std::atomic<int> interrupts = 0, guards = 0;
-// id of the process that has an InterruptWatch, 0 if none; child processes have none
+// id of the process that has an InterruptWatch, or 0; child processes have no watch, so they
+// compare it with getpid()
 std::atomic<pid_t> watched = 0;
-int wake[2] = {-1, -1};  // pipe to the thread that ends the program
+int wake[2] = {-1, -1};  // pipe that wakes the thread which ends the program
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
 
 void send(char what) {
@@ -30,14 +31,15 @@ void send(char what) {
   }
 }
 
-// The last counted signal, its sender and its time.
+// the last signal that was counted, its sender, and its time in ns of the monotonic clock
 std::atomic<int> last_signal = 0;
 std::atomic<pid_t> last_sender = 0;
 std::atomic<std::int64_t> last_ns = 0;
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 
-// True if a signal repeats the last one and asks for nothing more. `timeout` sends each signal to
-// its child and to its group. A terminal that closes cannot be asked twice.
+// True if a signal is a copy of the last one, which must not count as a second request. The command
+// `timeout` sends each signal to its child and also to its process group. SIGHUP, from a closed
+// terminal, never counts twice.
 bool is_repeated(int signal, const siginfo_t& info) {
   constexpr std::int64_t AT_ONCE_NS = 100'000'000;
   timespec now{};
@@ -64,8 +66,8 @@ void count_or_end(int signal, siginfo_t* info, void*) {
   errno = error;
 }
 
-// Starts counting these signals, except those ignored at program start (under nohup, or in
-// background jobs of scripts). Returns the previous handlers.
+// Starts counting these signals. Leaves out signals that were ignored at program start, as under
+// nohup or in background jobs of scripts. Returns the previous handlers.
 Handlers begin_to_count() {
   Handlers old{};
   for (std::size_t i = 0; i < std::size(ASKS_TO_END); ++i) {
@@ -78,8 +80,8 @@ Handlers begin_to_count() {
   return old;
 }
 
-// True if a stream accepts output without blocking. False if a thread holds the stream's lock while
-// it waits, or if the pipe is full.
+// True if a stream accepts output without blocking. False if another thread holds the stream's lock
+// while it waits for output, or if the pipe is full.
 bool is_free(FILE* stream) {
   constexpr int MOST_MS = 1000;
   if (ftrylockfile(stream) != 0) return false;
@@ -105,7 +107,7 @@ void wait_for_end() {
 InterruptWatch::InterruptWatch() {
   if (pipe2(wake, O_CLOEXEC) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
   {
-    // Blocks these signals in the new thread, so that the present thread receives and counts them.
+    // Blocks these signals in the new thread, so that the main thread receives and counts them.
     const base::HeldSignals held(ASKS_TO_END);
     waits_ = std::thread(wait_for_end);
   }
@@ -118,7 +120,8 @@ InterruptWatch::~InterruptWatch() {
     const base::Undivided section;
     watched = 0;
   }
-  // If a signal arrived before `watched` became 0, this blocks until the program has ended.
+  // If a signal arrived before `watched` became 0, this statement blocks until the program has
+  // ended.
   const base::Undivided unless_it_ends;
   send(WORK_IS_DONE);
   waits_.join();

@@ -15,10 +15,10 @@ inline constexpr const char* INTERRUPTED = "interrupted; only completed work is 
 
 using Handlers = std::array<struct sigaction, std::size(ASKS_TO_END)>;
 
-/// While this object lives, an interrupt ends the program at any instant. The program undoes
-/// partial work (base/early_end.hpp), prints INTERRUPTED on standard error and exits with
-/// EXIT_INTERRUPTED. Under an InterruptGuard the first signal is only counted. After destruction
-/// the signals have no effect. The main thread makes one object.
+/// While this object lives, an interrupt ends the program at once: the program undoes partial work
+/// (base/early_end.hpp), prints INTERRUPTED on standard error and exits with EXIT_INTERRUPTED.
+/// While an InterruptGuard exists too, the first signal is only counted. After destruction of the
+/// watch, the signals have no effect. The main thread makes one object.
 class InterruptWatch {
  public:
   InterruptWatch();
@@ -30,9 +30,9 @@ class InterruptWatch {
   std::thread waits_;
 };
 
-/// While this object lives, interrupts are counted from 0 and the first one does not end the
-/// program. A signal counts once if the same sender repeats it within 0.1 s, as `timeout` does, and
-/// so does every repeated SIGHUP.
+/// While this object lives, interrupts are counted, beginning at 0, and the first one does not end
+/// the program. Copies of a signal that the same sender sends within 0.1 s, as `timeout` does,
+/// count once, and so do all SIGHUP together.
 class InterruptGuard {
  public:
   InterruptGuard();
@@ -44,7 +44,7 @@ class InterruptGuard {
   Handlers old_;
 };
 
-/// The number of interrupts since the latest InterruptGuard was made.
+/// Number of interrupts since the most recent InterruptGuard was made.
 int count_interrupts();
 inline bool was_interrupted() { return count_interrupts() != 0; }
 

@@ -21,7 +21,7 @@
 namespace laboratory {
 namespace {
 
-// A child process and its output so far: a status byte, then the result or an error message.
+// A child process, and its output so far: one status byte, then the result or an error message.
 struct Child {
   pid_t pid = -1;
   std::size_t index = 0;
@@ -50,7 +50,7 @@ void write_all(int fd, const std::string& text) {
     reply = static_cast<char>(exit_code_of(error)) + describe_error(error);
   }
   write_all(fd, reply);
-  _exit(0);  // ends without calling the destructors of the parent's objects
+  _exit(0);  // exits without calling the destructors of objects copied from the parent
 }
 
 class Pool {
@@ -67,7 +67,7 @@ class Pool {
     if (pipe(ends) != 0) throw std::system_error(errno, std::generic_category(), "pipe");
     std::fflush(nullptr);
     const base::Undivided section;  // the child never leaves this critical section
-    // holds signals until the child has installed its handlers
+    // blocks signals until the child has installed its own handlers
     std::optional<base::HeldSignals> held(ASKS_TO_END);
     const pid_t parent = getpid(), pid = fork();
     if (pid < 0) throw std::system_error(errno, std::generic_category(), "another process");
@@ -79,7 +79,7 @@ class Pool {
     children_[ends[0]] = {pid, index, {}};
   }
 
-  // Waits until any child has ended.
+  // Waits until one of the children has ended.
   JobEnd wait_any() {
     for (;;) {
       std::vector<pollfd> fds;

@@ -1,6 +1,6 @@
 #pragma once
-// Parallel execution of tasks in child processes. SimGrid's engine is a singleton, so each
-// simulation needs its own process.
+// Parallel execution of tasks, each in a child process. SimGrid's engine is a singleton, so each
+// simulation needs a process of its own.
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -25,10 +25,10 @@ struct Interrupted : Failure {
   Interrupted() : Failure(INTERRUPTED, EXIT_INTERRUPTED) {}
 };
 
-/// The work of a task in its child process. Its result is transferred as text.
+/// The work of task `index`, executed in a child process. The result is sent to the parent as text.
 using Job = std::function<std::string(std::size_t index)>;
 
-/// The end of a task: `result`, or in `died` the reason why its process was killed or lacked
+/// The end of a task: its result, or in `died` the reason why its process was killed or ran out of
 /// memory.
 struct JobEnd {
   std::size_t index = 0;
@@ -36,9 +36,9 @@ struct JobEnd {
 };
 
 /// Runs jobs 0 .. count-1, at most `parallel` at once, and calls `ended` for each in order of
-/// completion. If a job throws, all running jobs are killed and Failure is thrown. Running jobs are
-/// also killed if `ended` throws. On an interrupt by the user, running jobs are asked to stop
-/// (machine::request_stop), and no further ones start. A second interrupt throws Interrupted.
+/// completion. If a job throws, kills all running jobs and throws Failure. Kills them also if
+/// `ended` throws. If the user interrupts, asks the running jobs to stop (machine::request_stop)
+/// and starts no further ones. A second interrupt throws Interrupted.
 void for_each_job(std::size_t count, std::size_t parallel, const Job& job,
                   const std::function<void(JobEnd)>& ended);
 

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Makes `to` a hard link to `from`. Returns false if the file system does not support it.
+// Makes `to` a hard link to `from`. Returns false if the file system does not support hard links.
 bool link_file(const fs::path& from, const fs::path& to) {
   if (link(from.c_str(), to.c_str()) == 0 || errno == EEXIST) return true;
   for (const int unable : {EPERM, EXDEV, EMLINK, ENOSYS, EOPNOTSUPP})

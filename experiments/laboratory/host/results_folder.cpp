@@ -29,8 +29,8 @@ namespace fs = std::filesystem;
 
 std::error_code last_error() { return {errno, std::generic_category()}; }
 
-// Makes a path absolute and resolves its symbolic links, so that a link's target is replaced
-// instead of the link.
+// Makes a path absolute and resolves its symbolic links. If the results folder is a link, the
+// folder that it points to is replaced, not the link.
 fs::path resolve(const fs::path& path) {
   if (path.empty()) throw base::BadInput("the name of a results folder is empty");
   std::error_code error;
@@ -46,7 +46,7 @@ void refuse(const fs::path& path, const std::string& found) {
       found);
 }
 
-// True for files that desktop file managers leave in folders.
+// True for files that desktop file managers create in folders.
 bool is_of_desktop(const fs::path& entry) {
   const auto name = entry.filename().string();
   return (name == ".DS_Store" || name == "Thumbs.db" || name == "desktop.ini" ||
@@ -54,7 +54,8 @@ bool is_of_desktop(const fs::path& entry) {
          fs::is_regular_file(fs::symlink_status(entry));
 }
 
-// True if a folder contains only files whose names `is_ours` accepts.
+// True if a folder contains only regular files whose names `is_ours` accepts, apart from files of
+// the desktop.
 template <class IsOurs>
 bool has_only(const fs::path& folder, const IsOurs& is_ours) {
   return std::ranges::all_of(fs::directory_iterator(folder), [&](const auto& entry) {
@@ -65,13 +66,13 @@ bool has_only(const fs::path& folder, const IsOurs& is_ours) {
 
 bool is_plot(const std::string& name) { return name.ends_with(".svg") || name.ends_with(".png"); }
 
-// True for a file of a record, complete or left behind by a killed process.
+// True for a file of a point's record, complete or left behind by a killed process.
 bool is_of_record(const std::string& name) {
   return std::ranges::any_of(std::array{".json", ".png", ".exr", ".webp"},
                              [&](auto* part) { return name.find(part) != name.npos; });
 }
 
-// True for the folder that contains the records of points.
+// True if a folder contains only records of points and the description of their experiment.
 bool is_store(const fs::path& folder) {
   return std::ranges::all_of(fs::directory_iterator(folder), [](const auto& entry) {
     if (entry.is_directory() && !entry.is_symlink()) return has_only(entry.path(), is_of_record);
@@ -80,7 +81,8 @@ bool is_store(const fs::path& folder) {
   });
 }
 
-// True if `tlab` writes an entry of this name into results folders. Other entries are the user's.
+// True if `tlab` writes an entry of this name into results folders. Other entries belong to the
+// user.
 bool is_result(const fs::path& entry) {
   static const std::vector<std::string> FILES{
       "results.csv", "results.schema.json", "checks.csv",    "fits.csv",        "best.csv",
@@ -112,8 +114,8 @@ void check_is_ours(const fs::path& path) {
       refuse(path, fmt::format("holds {}, which would be lost", entry.path().filename().string()));
 }
 
-// Throws if `path` contains a file that the command reads, such as a texture or a reference with
-// the name of a result. Files that `working` contains too, as the same file, are kept.
+// Throws if replacing `path` would destroy a file that the command reads, such as a texture whose
+// name looks like that of a result. Files that are in `working` too, as hard links, are safe.
 void check_inputs_survive(const fs::path& path, const fs::path& working) {
   if (!fs::exists(path)) return;
   std::error_code ignored;
@@ -123,15 +125,16 @@ void check_inputs_survive(const fs::path& path, const fs::path& working) {
       base::check_no_input(entry.path());
 }
 
-// Kinds of hidden folders beside `path`: unfinished results, and older results moved aside.
+// Kinds of hidden folders beside `path`: "partial" for unfinished results, "old" for older results
+// that were moved aside.
 constexpr const char *PARTIAL = "partial", *OLD = "old";
 
 fs::path beside(const fs::path& path, const char* kind) {
   return path.parent_path() / base::make_partial_name(path.filename().string(), kind, getpid());
 }
 
-// Finds the folders of dead processes. A folder with the current process number was left by an
-// earlier process of that number.
+// Finds the hidden folders of processes that no longer run. A folder with the number of the current
+// process is also one of these: an earlier process had the same number.
 std::vector<fs::path> find_stale(const fs::path& path, const char* kind) {
   std::vector<fs::path> stale;
   for (const auto& entry : fs::directory_iterator(path.parent_path())) {
@@ -144,8 +147,8 @@ std::vector<fs::path> find_stale(const fs::path& path, const char* kind) {
   return stale;
 }
 
-// Removes a folder into which another thread or a dying child may still write. Files that appear or
-// vanish meanwhile abort a removal, so it is retried.
+// Removes a folder into which another thread or a dying child process may still write. A removal
+// fails if files appear or vanish meanwhile, so it is retried.
 void remove_surely(const fs::path& folder) {
   constexpr int TRIES = 1000;
   std::error_code ignored;
@@ -156,8 +159,9 @@ void remove_surely(const fs::path& folder) {
   }
 }
 
-// Removes what dead processes left behind, but keeps the records of points. If a process died after
-// it had moved older results aside and before it had replaced them, moves these back.
+// Removes the hidden folders of dead processes, but keeps the records of points. If a process died
+// after it had moved older results aside and before it had put new ones in place, moves the older
+// results back.
 void remove_stale(const fs::path& path) {
   std::error_code ignored;
   for (const auto& folder : find_stale(path, OLD))
@@ -169,8 +173,8 @@ void remove_stale(const fs::path& path) {
     }
 }
 
-// Removes replaced results. First moves records that other processes added to them. What cannot be
-// removed is left to a later run.
+// Removes results that were replaced. First moves the records that other processes have added to
+// them into the new results. Leaves files that it cannot remove to a later run.
 void drop_replaced(const fs::path& older, const fs::path& path) {
   std::error_code ignored;
   if (fs::exists(older / "points")) {
@@ -188,8 +192,8 @@ void check_replaced(const fs::path& path, const ResultsFolder::Check& check) {
   if (check) check(path);
 }
 
-// Moves the old folder aside, then the new one into its place, for file systems without an atomic
-// exchange. After a crash in between, the next run finds the old results under
+// Moves the old folder aside, and then the new one into its place. Used on file systems without an
+// atomic exchange. After a crash between the two steps, the next run finds the old results under
 // ".NAME.old-HOST-PID".
 void replace_in_two_steps(const fs::path& working, const fs::path& path,
                           const ResultsFolder::Check& check) {
@@ -215,7 +219,7 @@ bool rename_with(unsigned flags, const fs::path& from, const fs::path& to) {
 
 bool is_unable(int error) { return error == ENOSYS || error == EINVAL || error == ENOTSUP; }
 
-// Moves the folder to an unoccupied path. Returns false if the path has become occupied.
+// Moves the folder `working` to `path`. Returns false if something exists at `path` meanwhile.
 bool put_in_place(const fs::path& working, const fs::path& path) {
   if (rename_with(RENAME_NOREPLACE, working, path)) return true;
   if (errno == EEXIST) return false;
@@ -285,7 +289,7 @@ void ResultsFolder::clean_up() const {
   std::error_code ignored;
   if (is_committed_) return;
   if (!working_.empty()) remove_surely(working_);
-  // fails harmlessly for a folder that is not empty
+  // has no effect on a parent folder that now contains other files
   for (const auto& parent : made_) fs::remove(parent, ignored);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Atomically replaced results folder.
+// The results folder of a run, which is replaced atomically.
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -9,21 +9,21 @@
 
 namespace laboratory {
 
-/// Throws BadInput if writing results would destroy foreign files. This is so if `path` is not a
-/// folder, is the current folder or a parent of it, or holds files but neither run.json nor
+/// Throws BadInput if writing results into `path` would destroy files of the user: if `path` is not
+/// a folder, is the current folder or a parent of it, or contains files but neither run.json nor
 /// points/.
 void check_results_folder(const std::filesystem::path& path);
 
-/// Collects results in a hidden folder beside `path`, ".NAME.partial-HOST-PID"; `commit` moves them
-/// into place. An older `path` stays if there is no commit, or if the program ends early
-/// (base/early_end.hpp). A process may have only one object for each `path` at a time. Records in
-/// points/ of both folders are merged, so that records which other processes write meanwhile are
-/// kept.
+/// Collects results in a hidden folder beside `path`, ".NAME.partial-HOST-PID". `commit` moves them
+/// into place. Older results at `path` stay if `commit` is not called, or if the program ends early
+/// (base/early_end.hpp). A process may have only one such object for each `path` at a time.
+/// `commit` merges the records in points/ of both folders, and so keeps records that other
+/// processes have written in the meantime.
 class ResultsFolder {
  public:
-  /// Makes missing parents. Removes remains of dead processes for the same `path`, after moving
-  /// their point records to `path`. Throws as check_results_folder does, and std::system_error if
-  /// writing fails.
+  /// Makes missing parent folders. Removes hidden folders that dead processes left for the same
+  /// `path`, after moving their point records to `path`. Throws as check_results_folder() does, and
+  /// std::system_error if writing fails.
   explicit ResultsFolder(const std::filesystem::path& path);
   ~ResultsFolder();
   ResultsFolder(const ResultsFolder&) = delete;
@@ -32,16 +32,17 @@ class ResultsFolder {
   /// The folder to write into. Invalid after `commit`.
   const std::filesystem::path& working() const { return working_; }
 
-  /// Calls `write`. Errors of the host and of input then name `path` instead of the hidden folder.
+  /// Calls `write`. Replaces the hidden folder by `path` in error messages about the host and the
+  /// input.
   void fill(const std::function<void()>& write) const;
 
-  /// Throws if these results must not be replaced.
+  /// Called with the folder of older results. Throws if they must not be replaced.
   using Check = std::function<void(const std::filesystem::path& results)>;
 
-  /// Replaces `path` as a whole, atomically if the file system can. Called once. First repeats the
-  /// constructor's check of `path` and calls `check`. If either throws, the older results stay in
-  /// place. Older results are checked again after they have been moved aside, since another process
-  /// may have written them in between.
+  /// Replaces `path` as a whole, atomically if the file system supports it. May be called once.
+  /// First repeats the constructor's check of `path` and calls `check`; if either throws, the older
+  /// results stay in place. Checks the older results again after moving them aside, since another
+  /// process may have written them in the meantime.
   void commit(const Check& check = {});
 
  private:
@@ -50,7 +51,7 @@ class ResultsFolder {
   void replace(const Check& check);
 
   std::filesystem::path path_, working_;
-  std::vector<std::filesystem::path> made_;  // parents made by this object, innermost first
+  std::vector<std::filesystem::path> made_;  // parent folders made by this object, innermost first
   bool is_committed_ = false;
   std::optional<base::Undo> undo_;
 };

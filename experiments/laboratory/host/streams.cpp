@@ -37,7 +37,8 @@ bool is_shown_by(const std::string& pager, const std::string& text) try {
 
 void secure_streams() {
   for (const int ends_the_program : {SIGPIPE, SIGXFSZ}) std::signal(ends_the_program, SIG_IGN);
-  // Opens closed streams for reading only, so that writing to them still fails.
+  // Opens closed streams for reading only, so that writing to them still fails, as the caller
+  // expects.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
     if (fcntl(stream, F_GETFD) < 0 && open("/dev/null", O_RDONLY) < 0)
       throw std::system_error(errno, std::generic_category(), "/dev/null");

@@ -1,5 +1,5 @@
 #pragma once
-// Standard input, output and error, whether terminal, file, pipe or closed.
+// Standard input, output and error, which may be a terminal, a file, a pipe or closed.
 #include <fmt/format.h>
 
 #include <cstddef>
@@ -13,11 +13,13 @@
 
 namespace laboratory {
 
-/// Makes writing to a full, closed or unread stream an error instead of ending the program.
-/// Reserves the descriptors of closed streams, so that files opened later do not take them.
+/// Makes the program report an error when it writes to a full or closed stream, or to a pipe
+/// without a reader, instead of dying from a signal. Reserves the descriptors of closed streams, so
+/// that files opened later do not get them.
 void secure_streams();
 
-/// A value for print_out(): texts with visible control characters, other values as they are.
+/// Prepares a value for print_out(): makes control characters of texts visible; returns other
+/// values unchanged.
 template <class T>
 auto make_printable(const T& value) {
   if constexpr (std::is_same_v<T, Painted>)
@@ -28,8 +30,8 @@ auto make_printable(const T& value) {
     return value;
 }
 
-/// Formats values and prints them on standard output. Control characters in texts other than line
-/// ends and tabs become visible, so that nothing from a file controls the terminal.
+/// Formats values and prints them on standard output. Control characters in the values, except line
+/// ends and tabs, become visible, so that text from a file cannot control the terminal.
 template <class... Args>
 void print_out(fmt::string_view format, const Args&... args) {
   const auto shown = std::make_tuple(make_printable(args)...);
@@ -37,14 +39,14 @@ void print_out(fmt::string_view format, const Args&... args) {
              shown);
 }
 
-/// Waits while standard error is a full pipe.
+/// Waits until standard error accepts output, if it is a full pipe.
 void wait_for_error_stream();
 
 /// Prints the text on standard error, and ignores failures.
 void print_on_error(std::string_view text);
 
-/// Prints a line on standard error with control characters made visible (base/message.hpp). On a
-/// terminal it overwrites the progress bar.
+/// Prints a line on standard error, with control characters made visible (base/message.hpp). On a
+/// terminal, the line overwrites the progress bar.
 void print_line(std::string_view text);
 
 /// Prints a line with the prefix "tlab: ", as print_line does.
@@ -56,8 +58,9 @@ std::size_t output_width();
 /// Throws std::system_error if buffered output cannot be written.
 void flush_output();
 
-/// Prints a text, on a terminal through the pager named in PAGER. The default is "less", set to
-/// print short texts directly. Prints without a pager if that fails.
+/// Prints a text. On a terminal, shows it with the pager named by the environment variable PAGER.
+/// Without PAGER the pager is "less", set to print short texts directly. Prints without a pager if
+/// it cannot be started.
 void print_paged(const std::string& text);
 
 }  // namespace laboratory

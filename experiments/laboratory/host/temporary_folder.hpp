@@ -1,5 +1,5 @@
 #pragma once
-// Private temporary folder. It is removed with its object, or when a signal ends the program.
+// Private temporary folder. The destructor removes it, or the program when a signal ends it.
 #include <filesystem>
 #include <optional>
 
