@@ -14,24 +14,26 @@
 namespace laboratory {
 namespace {
 
-constexpr double TIE = 0.0005;  // relative differences below this count as ties
+constexpr double TIE = 0.0005;  // results whose relative difference is smaller count as equal
 
 using Axes = std::vector<std::size_t>;
 
-// A value of a point. With seeds, the mean over the samples of points that differ only in the seed.
+// The result of a point. If several seeds were simulated, it is the mean over the rows (samples)
+// that differ only in the seed.
 struct Measured {
-  std::size_t row = 0;  // of the first sample
+  std::size_t row = 0;  // row of the first sample in the results table
   double value = 0;
   RowSamples samples = {};
 };
 
-// A combination of values of some axes, with its points.
+// The points that share a combination of values of some axes.
 struct Group {
   std::vector<Value> at;
   std::vector<Measured> points;
 };
 
-// Finds the axes that vary, except those in `without` and those coupled with others.
+// Finds the axes with several values. Leaves out seeds, axes in `without`, and axes whose value
+// follows from those of other axes.
 Axes other_axes(const Table& table, const RowList& rows, const Axes& without) {
   Axes axes;
   for (std::size_t axis = 0; axis < table.axes; ++axis)
@@ -60,13 +62,13 @@ std::vector<Group> group_by(const Table& table, const std::vector<Measured>& poi
   return groups;
 }
 
-// The relative advantage of one value over another, such as 0.5 for 2 s over 3 s if the least is
+// The relative advantage of `better`. For example, 2 s are better than 3 s by 0.5 if the least is
 // best.
 double share_gained(bool least, double better, double worse) {
   return least ? worse / better - 1 : better / worse - 1;
 }
 
-// Averages over seeds.
+// Averages the points that differ only in the seed. The result has one point for each group.
 std::vector<Measured> average(const Table& table, const std::vector<Measured>& points) {
   if (find_seeds(table).empty()) return points;
   const auto group_of = number_samples(table);
@@ -83,7 +85,8 @@ std::vector<Measured> average(const Table& table, const std::vector<Measured>& p
   return means;
 }
 
-// True if the difference of two means may be chance: its 95 % confidence interval contains 0.
+// True if two means may differ by chance: the 95 % confidence interval of the difference contains
+// 0.
 bool may_be_chance(const Table& table, const Measured& a, const Measured& b) {
   if (std::min(a.samples.rows.size(), b.samples.rows.size()) < 2) return false;
   const auto difference = compare_samples(table, a.samples, b.samples);
@@ -128,11 +131,12 @@ void compare(BestAnswer& answer, const BestSpec& spec, const Table& table,
     });
     const auto& first = group.points[0];
     std::string name = name_values(table, first.row, over);
-    std::size_t next = 1;  // index of the runner-up among the points
+    std::size_t next = 1;  // index of the runner-up in the sorted points
     const auto gained = [&] {
       return share_gained(spec.least, first.value, group.points[next].value);
     };
-    std::set<std::string> named{name};  // points that differ only in other axes share a name
+    std::set<std::string> named{name};  // names already seen; points that differ only in axes
+                                        // outside `over` have the same name
     for (; next < group.points.size(); ++next) {
       const auto other = name_values(table, group.points[next].row, over);
       if (named.contains(other)) continue;
@@ -151,14 +155,15 @@ void compare(BestAnswer& answer, const BestSpec& spec, const Table& table,
   tell_winners(answer, wins);
 }
 
-// The relative gain of a step along the axis, converted to one doubling of the axis.
+// The relative gain of a step from one value of an axis to the next, converted to the gain of one
+// doubling of the axis.
 double gain_per_doubling(const BestSpec& spec, const std::pair<double, double>& from,
                          const std::pair<double, double>& to) {
   const double doublings = std::log2(to.first / from.first);
   return std::pow(1 + share_gained(spec.least, to.second, from.second), 1 / doublings) - 1;
 }
 
-// Sentences, each with the groups it applies to.
+// sentences, each with the names of the groups of points for which it is true
 using GroupedSentences = std::vector<std::pair<std::string, std::vector<std::string>>>;
 
 void add_sentence(GroupedSentences& grouped, const std::string& sentence,
@@ -168,7 +173,7 @@ void add_sentence(GroupedSentences& grouped, const std::string& sentence,
   same->second.push_back(group);
 }
 
-// Adds a line such as "mesh; torus: doubling workers pays up to 8."
+// Adds a sentence with its groups, such as "mesh; torus: doubling workers pays up to 8."
 void tell_groups(BestAnswer& answer, const GroupedSentences& grouped) {
   for (const auto& [sentence, groups] : grouped) {
     const auto names = join_texts(groups, "; ");
@@ -237,8 +242,8 @@ BestAnswer answer_question(const CheckPlan::Question& question, const Rows& rows
   return answer;
 }
 
-// Joins the tables `part` of all answers. Each row begins with the question's name and the text of
-// its combination.
+// Joins one of the tables of all answers, chosen by `part`. Each row begins with the question's
+// name and the row's axis values as text.
 Table make_csv(const std::vector<BestAnswer>& answers, Table BestAnswer::*part,
                std::vector<std::string> columns) {
   columns.insert(columns.begin(), {"question", "at"});

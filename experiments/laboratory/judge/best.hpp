@@ -1,6 +1,6 @@
 #pragma once
-// Evaluation of [[best]]: the best values of some axes for each combination of others, and how far
-// doubling an axis pays.
+// Answers to [[best]]: the best values of some axes for each combination of the other axes, and up
+// to which value doubling an axis pays.
 #include <string>
 #include <vector>
 
@@ -11,14 +11,15 @@ namespace laboratory {
 /// The answer to one [[best]]. Tables without rows are not shown.
 struct BestAnswer {
   std::string name;
-  /// A table with one row for each combination of values of `for_each`. Its columns are the
-  /// combination, the best value of `over` and its result, the runner-up and its result, and the
-  /// lead in %. Values whose results are within 0.05 % of the best share its cell, "mesh or torus".
+  /// One row for each combination of values of `for_each`. The columns are these values, the best
+  /// value of `over` and its result, the runner-up and its result, and by how many percent the best
+  /// is better. Values count as equally good if their results differ by less than 0.05 % or perhaps
+  /// by chance. They share a cell, "mesh or torus".
   Table best;
-  /// A table with one row for each combination of all axes except `pays`. It has the largest value
-  /// of `pays` up to which each step gains at least the required share per doubling. The next
-  /// column has the gain per doubling, in %, of the step after this value. It is empty if there is
-  /// none.
+  /// One row for each combination of values of all axes except `pays`. The column after these
+  /// values has the largest value of `pays` up to which each step gains at least the required share
+  /// per doubling. The last column has the gain per doubling of the next step, in percent; it is
+  /// empty if there is no next step.
   Table pays;
   std::vector<std::string> notes;
   std::vector<std::string> findings;  ///< one sentence for each finding
@@ -26,8 +27,8 @@ struct BestAnswer {
 
 std::vector<BestAnswer> find_best(const CheckPlan& plan, const Rows& rows);
 
-/// Makes best.csv and pays.csv: the rows of all answers. Each row begins with the question's name
-/// and the text of its combination.
+/// Make best.csv and pays.csv, with the rows of all answers. Each row begins with the name of the
+/// [[best]] and the row's axis values as text.
 Table make_best_csv(const std::vector<BestAnswer>& answers);
 Table make_pays_csv(const std::vector<BestAnswer>& answers);
 

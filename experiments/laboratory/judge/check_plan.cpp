@@ -24,7 +24,7 @@ namespace {
 
 using base::BadInput;
 
-// Topological sort of the definitions by the names that they use.
+// Sorts the definitions of [let] topologically, so that each comes after the names that it uses.
 std::vector<CheckPlan::Let> sort_definitions(const std::vector<Definition>& definitions) {
   std::map<std::string, std::size_t> index_of;
   std::vector<CheckPlan::Let> lets;
@@ -83,7 +83,7 @@ std::optional<Table> read_reference(const Spec& spec) {
   return table;
 }
 
-// Visits every expression of the plan.
+// Calls `visit` for every expression of the plan.
 template <class Visit>
 void for_each_expression(const CheckPlan& plan, const Visit& visit) {
   const auto visit_all = [&](std::initializer_list<const std::optional<Expression>*> all) {
@@ -105,9 +105,10 @@ void for_each_expression(const CheckPlan& plan, const Visit& visit) {
   }
 }
 
-// Throws for unknown names with dots. These are keys or model entries, and hence known before the
-// run. Skips names without dots, which may be result columns. Also skips names with "_is_", since
-// the rest may be a text from a result column, as in topology_is_net.dot.
+// Throws for unknown names with a dot. They can be checked before the simulation, because such
+// names are keys or model entries. Skips names without a dot, which may be columns of results. Also
+// skips names with "_is_": the rest of the name may be a text from a results column, as in
+// topology_is_net.dot.
 void check_dotted_names(const CheckPlan& plan, const ExperimentFile& file) {
   ExperimentFile first;
   first.points = {file.points[0]};
@@ -142,7 +143,7 @@ bool is_defined(const ExperimentFile& file, const std::string& name) {
   return std::ranges::find(file.definitions, name, &Definition::name) != file.definitions.end();
 }
 
-// Lists the strings in the column of an axis; empty if the column has numbers.
+// Lists the strings in an axis's column of the table; empty if the column has numbers.
 std::vector<std::string> texts_of(const Table& table, const std::string& axis) {
   std::vector<std::string> texts;
   if (const auto column = table.find(axis))
@@ -185,8 +186,9 @@ void check_columns(const CheckPlan& plan, const Table& table, const std::vector<
   }
 }
 
-// A name such as topology_is_mesh compares the column `topology` with the text "mesh". Adds a note
-// if no row of the column has this text, or if several different texts of the column match.
+// Adds a note if `name` compares a column with a text that no row has, or with a text that several
+// different texts of the column match. The name topology_is_mesh compares the column `topology`
+// with the text "mesh".
 void note_comparison(const std::string& name, const std::string& place, const Table& table,
                      std::vector<std::string>& notes) {
   if (table.find(name)) return;

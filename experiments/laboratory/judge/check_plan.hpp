@@ -1,6 +1,6 @@
 #pragma once
-// Compilation of an experiment file's checks and plots. It reports every error that can be found
-// before a run.
+// Compiles the checks and plots of an experiment file, and reports every error that can be found
+// before the simulation.
 #include <optional>
 #include <vector>
 
@@ -16,7 +16,8 @@ struct CheckPlan {
   };
   struct Comparison {
     Check check;
-    std::optional<Expression> of = {};  ///< the value as an expression; none if it is a column
+    std::optional<Expression> of = {};  ///< the checked value as an expression; none if it is a
+                                        ///< column of the results
     std::optional<Expression> formula = {}, at_least = {}, at_most = {};
     std::optional<Expression> where = {}, calibrated = {};
     std::optional<Table> reference = {};
@@ -38,7 +39,8 @@ struct CheckPlan {
     Expression of;
   };
   std::vector<Baseline> baselines;
-  std::vector<Let> lets;  ///< names of [let], sorted so that each comes after those it uses
+  std::vector<Let> lets;  ///< names of [let] with their formulas; each comes after the names that
+                          ///< it uses
   std::vector<Comparison> comparisons;
   std::vector<Figure> figures;      ///< compiled tables [[plot]]
   std::vector<Question> questions;  ///< compiled tables [[best]]
@@ -49,28 +51,28 @@ struct CheckPlan {
 };
 
 /// Compiles the checks and plots of a file. Throws base::BadInput for invalid expressions, circular
-/// definitions, unreadable references, and names with a dot that no point defines. Names without a
-/// dot may be result columns, which are checked after the run.
+/// definitions, unreadable reference tables, and names with a dot that are unknown at the first
+/// point. Names without a dot may be columns of results, and are checked after the simulation.
 CheckPlan plan_checks(const ExperimentFile& file);
 
-/// Makes the table of results and adds a column for each [[baseline]]. Its cell is empty in rows
-/// whose baseline row is missing. Throws base::BadInput for unknown names.
+/// Makes the results table, with an additional column for each [[baseline]]. The cell of this
+/// column is empty in rows without a baseline row. Throws base::BadInput for unknown names.
 Table make_table(const CheckPlan& plan, const ExperimentFile& file, const Results& results);
 
-/// Makes the rows of the table with the definitions of the plan. The file and the table must
-/// outlive the result.
+/// Makes the object that evaluates expressions in rows of the table, with the plan's names of
+/// [let]. The file and the table must outlive the result.
 Rows make_rows(const CheckPlan& plan, const ExperimentFile& file, const Table& table);
 
 /// Throws BadInput if the plan uses names that are unknown in this row.
 void check_names(const CheckPlan& plan, const Rows& rows, std::size_t row);
 
-/// Makes a callback for PointsPlan that calls check_names for each completed point. The plan and
-/// the file must outlive it.
+/// Makes a function for PointsPlan that calls check_names() for each completed point. The plan and
+/// the file must outlive this function.
 Inspect inspect_names(const CheckPlan& plan, const ExperimentFile& file);
 
-/// Makes notes about every [[baseline]] with an empty column, and about every text in braces that
-/// no row has on its axis. Each note gives the position and the nearest value. In a reduced sweep
-/// such baselines and texts are valid.
+/// Makes a note about every [[baseline]] whose column is empty, and about every text in a reference
+/// {COLUMN @ AXIS = TEXT} that no row has on that axis. Each note gives the position and the
+/// nearest valid value. These are notes, not errors, because they are normal in a reduced sweep.
 std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& table);
 
 }  // namespace laboratory

@@ -21,11 +21,11 @@ constexpr double NO_LIMIT = 1e300;
 constexpr std::size_t WORST_SHOWN = 10;
 constexpr const char* KIND_NAMES[] = {"", "predicted", "calibrated", "at_least", "at_most"};
 
-// The size of an error. NaN counts as infinite.
+// The absolute value of an error. NaN counts as infinite.
 double size_of(double error) { return std::isnan(error) ? INFINITY : std::abs(error); }
 
-// The sort key for the worst point: its error, or for a point within bounds the negative distance
-// to the nearer bound.
+// The sort key that is largest for the worst point: the error, or for a point within its bounds the
+// negative distance to the nearer bound.
 double badness(const Check& check, const CheckedPoint& point) {
   if (check.has_bounds() && point.holds) return -std::abs(point.simulated - point.expected);
   return size_of(point.error);
@@ -39,7 +39,7 @@ CheckedPoint compare(const Check& check, std::size_t row, double simulated, doub
   return {row, simulated, expected, error, size_of(error) <= limit.value_or(NO_LIMIT)};
 }
 
-// Compares a value with one or two bounds.
+// Compares a value with a lower bound, an upper bound or both.
 CheckedPoint compare_bounds(std::size_t row, double simulated, std::optional<double> low,
                             std::optional<double> high) {
   const bool is_low = low && (!high || simulated - *low < *high - simulated);
@@ -52,7 +52,7 @@ CheckedPoint compare_bounds(std::size_t row, double simulated, std::optional<dou
       row, simulated, bound, holds ? 0 : beyond, holds, is_low ? Kind::at_least : Kind::at_most};
 }
 
-// The checked value of a point; none for an empty cell, such as the speed-up if no row has one
+// The checked value in a row; no value if its cell is empty, as a speed-up is without a run on one
 // worker.
 std::optional<double> find_simulated(const CheckPlan::Comparison& c, const Rows& rows,
                                      std::size_t row) {
@@ -61,7 +61,7 @@ std::optional<double> find_simulated(const CheckPlan::Comparison& c, const Rows&
   return as_number(table.rows[row][*table.find(c.check.of)]);
 }
 
-// The values of a row to compare: an expected value, or one or two bounds.
+// The simulated value of a row, and the expected value or the bounds to compare it with.
 struct Compared {
   std::size_t row = 0;
   double simulated = 0;
@@ -69,13 +69,13 @@ struct Compared {
   Kind kind = Kind::unknown;
 };
 
-// The rows of a check, and the rows left out because a value is missing.
+// The rows that a check compares, and the rows that it leaves out because a value is missing.
 struct ComparedRows {
   std::vector<Compared> all;
   std::vector<std::size_t> left_out;
 };
 
-// Adds a row if both values exist.
+// Adds a row if both the simulated and the expected value exist; otherwise counts it as left out.
 void add_row(ComparedRows& compared, const CheckPlan::Comparison& c, const Rows& rows,
              std::size_t row, std::optional<double> expected) {
   const auto simulated = find_simulated(c, rows, row);
@@ -96,7 +96,8 @@ void add_bounded_row(ComparedRows& compared, const CheckPlan::Comparison& c, con
   compared.all.push_back({row, *simulated, {}, low, high});
 }
 
-// Groups the rows that differ only in the seed. Several values of one row stay apart.
+// Groups the rows that differ only in the seed. If a row occurs several times, each occurrence goes
+// into a different group.
 std::vector<std::vector<Compared>> group_rows(const std::vector<Compared>& all,
                                               const Table& table) {
   std::vector<std::vector<Compared>> groups;
@@ -116,8 +117,9 @@ std::vector<std::vector<Compared>> group_rows(const std::vector<Compared>& all,
   return groups;
 }
 
-// Compares the means of a group. The interval is that of the differences between the simulated and
-// the expected values, since a seed may affect both.
+// Compares the mean simulated value of a group with its mean expected value or bounds. The
+// confidence interval is that of the differences between simulated and expected values, because a
+// seed may affect both.
 CheckedPoint compare_means(const Check& check, const std::vector<Compared>& group) {
   const auto mean_of = [&](auto get) {
     std::vector<double> values;
@@ -145,7 +147,8 @@ CheckedPoint compare_means(const Check& check, const std::vector<Compared>& grou
   return point;
 }
 
-// Compares each reference value with its row, if the check applies to that row.
+// Compares each reference value with the row that it belongs to. Skips rows that the check does not
+// cover.
 void compare_reference(CheckResult& result, const CheckPlan::Comparison& c, const Rows& rows,
                        const std::vector<std::size_t>& candidates, ComparedRows& compared) {
   const Check& check = result.check;
@@ -155,7 +158,7 @@ void compare_reference(CheckResult& result, const CheckPlan::Comparison& c, cons
     if (std::ranges::binary_search(candidates, row)) add_row(compared, c, rows, row, expected);
 }
 
-// Summarises the points that were not used for calibration. No value without such points.
+// Summarises the errors of points that were not used for calibration. No value if there are none.
 std::optional<Predicted> judge_predicted(const std::vector<CheckedPoint>& points) {
   Predicted predicted;
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -170,8 +173,8 @@ std::optional<Predicted> judge_predicted(const std::vector<CheckedPoint>& points
   return predicted;
 }
 
-// Judges a check. A check without points stays unmatched if some points of the sweep are missing
-// (`is_whole` is false). Otherwise it fails unless it may be empty.
+// Decides whether a check holds. A check that covers no point is `unmatched` if the sweep is
+// incomplete (`is_whole` is false). In a complete sweep it fails, unless the check may be empty.
 void judge(CheckResult& result, bool is_whole) {
   auto& points = result.points;
   if (points.empty()) {
@@ -216,8 +219,8 @@ std::string format_error(const Check& check, double error) {
   return check.is_absolute() ? fmt::format("{:.3g}", error) : fmt::format("{:.3g} %", 100 * error);
 }
 
-// Formats a bound. An expression is followed by its value if the bound is the expected value of the
-// point.
+// Formats a bound. An expression is preceded by its value, "0.5 = EXPRESSION", if it is the bound
+// that the point was compared with.
 std::string describe_bound(const std::string& text, const CheckedPoint& point, Kind kind) {
   if (base::parse_number<double>(text)) return text;
   if (point.kind != kind) return text;
@@ -250,7 +253,8 @@ std::string describe_worst(const Check& check, const CheckedPoint& worst) {
   return text;
 }
 
-// Chooses the points to show: all in order, or the worst first.
+// Chooses the points to show: all of them in order, or only the worst if there are more than
+// `most`.
 std::vector<std::size_t> choose_points(const CheckResult& result, std::size_t most) {
   std::vector<std::size_t> order(result.points.size());
   std::iota(order.begin(), order.end(), 0);
@@ -261,7 +265,7 @@ std::vector<std::size_t> choose_points(const CheckResult& result, std::size_t mo
   return order;
 }
 
-// The column name of the expected values.
+// The name of the column with the expected values.
 std::string name_expected(const Check& check) {
   if (!check.formula.empty()) return "formula";
   if (!check.reference.path.empty()) return "reference";

@@ -16,7 +16,8 @@ bool contains(const Range& range, double value) {
   return range.first <= value && value <= range.second;
 }
 
-// A predicted point, and the interval that contains 90 % of the results on randomly drawn machines.
+// A point that was not used for calibration, and the interval that contains 90 % of the results on
+// randomly drawn machines.
 struct Case {
   const CheckedPoint* point;
   Range machines;
@@ -30,15 +31,15 @@ std::vector<Case> find_cases(const CheckResult& result, const Table& table,
     if (point.kind == Kind::calibrated) continue;
     if (const auto range = find_interval(confidence, table, point.row, result.check.of))
       cases.push_back({&point, *range});
-    else if (is_column)  // a column without interval is equal for all machines
+    else if (is_column)  // a column without an interval has the same value on all drawn machines
       cases.push_back({&point, {point.simulated, point.simulated}});
   }
   return cases;
 }
 
-// Makes the interval around the nominal result, shifted by the mean of the model's own error.
-// Parameter uncertainty and model error are independent, so the half width is the root of the sum
-// of their squared half widths.
+// Makes the interval around the nominal result, shifted by the mean of the model's own error. The
+// uncertain parameters and the model's own error are independent, so the half width is the square
+// root of the sum of the two squared half widths.
 Range make_range_with(const OwnError& error, const Case& it) {
   const double simulated = it.point->simulated;
   const double middle = simulated * (1 + error.mean);

@@ -15,7 +15,7 @@ namespace {
 constexpr const char* RANKINGS = "rankings.csv";
 enum Column : std::size_t { question, at, best, machines, of, elsewhere, COLUMNS };
 
-// Splits tied values: "mesh or torus".
+// Splits a cell with several equally good values, such as "mesh or torus".
 std::vector<std::string> split_ties(const std::string& names) {
   constexpr std::string_view OR = " or ";
   std::vector<std::string> all;
@@ -28,7 +28,7 @@ std::vector<std::string> split_ties(const std::string& names) {
   return all;
 }
 
-// True if all values in `names` are among the best values `there`.
+// True if all values in the cell `names` also occur in the cell `there`.
 bool are_best(const std::string& names, const std::string& there) {
   const auto those = split_ties(there);
   return std::ranges::all_of(split_ties(names), [&](const auto& name) {
@@ -36,7 +36,7 @@ bool are_best(const std::string& names, const std::string& there) {
   });
 }
 
-// Makes an experiment that consists of the points of one randomly drawn machine.
+// Makes an experiment with the points of one randomly drawn machine, counted from 0.
 ExperimentFile make_machine(const ExperimentFile& file, const ExperimentFile& all,
                             std::size_t machine) {
   ExperimentFile own = file;
@@ -45,7 +45,7 @@ ExperimentFile make_machine(const ExperimentFile& file, const ExperimentFile& al
   return own;
 }
 
-// The best value for each question and case.
+// the best value, by question and combination of axis values
 using Cases = std::map<std::pair<std::string, std::string>, std::string>;
 
 Table answer(const CheckPlan& plan, const ExperimentFile& file, const Results& results) {
@@ -60,8 +60,8 @@ Cases find_cases(const Table& answers) {
   return cases;
 }
 
-// Formats the winners on other machines, of which it names at most three, the most frequent first:
-// "mesh on 5, line on 1, others on 3".
+// Formats the best values on machines that disagree, such as "mesh on 5, line on 1, others on 3".
+// Names at most three values, the most frequent first.
 std::string describe_others(const std::map<std::string, std::size_t>& others) {
   std::vector<std::pair<std::string, std::size_t>> sorted(others.begin(), others.end());
   std::ranges::stable_sort(sorted, std::greater(), &std::pair<std::string, std::size_t>::second);

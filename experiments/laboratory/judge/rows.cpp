@@ -30,8 +30,9 @@ std::string spell_as_name(std::string text) {
   return text;
 }
 
-// Adds a condition to a reference, for an error message: "{time_s @ workers = 1, objects =
-// objects}". For an axis of strings, the condition has the string of the evaluated row, `own`.
+// Adds a condition to the text of a reference, for an error message: "{time_s @ workers = 1,
+// objects = objects}". If the axis has strings, the condition is AXIS = `own`, the string of the
+// row being evaluated.
 std::string add_condition(const RowReference& reference, const std::string& axis,
                           const Value& own) {
   return fmt::format("{}, {} = {}}}", reference.text.substr(0, reference.text.size() - 1), axis,
@@ -44,7 +45,7 @@ std::string join_few(std::vector<std::string> names) {
   return fmt::format("{}{}", fmt::join(names, "; "), count > MOST_NAMED ? "; ..." : "");
 }
 
-// Formats the values of some columns: "objects = 200, workers = 1".
+// Formats the values of some columns in a row: "objects = 200, workers = 1".
 std::string name_row(const Table& table, const std::vector<Value>& row,
                      const std::vector<std::string>& columns) {
   std::vector<std::string> parts;
@@ -56,7 +57,7 @@ std::string name_row(const Table& table, const std::vector<Value>& row,
 }  // namespace
 
 std::string suggest_column(const std::string& name, const std::vector<std::string>& known) {
-  // Former names of the farm's columns, and the names that all programs now use.
+  // The former names of the farm's columns, each with its present name, which all programs share.
   static const std::map<std::string, std::string> RENAMED = {
       {"data_accesses", "accesses_made"},
       {"hit_local", "local"},
@@ -180,7 +181,7 @@ std::optional<std::size_t> Rows::choose_row(const RowReference& reference, const
                                             const std::vector<Value>& wanted,
                                             const std::vector<bool>& is_free) const {
   std::optional<std::size_t> found;
-  std::optional<std::size_t> differs;  // an axis on which matching rows differ
+  std::optional<std::size_t> differs;  // an axis on which two matching rows have different values
   for (std::size_t i = 0; i < table_.rows.size(); ++i) {
     const auto& row = table_.rows[i];
     bool fits = true, is_it = true;

@@ -23,7 +23,7 @@ std::string format_counts(const std::vector<TestCase>& cases) {
                      count_cases(cases, TestOutcome::skipped));
 }
 
-// The element inside <testcase> that says what became of it; passed cases have none.
+// The element inside <testcase> that states the outcome; "" for passed cases.
 std::string format_outcome(const TestCase& test) {
   const auto message = base::escape_xml(test.summary);
   switch (test.outcome) {
@@ -50,7 +50,7 @@ std::string format_case(const TestCase& test) {
   return xml + "    </testcase>\n";
 }
 
-// Splits the cases at each change of the experiment.
+// Splits the cases into runs of consecutive cases of the same experiment.
 std::vector<std::vector<TestCase>> split_suites(const std::vector<TestCase>& cases) {
   std::vector<std::vector<TestCase>> suites;
   for (const auto& test : cases) {
@@ -60,7 +60,7 @@ std::vector<std::vector<TestCase>> split_suites(const std::vector<TestCase>& cas
   return suites;
 }
 
-// A description of TAP is one line. # begins a directive, and \ escapes it.
+// Escapes a test description for TAP: it must be one line without #, which begins a directive.
 std::string escape_tap(const std::string& text) {
   std::string escaped;
   for (const char c : base::blank_controls(text)) {
@@ -70,13 +70,13 @@ std::string escape_tap(const std::string& text) {
   return escaped;
 }
 
-// A text in double quotes, as JSON and YAML spell it.
+// Quotes a text in the way that both JSON and YAML accept.
 std::string quote_yaml(std::string_view text) {
   return nlohmann::json(text).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
-// A block of YAML, whose lines are indented by two blanks. Perl's reader of TAP knows no other
-// spelling of texts with colons than double quotes.
+// Formats a block of YAML, indented by two blanks. Texts are in double quotes, because Perl's TAP
+// reader accepts a colon only in quoted texts.
 std::string format_yaml(const TestCase& test) {
   std::string yaml = "  ---\n  message: " + quote_yaml(test.summary) + "\n";
   if (!test.details.empty()) yaml += "  points:\n";

@@ -1,5 +1,5 @@
 #pragma once
-// Outcomes of checks in the two formats that CI systems read: JUnit XML and TAP.
+// Outcomes of checks in two formats that CI systems read: JUnit XML and TAP.
 #include <string>
 #include <vector>
 
@@ -7,25 +7,26 @@
 
 namespace laboratory {
 
-/// skipped: no completed point for the check. error: the experiment could not be run.
+/// `skipped`: the check covers no completed point. `error`: the experiment could not be run.
 enum class TestOutcome { passed, failed, skipped, error };
 
 /// One check of one experiment.
 struct TestCase {
   std::string suite;  ///< path of the experiment file
-  std::string name;   ///< of the check
+  std::string name;   ///< name of the check
   TestOutcome outcome = TestOutcome::passed;
-  std::string summary;  ///< one line
-  std::string details;  ///< lines with the found and the expected value of each point; may be empty
+  std::string summary;  ///< description in one line
+  std::string details;  ///< lines with the simulated and the expected value of each point; may be
+                        ///< empty
 };
 
-/// Describes a check of the experiment file `suite`. The details have all points, worst first if
-/// there are more than `most`.
+/// Describes the outcome of a check; `suite` is its experiment file. The details list all points,
+/// or only the worst if there are more than `most`.
 TestCase make_test_case(const std::string& suite, const CheckResult& check, const Table& table,
                         std::size_t most);
 
-/// Formats the cases as the XML that JUnit's Ant task introduced: one <testsuite> for each
-/// experiment, in the order of the cases. Contains no times, so that equal results are equal bytes.
+/// Formats the cases as JUnit XML, with one <testsuite> for each experiment, in the order of the
+/// cases. Contains no times, so that equal results give equal bytes.
 std::string make_junit(const std::vector<TestCase>& cases);
 
 /// Formats the cases as version 13 of the Test Anything Protocol, with details in YAML.
