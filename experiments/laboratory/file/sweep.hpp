@@ -20,11 +20,12 @@ std::vector<Coupled> read_axes(const std::shared_ptr<const toml::table>& file,
 /// unknown or repeated axes.
 void name_axes(std::vector<Coupled>& axes, const Programs& in_play, const std::string& origin);
 
-/// Replaces the key run.repetitions of `file` by an axis of so many consecutive seeds. The first
-/// seed is the program's own. Several seeds become axes that change together. One repetition needs
-/// no axis. Appends the name of the axis to `order`. `experiment` has the axes and keys of the same
-/// file. Returns true if the file had the key, so that axes and keys must be read again. Throws
-/// BadInput if the programs have no seed that has an effect, or if a seed is an axis already.
+/// Replaces the key run.repetitions of `file` by an axis with that number of consecutive seeds. The
+/// first seed is the program's own. If a program has several seeds, they become axes that change
+/// together. One repetition needs no axis. Appends the name of the axis to `order`. `experiment`
+/// has the axes and keys of the same file. Returns true if the file had the key, so that axes and
+/// keys must be read again. Throws BadInput if the programs have no seed that has an effect, or if
+/// a seed is an axis already.
 bool expand_repetitions(toml::table& file, std::vector<std::string>& order,
                         const ExperimentFile& experiment, const Programs& in_play);
 
