@@ -16,7 +16,8 @@ namespace {
 
 constexpr const char* FONT = "DejaVu Sans";
 
-// Selects grey-level antialiasing without hinting, independent of the host's desktop settings.
+// Selects grey-level antialiasing without hinting, so that text does not depend on the settings of
+// the host's desktop.
 void choose_font(cairo_t* context) {
   cairo_select_font_face(context, FONT, CAIRO_FONT_SLANT_NORMAL, CAIRO_FONT_WEIGHT_NORMAL);
   cairo_font_options_t* options = cairo_font_options_create();

@@ -1,5 +1,5 @@
 #pragma once
-// A raster canvas drawn with Cairo. Lengths are in pixels; y points downwards.
+// A raster canvas drawn with Cairo. Lengths are in pixels, and y points downwards.
 #include <array>
 #include <memory>
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace laboratory {
 
-using Colour = std::array<double, 3>;  ///< red, green and blue, 0 to 1
+using Colour = std::array<double, 3>;  ///< red, green and blue, each from 0 to 1
 
 inline constexpr Colour WHITE{1, 1, 1}, INK{0.13, 0.13, 0.13}, FAINT{0.42, 0.42, 0.42},
     PALE{0.86, 0.86, 0.86};
@@ -20,10 +20,11 @@ struct Rectangle {
 
 enum class Align { left, middle, right };
 
-/// A raster image. Its pixels are the same on all hosts with the same Cairo and fonts.
+/// A raster image. Its pixels are the same on all hosts that have the same versions of Cairo and
+/// the same fonts.
 class Canvas {
  public:
-  /// Makes a white canvas.
+  /// Makes a white canvas; sizes in pixels.
   Canvas(int width, int height);
 
   int width() const { return width_; }
@@ -36,14 +37,14 @@ class Canvas {
   void ring(const topologies::Place& middle, double radius, const Colour& colour, double line);
   /// Draws a cubic Bezier curve with these control points.
   void curve(const std::array<topologies::Place, 4>& points, const Colour& colour, double line);
-  /// Draws a line of sans-serif text with its base line at `y`. `align` says which end of the text
-  /// is at `x`.
+  /// Draws a line of sans-serif text with its base line at `y`. `align` states which part of the
+  /// text is at `x`: its left end, its middle or its right end. `size` is the font size in pixels.
   void text(double x, double y, const std::string& words, double size, Align align = Align::left,
             const Colour& colour = INK);
   /// Draws text with a white outline that keeps it readable on lines.
   void text_on_lines(double x, double y, const std::string& words, double size, Align align);
-  /// Draws a picture with its upper left pixel at (x, y). Each pixel becomes a square of `factor`
-  /// by `factor`.
+  /// Draws a picture with its upper left corner at (x, y). Each pixel of the picture becomes a
+  /// square of `factor` by `factor` pixels.
   void picture(int x, int y, const renderer::Bitmap& bitmap, int factor);
 
   renderer::Bitmap bitmap() const;
@@ -59,9 +60,9 @@ class Canvas {
   std::unique_ptr<Cairo, End> cairo_;
 };
 
-/// Width of a text, in pixels.
+/// Width of a text in pixels; `size` is the font size in pixels.
 double text_width(const std::string& words, double size);
-/// Shortens a text to the width by replacing its end with "…".
+/// Shortens a text to `width` pixels by replacing its end with "…".
 std::string shorten_to(const std::string& words, double size, double width);
 
 }  // namespace laboratory

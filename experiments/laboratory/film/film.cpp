@@ -18,10 +18,10 @@ namespace fs = std::filesystem;
 using base::require;
 using renderer::Frame;
 
-// Minimum number of samples of the run for each frame. A frame shows the last sample before its
-// time.
+// Minimum number of samples of the picture for each frame of the film. A frame shows the last
+// sample before its own time.
 constexpr int SNAPSHOTS_A_FRAME = 2;
-constexpr double MOST_BYTES = 1e9;  // limit on the memory of sampled pictures
+constexpr double MOST_BYTES = 1e9;  // limit on the memory of all sampled pictures, bytes
 
 bool is_webp(const std::string& file) { return fs::path(file).extension() == ".webp"; }
 
@@ -30,7 +30,7 @@ int duration_ms(int frame, int frames) {
   return frame + 1 < frames ? ms : ms + LAST_MS;
 }
 
-// Writes the frames one by one, so that memory holds only one at a time.
+// Makes and writes one frame at a time, so that memory never holds several frames.
 void save_frames(const std::string& file, int count, const renderer::MakeFrame& make) {
   const auto frames = static_cast<std::size_t>(count);
   if (is_webp(file)) return base::save_whole(file, renderer::make_webp(frames, make));

@@ -1,5 +1,5 @@
 #pragma once
-// Films of a run: the picture as it grows, and the machine with its loads.
+// Films of a run: one shows the picture as it grows, the other the machine with its loads.
 #include <optional>
 #include <string>
 
@@ -12,47 +12,49 @@
 
 namespace laboratory {
 
-/// Duration of a film, and the additional time its last frame is shown, ms.
+/// Duration of a film, and the additional time for which its last frame is shown, in ms.
 inline constexpr int FILM_MS = 10000, LAST_MS = 2000;
 
-/// The file name of the frame with index `frame`: for the index 0 and "film.png", "film-0001.png".
+/// The file name of the frame with index `frame`, counted from 0. It counts from 1: "film-0001.png"
+/// is the first frame of "film.png".
 std::string frame_name(const std::string& file, std::size_t frame);
 
-/// Describes the output: the file of a film, or the first and last file of its frames, "f-0001.png
-/// to f-0100.png".
+/// Describes the output for a message: the file of the film, or the first and last file of its
+/// frames, as in "f-0001.png to f-0100.png".
 std::string describe_files(const std::string& file, int frames);
 
-/// The first file to be written: the film, or its first frame. Throws BadInput for extensions other
-/// than .webp and .png.
+/// The first file that will be written: the film, or its first frame. Throws BadInput for an
+/// extension other than .webp and .png.
 std::string first_file(const std::string& file);
 
-/// Throws BadInput for a film of the picture if the program shows no picture, and for a film of the
+/// Throws BadInput for a film of the picture if the program has no picture, and for a film of the
 /// network if there is no network or it is too large to draw.
 void check_films(const FilmOptions& options, const Experiment& experiment);
 
-/// Position of the picture in a frame, in pixels. Each picture pixel becomes a square with side
-/// `factor`.
+/// Position of the picture in a frame, in pixels. Each pixel of the picture becomes a square with
+/// the side `factor`.
 struct PicturePlace {
-  int x, y, factor, width, height;  ///< `width` and `height` are those of the frame
+  int x, y, factor, width, height;  ///< `x` and `y` of the picture's upper left corner; `width` and
+                                    ///< `height` of the frame
 };
 PicturePlace place_picture(int width, int height);
 
-/// Observer that records a run to make films of it.
+/// Observer that records a simulation in order to make films of it.
 class Film : public observe::RunObserver {
  public:
-  /// Records films that begin `from_s` seconds after the start of the program. `network` is the
-  /// topology of the program, if a film shows it.
+  /// Records films that begin `from_s` simulated seconds after the start of the program. `network`
+  /// is the program's topology, used only for a film of the network.
   Film(const FilmOptions& options, const topologies::Topology& network, double from_s);
 
-  /// Throws BadInput if the picture is too large for a film with that many frames, or if drawing
-  /// them takes minutes and the user has not confirmed it.
+  /// Throws BadInput if the samples of the picture would exceed the memory limit, or if drawing the
+  /// frames takes minutes and the user has not confirmed it.
   void begin(const machine::Machine& machine, const observe::ControlPanel& view) override;
   void before_change(double now_s) override;
   void end(double now_s) override;
 
-  /// Writes the requested films, from `from_s` to the end of the run. `trace` covers the same
-  /// interval. `title` is drawn above each frame. Throws BadInput if no machine was observed, or if
-  /// the run ended before the films begin.
+  /// Writes the requested films, from `from_s` to the end of the run. `trace` must cover the same
+  /// interval. `title` is drawn above each frame. Throws BadInput if no machine was simulated, or
+  /// if the run ended before `from_s`.
   void save(const std::string& title, const observe::Trace& trace) const;
 
  private:
@@ -63,11 +65,11 @@ class Film : public observe::RunObserver {
   const FilmOptions options_;
   const topologies::Topology network_;
   const double from_s_;
-  double end_s_ = 0;                             // end of the run
+  double end_s_ = 0;                             // simulated time at the end of the run
   std::optional<snapshots::Recorder> recorder_;  // samples of the picture
-  // the program's current picture, valid while the machine runs
+  // access to the program's current picture, valid while the machine runs
   std::optional<observe::ControlPanel::Picture> picture_;
-  int width_ = 0;  // width of the picture, pixels
+  int width_ = 0;  // width of the program's picture, pixels
   std::optional<MachineDrawing> drawing_;
 };
 

@@ -11,9 +11,9 @@ namespace laboratory {
 
 namespace {
 
-// font sizes and the height of the bar, pixels
+// height of the time axis and font sizes, pixels
 constexpr double BAR = 10, SMALL = 11, LARGE = 13, TITLE = 15;
-constexpr double TICK_WIDTH = 70;  // maximum width of a tick label, pixels
+constexpr double TICK_WIDTH = 70;  // maximum width of a tick mark's label, pixels
 constexpr Colour PAST{0.55, 0.67, 0.82}, PRESENT{0.11, 0.29, 0.53};
 
 struct Unit {
@@ -21,7 +21,7 @@ struct Unit {
   const char* name;
 };
 
-// The largest unit that is not longer than the length, but at least ns.
+// The largest of the units s, ms and µs that is not longer than the length; ns for shorter lengths.
 Unit choose_unit(double length_s) {
   for (const Unit unit : {Unit{1, "s"}, Unit{1e-3, "ms"}, Unit{1e-6, "µs"}})
     if (length_s >= unit.s) return unit;

@@ -1,5 +1,5 @@
 #pragma once
-// Common parts of all film frames: a title at the top, and the scale of simulated time at the
+// Parts that all frames of films have: a title at the top, and an axis of simulated time at the
 // bottom.
 #include "experiments/laboratory/film/canvas.hpp"
 
@@ -17,13 +17,14 @@ inline constexpr int FRAME_MARGIN = 24, TITLE_HEIGHT = 40, TIME_SCALE_HEIGHT = 5
 /// Draws the title, shortened to the width of the canvas.
 void draw_title(Canvas& canvas, const std::string& title);
 
-/// Draws the film's time axis with tick marks along the lower edge of the canvas. The axis is
-/// filled up to the end of `now`, the interval of this frame; the part for `now` is darker. A label
-/// shows the current time to 1/100 of the whole film or finer.
+/// Draws the film's time axis with tick marks along the lower edge of the canvas. `film` is the
+/// time span of the axis, and `now` the span of this frame. The axis is filled up to the end of
+/// `now`, and darker within `now`. A label shows the current time, with a resolution of 1/100 of
+/// the film's length or finer.
 void draw_time_scale(Canvas& canvas, const Span& film, const Span& now);
 
-/// Formats a time as the label of the time axis does: "12.5 ms". The length of the axis, `whole_s`,
-/// determines unit and digits.
+/// Formats a time like the labels of the time axis: "12.5 ms". The length of the axis, `whole_s`,
+/// determines the unit and the number of digits.
 std::string format_time(double time_s, double whole_s);
 
 }  // namespace laboratory

@@ -18,15 +18,16 @@ using topologies::Topology;
 
 namespace {
 
-// Sizes in pixels. A unit is the least distance between two processors.
+// Sizes in pixels. A `unit` is the length in pixels of 1 in the layout, where the closest
+// processors are 1 apart.
 constexpr double LEGEND_HEIGHT = 62, MOST_UNIT = 56;
 constexpr double WIDTH = 1200, HEIGHT = 720, LEAST_WIDTH = 640;
-// A unit is at least SMALL_UNIT, unless a side of the frame would then exceed MOST_SIDE.
+// A unit is at least SMALL_UNIT pixels, unless a side of the frame would then exceed MOST_SIDE.
 constexpr double SMALL_UNIT = 8, MOST_SIDE = 2400;
 constexpr double BOX_HEIGHT = 26, BOX_FONT = 12, SMALLEST_FONT = 6.5, BESIDE_FONT = 10;
 constexpr double DIAMETER = 0.75;  // diameter of a processor, in units
-// Height of a row and width of a column above the network: ROW_UNITS and COLUMN_UNITS in units, but
-// at least ROW and COLUMN in pixels.
+// Height of the rows and width of the columns in which processors above the network are drawn. They
+// are ROW_UNITS and COLUMN_UNITS units, but at least ROW and COLUMN pixels.
 constexpr double ROW_UNITS = 1.6, ROW = 46, COLUMN_UNITS = 2.6, COLUMN = 120;
 
 struct Bounds {
@@ -49,7 +50,8 @@ double choose_unit(const Bounds& bounds) {
 
 std::size_t index(int id) { return static_cast<std::size_t>(id); }
 
-// Arranges processors outside the network in rows above its root, by their distance from it.
+// Arranges processors outside the network in rows above the network's root, by their distance from
+// the root.
 std::vector<std::vector<int>> find_rows(const machine::Machine& machine, int root,
                                         const SomePlaces& placed) {
   std::vector<std::vector<int>> rows{{root}};
@@ -72,7 +74,8 @@ std::vector<std::vector<int>> find_rows(const machine::Machine& machine, int roo
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
-// The number at the end of a processor's name, such as 12 for "worker12"; otherwise the name.
+// The number at the end of a processor's name, such as 12 for "worker12"; or the whole name if it
+// has no such number.
 std::string number_of(const std::string& name) {
   std::size_t begin = name.size();
   while (begin > 0 && is_digit(name[begin - 1])) --begin;
@@ -80,8 +83,8 @@ std::string number_of(const std::string& name) {
   return begin < name.size() && is_word ? name.substr(begin) : name;
 }
 
-// The curvatures of the topology's links, grouped by the machine ids of the two processors. Several
-// links between the same two keep their order.
+// Groups the offsets of links' midpoints from the straight line, `swerves`, by the machine ids of
+// the two processors. Several links between the same two processors keep their order.
 std::map<std::pair<int, int>, std::vector<Place>> sort_swerves(const Topology& topology,
                                                                const Places& swerves,
                                                                const std::vector<int>& network) {
@@ -128,13 +131,13 @@ MachineDrawing::MachineDrawing(const machine::Machine& machine, const Topology& 
                                  bounds.high.y + row * static_cast<double>(r + 1)};
     }
   for (std::size_t i = 0; i < some.size(); ++i)
-    // outside the rows, processors are circles, since boxes would overlap their neighbours
+    // processors outside the rows are circles, because boxes would overlap their neighbours
     if (!some[i]) nodes_[i].is_box = false;
   place(place_others(machine, std::move(some)));
   join(machine, sort_swerves(topology, layout.swerves, network));
 }
 
-// Converts units (y upwards) to pixels (y downwards), centred in the frame.
+// Converts the layout (y upwards, in units) to pixels (y downwards), centred in the frame.
 void MachineDrawing::place(const Places& places) {
   const auto bounds = find_bounds(places);
   double wide = radius_;
@@ -173,7 +176,7 @@ renderer::Bitmap MachineDrawing::draw(const std::string& title, const Busy& busy
                                       const Span& now) const {
   Canvas canvas(width_, height_);
   draw_title(canvas, title);
-  // Draws busy link halves last, so that they lie above idle ones.
+  // Draws the busiest link halves last, so that they lie above idle ones.
   std::vector<std::size_t> order(halves_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t i) { return busy.links[i]; });

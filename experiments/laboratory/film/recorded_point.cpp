@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 using base::require;
 using Save = void (*)(const observe::Trace&, std::ostream&);
 
-// Finds the writer of a trace by the file's extension; null if it is unknown.
+// Finds the function that writes a trace, by the file's extension; null if the extension is
+// unknown.
 Save find_format(const std::string& file) {
   const auto ending = fs::path(file).extension();
   if (ending == ".json") return &observe::save_chrome;
@@ -24,7 +25,8 @@ Save find_format(const std::string& file) {
   return ending == ".svg" ? &observe::save_timeline : nullptr;
 }
 
-// Throws before the simulation if the output file cannot be written.
+// Throws if an output file lies inside the results folder or cannot be written, so that the user
+// learns of it before the simulation.
 void check_place(const char* option, const std::string& file, const fs::path& results) {
   const auto inside = fs::weakly_canonical(fs::absolute(file))
                           .lexically_relative(fs::weakly_canonical(fs::absolute(results)));
@@ -68,7 +70,8 @@ void check_recordings(const RunOptions& options, const ExperimentFile& file, std
   for (const auto& film : {options.films.picture, options.films.network}) {
     if (film.empty()) continue;
     const auto first = first_file(film);
-    // A film without a file name goes to the folder that contains the results folder.
+    // A film without a given name lies beside the results folder, whose parent folder may be
+    // missing.
     const auto folder = results_folder(options).parent_path();
     if (!folder.empty() && fs::path(first).parent_path() == folder) make_folders(folder);
     check_single("--animate", points);
@@ -101,7 +104,8 @@ PointResult run_recorded_point(const Point& point, const RunOptions& options,
   } catch (const machine::Fault&) {
     try {
       save_recordings(point, options, trace, film);
-    } catch (const std::exception& error) {  // the exception to report is the fault
+    } catch (const std::exception& error) {  // complains only, because the fault is the exception
+                                             // to report
       complain(fmt::format("no trace or chart of the run so far: {}", describe_error(error)));
     }
     throw;

@@ -1,17 +1,17 @@
 #pragma once
-// Run of one point that also records a trace, a time line and films.
+// Simulation of one point that also records a trace, a chart of activity and films.
 #include "experiments/laboratory/points/points.hpp"
 
 namespace laboratory {
 
-/// Checks the output files of --trace, --timeline and --animate for a run of `points` points.
-/// Throws BadInput for an extension without a known format, a place inside the results folder, more
-/// than one point, or a film that the point cannot show. Throws std::system_error if a file cannot
-/// be written.
+/// Checks the output files of --trace, --timeline and --animate for a run with `points` points.
+/// Throws BadInput if an extension has no known format, a file would lie inside the results folder,
+/// the run has more than one point, or the point cannot show the film. Throws std::system_error if
+/// a file cannot be written.
 void check_recordings(const RunOptions& options, const ExperimentFile& file, std::size_t points);
 
-/// Runs a point as run_point() does, and writes the requested recordings, even if a fault ends the
-/// simulation.
+/// Simulates a point as run_point() does, and writes the requested recordings. Writes them even if
+/// a fault ends the simulation.
 PointResult run_recorded_point(const Point& point, const RunOptions& options,
                                const std::filesystem::path& images);
 
