@@ -21,8 +21,8 @@ namespace fs = std::filesystem;
 
 using Entries = std::vector<Catalogue::Entry>;
 
-// The files below a folder with one of these extensions, sorted by name. Paths inside the current
-// folder are relative to it.
+// Lists the files below a folder that have one of these extensions, sorted by name. The path of a
+// file inside the current folder becomes relative to it.
 std::vector<fs::path> find_files(const fs::path& folder, const std::vector<std::string>& endings) {
   std::vector<fs::path> files;
   std::error_code error;
@@ -40,7 +40,7 @@ std::vector<fs::path> find_files(const fs::path& folder, const std::vector<std::
   return files;
 }
 
-// The beginning of a file, which contains its first comment; "" if unreadable.
+// The first 4096 bytes of a file, which contain its first comment; "" if the file is unreadable.
 std::string read_beginning(const fs::path& file) {
   std::string text(4096, '\0');
   std::ifstream in(file, std::ios::binary);
@@ -49,7 +49,7 @@ std::string read_beginning(const fs::path& file) {
   return text;
 }
 
-// The title of an experiment; none for other TOML files and unreadable files.
+// The title of an experiment; no value for other TOML files and for unreadable files.
 std::optional<std::string> find_title(const fs::path& file) try {
   constexpr std::size_t LONGEST = 1 << 20;
   const auto table = base::parse_toml(base::read_text(file, LONGEST), file.string());

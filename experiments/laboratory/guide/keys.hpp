@@ -1,16 +1,16 @@
 #pragma once
-// Help on the keys of the experiment file, both common ones and those of programs.
+// Help on the keys of the experiment file.
 #include <string>
 
 #include "simulator/programs/programs.hpp"
 
 namespace laboratory {
 
-/// Formats a heading and one line for each key common to all experiments.
+/// Formats a heading, and one line for each key that does not belong to a program.
 std::string describe_keys();
 
-/// Formats the program's name and description, and one line for each of its keys: meaning, unit,
-/// range and default.
+/// Formats the program's name and description, and one line for each of its keys with meaning,
+/// unit, range and default.
 std::string describe_program(const programs::Program& program);
 
 /// Formats a heading and the description of each program.

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* TOKEN = "MINE";
 
-// The template that a file belongs to: "farm" for "farm/MINE.toml".
+// The template to which a file belongs: "farm" for "farm/MINE.toml".
 std::string template_of(std::string_view path) {
   return std::string(path.substr(0, path.find('/')));
 }
