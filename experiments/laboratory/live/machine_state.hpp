@@ -9,28 +9,30 @@
 
 namespace laboratory {
 
-/// Describes the constant part of a run.
+/// Describes what stays the same during a run: title, program, network, and positions of
+/// processors.
 nlohmann::ordered_json make_outline(const ExperimentFile& file, const machine::Machine& machine,
                                     const observe::ControlPanel& view);
 
-/// Describes a processor: its memory, the gauges that the program shows for it, and its first
-/// processes with what each waits for.
+/// Describes a processor: its memory, the quantities that the program shows for it, and its first
+/// processes, each with the event that it waits for.
 nlohmann::ordered_json describe_processor(const machine::Processor& processor,
                                           const observe::ControlPanel& view);
 
-/// Lists the processors and processes of a cycle of waits; empty if there is no cycle.
+/// Lists the processors and processes that wait for each other in a cycle; empty if there is none.
 nlohmann::ordered_json describe_deadlock(const machine::Machine& machine);
 
-/// Recent loads of all processors and links.
+/// Loads of all processors and links in a recent interval of simulated time.
 class RecentLoads {
  public:
-  /// Sets the simulated time in s over which loads are averaged, rounded up to the next sample; 0:
-  /// since the last call of describe().
+  /// Sets the length of the interval, in simulated seconds, over which loads are averaged. Its
+  /// start is rounded to a call of describe(). With 0, the interval begins at the previous call.
   void set_interval(double interval_s) { interval_s_ = interval_s; }
 
-  /// Lists the loads of every processor and link direction up to `now_s`, in thousandths. Also
-  /// lists queue lengths, links that transfer, cut links and stopped processors. No event before
-  /// `now_s` may follow. Repeats the previous loads if no time has passed.
+  /// Lists, in thousandths, the loads of every processor and link direction in the interval that
+  /// ends at `now_s`. Also lists the lengths of the queues of ready processes, the links that
+  /// transfer, the cut links and the stopped processors. All events before `now_s` must have
+  /// happened. Returns the previous loads if no simulated time has passed.
   nlohmann::ordered_json describe(const machine::Machine& machine, double now_s);
 
  private:

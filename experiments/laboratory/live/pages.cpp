@@ -14,11 +14,11 @@ using std::chrono_literals::operator""ms, std::chrono_literals::operator""s;
 namespace {
 
 constexpr std::size_t LONGEST_MESSAGE = 16384;  // limit on a received message, bytes
-constexpr std::size_t MOST_WAITING = 256;       // limit on messages queued for a page
-constexpr auto FRAME_EVERY = 20ms;              // least time between frames
+constexpr std::size_t MOST_WAITING = 256;       // limit on messages queued for sending to a page
+constexpr auto FRAME_EVERY = 20ms;              // least host time between two frames
 constexpr char PICTURE = 0, SEQUENTIAL = 1;
 
-// Converts a message to text. File names in it may be invalid UTF-8.
+// Converts a message to text. Replaces invalid UTF-8, which file names may contain.
 std::string to_text(const nlohmann::ordered_json& message) {
   return message.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
 }
@@ -90,7 +90,7 @@ void Page::look() {
     has_outline_ = true;
     send_json({{"outline", *outline}, {"steers", steers()}});
   }
-  if (!wants_frame_ || !waiting_.empty()) return;  // the page has not read the last frame yet
+  if (!wants_frame_ || !waiting_.empty()) return;  // the page has not received the last frame yet
   if (HostClock::now() < next_frame_at_) return look_later();
   const auto frame = pages_.session.frame();
   if (!frame || frame->number <= sent_) return pages_.session.want_frame();
@@ -126,7 +126,7 @@ void Page::close() {
     if (!pages_.known.empty()) pages_.steers = *pages_.known.begin();
     pages_.tell_steering();
   }
-  if (is_known())  // the page no longer selects processors
+  if (is_known())  // the page no longer selects processors to describe
     pages_.session.ask({{"do", "select"}, {"page", number_}, {"processors", Json::array()}}, {});
 }
 
@@ -141,7 +141,7 @@ void Page::read() {
   });
 }
 
-// Executes a message. Returns false for messages that our pages never send.
+// Executes a message from the page. Returns false for messages that our own pages never send.
 bool Page::obey(const std::string& text) {
   auto message = Json::parse(text, nullptr, false);
   if (!message.is_object()) return false;
@@ -173,7 +173,8 @@ bool Page::obey(const std::string& text) {
   return true;
 }
 
-// Authenticates a page. Returns true if the token is right and the limit on clients is not reached.
+// Authenticates a page. Returns true if its token is right and there are fewer than MOST_CLIENTS
+// pages.
 bool Page::welcome(const Json& message) {
   if (!message.contains("token") || !message["token"].is_string()) return false;
   if (!is_same_secret(message["token"].get_ref<const std::string&>(), pages_.token)) return false;
@@ -200,7 +201,8 @@ void Page::send_frame(const Frame& frame) {
   send(pages_.dump(frame), /*is_text=*/true);
 }
 
-// Sends one byte with the kind of the picture, then the tiles that differ from the page's copy.
+// Sends a picture: one byte for its kind, then the tiles that differ from the picture `known` to
+// the page.
 void Page::send_picture(char which, const Picture& picture, Picture& known) {
   if (!picture || picture == known) return;
   const int width = pages_.session.outline()->at("picture").at("width").get<int>();

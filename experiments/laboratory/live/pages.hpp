@@ -1,6 +1,6 @@
 #pragma once
-// Live pages connected to a run: messages to and from each page, and the choice of the page that
-// steers.
+// Browser pages connected to a live run: messages to and from each page, and the choice of the one
+// page that may control the run.
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/beast/core.hpp>
@@ -15,22 +15,22 @@
 
 namespace laboratory {
 
-/// limit on authenticated clients, and on those not authenticated yet
+/// limit on authenticated clients, and also on clients that are not authenticated yet
 constexpr std::size_t MOST_CLIENTS = 64;
 constexpr auto TO_ASK = std::chrono::seconds(10);  ///< time allowed for a client to authenticate
 
 class Page;
 
-/// State common to all pages. While the server runs, only the thread of the server uses it.
+/// State common to all pages. Only the server's thread may use it while the server runs.
 struct Pages {
   explicit Pages(Session& session) : session(session) {}
 
-  /// Sends news to every page that is ready for it.
+  /// Sends the newest frame to every page that waits for one.
   void look();
-  /// Tells all pages which one steers the run. A page that does not read its messages may be
-  /// removed.
+  /// Tells every page whether it controls the run. May remove a page that does not read its
+  /// messages.
   void tell_steering();
-  /// The text of a frame, which all pages share.
+  /// Returns the text of a frame. It is made once for all pages.
   std::shared_ptr<const std::string> dump(const Frame& frame);
 
   Session& session;
@@ -38,10 +38,10 @@ struct Pages {
   std::set<std::shared_ptr<Page>> known;  ///< pages that have authenticated
   std::uint64_t known_so_far = 0;
   std::weak_ptr<Page> steers;
-  /// Functions that close unauthenticated connections, the oldest first.
+  /// functions that close unauthenticated connections, the oldest connection first
   std::map<std::uint64_t, std::function<void()>> pending;
   std::uint64_t pending_so_far = 0;
-  /// destroyed first: destructors of its handlers use the members above
+  /// declared last and so destroyed first: destructors of its handlers use the members above
   boost::asio::io_context io{1};
 
  private:
@@ -49,9 +49,9 @@ struct Pages {
   std::shared_ptr<const std::string> dumped_;
 };
 
-/// An unauthenticated connection, counted while the object lives. If there are too many, a new
-/// connection closes the oldest. A page loses its place only if MOST_CLIENTS other clients connect
-/// before it authenticates.
+/// Counts an unauthenticated connection while the object lives. If MOST_CLIENTS of them exist, a
+/// new connection closes the oldest one. Thus a page is closed before it can authenticate only if
+/// MOST_CLIENTS other clients connect in the meantime.
 class PendingConnection {
  public:
   PendingConnection(Pages& pages, std::function<void()> close);
@@ -64,13 +64,13 @@ class PendingConnection {
   std::uint64_t number_;
 };
 
-/// A page with an open web socket.
+/// A browser page that is connected by a web socket.
 class Page : public std::enable_shared_from_this<Page> {
  public:
   Page(Pages& pages, boost::beast::tcp_stream stream);
 
   void accept(const boost::beast::http::request<boost::beast::http::empty_body>& request);
-  /// Sends the newest frame or outline if the page wants it.
+  /// Sends the outline or the newest frame, if the page wants it.
   void look();
   void tell_steering();
   void close();
@@ -105,11 +105,12 @@ class Page : public std::enable_shared_from_this<Page> {
   boost::beast::flat_buffer buffer_;
   Allowance allowance_;
   bool has_outline_ = false, wants_frame_ = false, looks_later_ = false, is_closed_ = false;
-  std::uint64_t number_ = 0;  // number of this page, counted from 1; 0: not authenticated
-  std::uint64_t sent_ = 0;    // number of the last frame sent
+  std::uint64_t number_ = 0;  // number of this page, counted from 1; 0: the page is not
+                              // authenticated
+  std::uint64_t sent_ = 0;    // number of the last frame sent to this page
   HostClock::time_point next_frame_at_;
-  Picture shown_, sequential_;   // pictures as the page has them
-  std::deque<Waiting> waiting_;  // messages to send; the first is being written
+  Picture shown_, sequential_;   // the pictures that the page has now
+  std::deque<Waiting> waiting_;  // messages to send; the first of them is being written
 };
 
 }  // namespace laboratory

@@ -13,7 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Rebases the file names in a TOML node, from the folder `from` to the folder `to`.
+// Changes file names in a TOML node from paths relative to the folder `from` to paths relative to
+// `to`.
 void move_files(toml::node& node, const fs::path& from, const fs::path& to) {
   if (auto* table = node.as_table())
     for (auto&& [key, value] : *table) move_files(value, from, to);
@@ -57,7 +58,7 @@ std::string record_session(const ExperimentFile& file, const std::vector<UserAct
       for (const auto& record : *given) records.push_back(to_record(record));
     for (const auto& action : actions)
       if (action.table == key) records.push_back(to_record(action));
-    // The experiment file requires its records in order of time.
+    // The records must be in order of time, as the experiment file requires.
     std::ranges::stable_sort(records, {}, &Record::at_s);
     for (const auto& record : records) lists += fmt::format("\n[[{}]]\n{}\n", key, record.text);
     table.erase(key);

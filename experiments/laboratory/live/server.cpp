@@ -25,7 +25,7 @@ using Error = beast::error_code;
 namespace {
 
 constexpr std::uint16_t USUAL_PORT = 8080;
-constexpr std::size_t LONGEST_HEADER = 8192;  // limit on the header of a request, bytes
+constexpr std::size_t LONGEST_HEADER = 8192;  // limit on the header of an HTTP request, bytes
 
 constexpr const char* POLICY =
     "default-src 'none'; script-src 'self'; style-src 'self'; connect-src 'self'; img-src 'self' "
@@ -37,11 +37,11 @@ const PageFile* find_file(std::string_view target) {
   return found == std::end(PAGE_FILES) ? nullptr : &*found;
 }
 
-// Closes the socket in child processes that execute another program.
+// Makes the system close the socket in child processes that execute another program.
 void keep_from_children(auto& socket) { fcntl(socket.native_handle(), F_SETFD, FD_CLOEXEC); }
 
-// A connected client until its first request, which asks for a file of the page or opens a web
-// socket.
+// A connected client until its first request, which either asks for a file of the page or opens a
+// web socket.
 class Client : public std::enable_shared_from_this<Client> {
  public:
   Client(Pages& pages, std::uint16_t port, tcp::socket socket)
@@ -61,7 +61,8 @@ class Client : public std::enable_shared_from_this<Client> {
   }
 
  private:
-  // True if `host` is a name by which our own pages address this server.
+  // True if `host` is a name of this server that our own pages use. Pages of other sites use other
+  // names.
   bool is_own(beast::string_view host) const {
     if (port_ == 80 && (host == "127.0.0.1" || host == "localhost")) return true;
     return host == fmt::format("127.0.0.1:{}", port_) || host == fmt::format("localhost:{}", port_);
@@ -135,7 +136,7 @@ class Server::Impl {
   }
   ~Impl() {
     pages_.session.on_frame({});
-    // sends the last messages to pages that still read
+    // sends the last messages to pages that still receive
     asio::post(pages_.io, [this] {
       pages_.look();
       end_.expires_after(200ms);
@@ -181,7 +182,7 @@ class Server::Impl {
     });
   }
 
-  // Waits before the next attempt, since the host's lack of descriptors or memory may last.
+  // Waits before it accepts again, since a lack of descriptors or memory on the host may last.
   void accept_later() {
     retry_.expires_after(100ms);
     retry_.async_wait([this](Error error) {

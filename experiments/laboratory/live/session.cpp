@@ -19,16 +19,20 @@ using std::chrono_literals::operator""ms, std::chrono_literals::operator""ns;
 
 namespace {
 
-constexpr auto LOOK_EVERY = 50ms;  // interval between polls for interrupts while the run is paused
-// least time between frames at full speed, to limit their cost
+constexpr auto LOOK_EVERY = 50ms;  // host time between checks for interrupts while the run is
+                                   // paused
+// least host time between frames at full speed, because making frames slows the run
 constexpr auto FRAMES_AT_FULL_SPEED = 95ms;
-// host time by which a paced run may fall behind before its pace is reset
+// host seconds by which a run may lag behind its set speed; beyond that, the lag is forgiven
 constexpr double MOST_ARREARS_S = 0.25;
-constexpr std::uint64_t CALLS_BETWEEN = 1024;  // events between polls while the machine runs
-constexpr std::size_t MOST_ASKED = 1024;       // limit on queued commands that await a reply
-constexpr std::size_t MOST_TOLD_AT_END = 256;  // limit on processors kept for display after the end
+constexpr std::uint64_t CALLS_BETWEEN = 1024;  // number of events between two checks for commands
+                                               // while the machine runs
+constexpr std::size_t MOST_ASKED = 1024;       // limit on commands of pages that are queued for
+                                               // execution
+constexpr std::size_t MOST_TOLD_AT_END = 256;  // limit on processors that pages can still inspect
+                                               // after the end of the run
 
-// True if the file has an [[order]] with which the user leaves.
+// True if the experiment file has an [[order]] with which the simulated user leaves.
 bool has_leave(const ExperimentFile& file) {
   const auto* orders = (*file.content)["order"].as_array();
   return orders && std::any_of(orders->begin(), orders->end(), [](const toml::node& order) {
@@ -103,9 +107,9 @@ void Session::begin(machine::Machine& machine, const observe::ControlPanel& view
 }
 
 bool Session::before(double date) {
-  // stops observing spans if there are more than pages can draw
+  // stops observing processors' activity if there is more than pages can draw
   if (spans_.is_cut() && is_observing_) observe(false);
-  // The user's part ends when the picture is complete, whether or not a page is connected.
+  // The simulated user leaves when the picture is complete, whether or not a page is connected.
   const bool is_complete = !has_left_ && view_.is_complete && view_.is_complete();
   const bool is_quiet = !is_complete && !has_news_.load(std::memory_order_relaxed) &&
                         phase_ == Phase::running && !goal_ && date < go_until_s_ &&
@@ -113,7 +117,8 @@ bool Session::before(double date) {
   return is_quiet || attend(date);
 }
 
-// Handles commands, pacing and frames before the event at `date`. Returns what before() returns.
+// Executes commands, makes frames and keeps the set speed, before the event at simulated time
+// `date`. Returns the result of before().
 bool Session::attend(double date) {
   const std::size_t actions = actions_.size();
   next_s_ = date;
@@ -123,7 +128,7 @@ bool Session::attend(double date) {
     if (ended_by_hand_s_) return true;
     if (view_.is_complete && view_.is_complete()) leave();
     if (actions_.size() != actions) return false;
-    if (follow_goal(date)) {  // the run is deadlocked or has ended
+    if (follow_goal(date)) {  // neither an event nor an order is left
       leave();
       return actions_.size() == actions;
     }
@@ -135,8 +140,8 @@ bool Session::attend(double date) {
   }
 }
 
-// Pauses the run if the goal is reached, or while the machine can only wait for the user. Returns
-// true if neither an event nor an order remains.
+// Pauses the run if its goal is reached, or if it can only continue after an order of the user.
+// Returns true if neither an event nor an order is left.
 bool Session::follow_goal(double date) {
   if (phase_ == Phase::running && goal_ && is_reached(date)) {
     change_phase(Phase::paused);
@@ -166,8 +171,9 @@ void Session::show() {
   if (is_due) make_frame();
 }
 
-// Holds back the event at `date` while the host's clock requires it, and returns the time to wait
-// before the next attempt. Otherwise lets the machine proceed up to go_until_s_ and returns zero.
+// If the set speed forbids the event at `date` for now, returns the host time to wait before the
+// next attempt. Otherwise returns zero, and sets `go_until_s_`, the time up to which no event need
+// be checked again.
 Session::HostClock::duration Session::hold_back(double date) {
   if (phase_ != Phase::running) return LOOK_EVERY;
   if (goal_ || std::isinf(speed_)) {
@@ -176,7 +182,8 @@ Session::HostClock::duration Session::hold_back(double date) {
   }
   double allowed_s = paced_s();
   if (date <= allowed_s) {
-    if (allowed_s - date > MOST_ARREARS_S * speed_) {  // the host is too slow: drop the arrears
+    if (allowed_s - date > MOST_ARREARS_S * speed_) {  // the host is too slow for the set speed:
+                                                       // forgives the lag
       set_pace(speed_);
       allowed_s = date;
     }
@@ -194,14 +201,15 @@ void Session::change_phase(Phase phase) {
   is_new_ = true;
 }
 
-// True if the run is unpaced and only an action of the user can change the machine's state.
+// True if only an order of the user can change the machine's state, and no simulated time has to
+// pass before it: the run is unpaced, or no event is left.
 bool Session::waits_for_user(bool is_idle) const {
   if (!view_.waits_for_user || !view_.waits_for_user()) return false;
   const bool is_endless = goal_ ? goal_->is_endless() : std::isinf(speed_);
   return is_idle || is_endless;
 }
 
-// Executes all queued commands. A refused command has no effect.
+// Executes all queued commands of the pages. A refused command has no effect.
 void Session::obey_all() {
   std::deque<Asked> asked;
   {
@@ -221,7 +229,7 @@ void Session::obey_all() {
 }
 
 bool Session::is_reached(double date) {
-  if (goal_->is_next_date) {  // proceed beyond this event's time
+  if (goal_->is_next_date) {  // the goal: all events at the time of the next event are done
     goal_->is_next_date = false;
     goal_->date = date;
     return false;
@@ -234,7 +242,7 @@ bool Session::is_reached(double date) {
 
 // --- the clock --------------------------------------------------------------------------------
 
-// Sets the pace: from now on, simulated time passes at `speed` times real time.
+// From now on, lets simulated time pass at `speed` times real time.
 void Session::set_pace(double speed) {
   const double now_s = shown_s();
   speed_ = speed;
@@ -243,13 +251,14 @@ void Session::set_pace(double speed) {
   go_until_s_ = 0;
 }
 
-// The simulated time permitted by the pace.
+// The simulated time that the set speed permits at present, in seconds.
 double Session::paced_s() const {
   const std::chrono::duration<double> since = HostClock::now() - pace_since_;
   return pace_from_s_ + since.count() * speed_;
 }
 
-// The simulated time to show: the paced time, but at most the time of the next event.
+// The simulated time that pages show: the time that the set speed permits, but at most the time of
+// the next event.
 double Session::shown_s() const {
   const double now_s = machine_->now().value;
   if (phase_ == Phase::over) return now_s;
@@ -336,14 +345,16 @@ void Session::end(const std::string& fault) {
   phase_ = Phase::over;
   goal_.reset();
   fault_ = fault;
-  // Records that the user leaves, if the run was ended by hand before that. A recording may do so.
+  // If the user ended the run by hand, records an order to leave at the end, so that the recording
+  // is a valid experiment.
   if (ended_by_hand_s_ && orders_ && view_.take_order && !has_left_ && !has_leave(file_))
     actions_.push_back({"order", LATEST_S, {{"leave", "true"}}});
-  // After an exception in a process, neither a deadlock nor processors are described.
+  // After an exception in a process, pages get no description of a deadlock or of processors.
   has_thrown_ = std::ranges::any_of(machine_->processors(),
                                     [](const auto& on) { return on->failure() != nullptr; });
   selected_.clear();
-  if (!has_thrown_) {  // keep processors that pages may select after the machine is gone
+  if (!has_thrown_) {  // keeps all processors, since pages may select some after the machine is
+                       // gone
     auto& all = selected_[0];
     all.resize(std::min(MOST_TOLD_AT_END, machine_->processors().size()));
     std::iota(all.begin(), all.end(), 0);

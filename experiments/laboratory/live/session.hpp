@@ -1,6 +1,6 @@
 #pragma once
-// Live session: a run that pages watch and steer. It makes their frames, paces the clock and
-// executes the user's actions.
+// A live run, which browser pages show and control. The session makes snapshots (frames) for the
+// pages, keeps the set speed, and executes the user's commands.
 #include <atomic>
 #include <chrono>
 #include <cmath>
@@ -18,40 +18,42 @@
 
 namespace laboratory {
 
-/// Snapshot of the run between two events, for pages.
+/// Snapshot of the run between two events, to be shown by pages.
 struct Frame {
   std::uint64_t number = 0;      ///< number of the frame, from 1
-  nlohmann::ordered_json state;  ///< state as listed in docs/manual/live.md
-  /// The current picture: rows from the top, 3 bytes per pixel. Frames share the object while the
-  /// picture is unchanged.
+  nlohmann::ordered_json state;  ///< state of the run, as listed in docs/manual/live.md
+  /// The current picture: rows from the top, 3 bytes per pixel. Frames share the object as long as
+  /// the picture does not change.
   std::shared_ptr<const std::vector<std::uint8_t>> rgb8;
-  /// The picture of the sequential renderer, once a page has requested it and it is complete.
+  /// the picture of the sequential renderer, once a page has asked for it and it is complete
   std::shared_ptr<const std::vector<std::uint8_t>> sequential;
 };
 
-/// Queue of the pages' requests, and their execution by the simulation. Any thread may call the
-/// functions for pages. Pages never wait for the simulation, nor the simulation for pages.
+/// Queue of the pages' commands, which the simulation executes between two events. Functions for
+/// pages may be called in any thread. Pages never wait for the simulation, and the simulation never
+/// waits for pages.
 class Session : public observe::RunController {
  public:
-  /// Receives "" on success, else the reason of the refusal. The simulation's thread calls it.
+  /// Receives "" on success, else the reason why a command was refused. Called in the simulation's
+  /// thread.
   using Reply = std::function<void(const std::string& refusal)>;
   using Command = nlohmann::ordered_json;
 
-  /// Makes a session for a file with one point. `speed` is simulated seconds per second; infinite:
-  /// no pacing.
+  /// Makes a session for an experiment file with one point. `speed` is in simulated seconds per
+  /// second of host time; infinite: as fast as possible.
   Session(const ExperimentFile& file, double speed);
 
   // --- for pages ----------------------------------------------------------------------------
-  /// The constant part of the run: title, program, limits, and processors and links with their
-  /// positions. Null before the machine exists.
+  /// Description of what stays the same during a run: title, program, limits, and processors and
+  /// links with their positions. Null before the machine exists.
   std::shared_ptr<const nlohmann::ordered_json> outline() const;
-  /// Queues a command in the format of docs/manual/live.md.
+  /// Queues a command, in the format of docs/manual/live.md.
   void ask(Command command, Reply reply);
-  /// Requests a frame. It is made at the next event, or at once if the run is paused.
+  /// Asks for a frame. It is made before the next event, or at once if the run is paused.
   void want_frame();
-  /// The newest frame; null before the first.
+  /// The newest frame; null if there is none yet.
   std::shared_ptr<const Frame> frame() const;
-  /// Sets the function that the simulation's thread calls for every new frame.
+  /// Sets the function that the simulation's thread calls after making a frame.
   void on_frame(std::function<void()> told);
 
   // --- for the simulation -------------------------------------------------------------------
@@ -59,33 +61,35 @@ class Session : public observe::RunController {
   bool before(double date) override;
   void end(const std::string& fault) override;
 
-  /// Tells the pages where the results of the ended run are. The server continues.
+  /// Tells the pages where the results of the ended run are. Pages can still connect afterwards.
   void say_results(const std::string& text);
   /// Waits until a page asks to quit, or the user interrupts.
   void wait_for_quit();
 
   const std::vector<UserAction>& actions() const { return actions_; }
-  /// The simulated time at which the user ended the run; none if it ended by itself.
+  /// The simulated time, in seconds, at which the user ended the run; no value if it ended by
+  /// itself.
   std::optional<double> ended_by_hand_s() const { return ended_by_hand_s_; }
 
  private:
   using HostClock = std::chrono::steady_clock;
   static constexpr double NEVER = std::numeric_limits<double>::infinity();
-  static constexpr double LATEST_S = 1e9;  ///< upper limit of times in an experiment file
+  static constexpr double LATEST_S = 1e9;  ///< upper limit of times in an experiment file, seconds
   enum class Phase { running, paused, waiting, over };
   struct Asked {
     Command command;
     Reply reply;
   };
-  /// Condition at which the run pauses again: after a step, at a time, or at an event.
+  /// Condition at which the run pauses again. It stands for a single step, or for "run to".
   struct Goal {
-    /// simulated time at which the run pauses at the latest
+    /// simulated time, in seconds, at which the run pauses at the latest
     double date = std::numeric_limits<double>::infinity();
     bool is_next_date = false, is_message = false, is_ray = false, is_picture = false;
-    std::uint64_t messages = 0;  ///< number of messages when the goal was set
+    std::uint64_t messages = 0;  ///< number of messages that had been sent when the goal was set
     double rays = 0;
     std::shared_ptr<const std::vector<std::uint8_t>> picture;
-    /// True if the run may never reach the goal while the machine waits for the user.
+    /// True if the goal is the next ray or the next change of the picture, which may never come
+    /// while the machine waits for the user.
     bool is_endless() const { return std::isinf(date) && !is_next_date && !is_message; }
   };
 
@@ -121,9 +125,9 @@ class Session : public observe::RunController {
 
   const ExperimentFile& file_;
   const programs::RecordList* orders_;
-  std::vector<FaultSpec> faults_;  // faults of the file, then those of the user
+  std::vector<FaultSpec> faults_;  // faults planned in the file, then those that the user caused
 
-  // The members below are used by the simulation's thread only.
+  // only the simulation's thread uses the following members
   machine::Machine* machine_ = nullptr;
   observe::ControlPanel view_;
   Spans spans_;
@@ -133,19 +137,22 @@ class Session : public observe::RunController {
   std::optional<Goal> goal_;
   double speed_;
   HostClock::time_point pace_since_;
-  double pace_from_s_ = 0;    // simulated time at the host time pace_since_
-  double next_s_ = 0;         // simulated time of the next event
-  double go_until_s_ = 0;     // the simulated time before which pacing needs no check
-  double fault_after_s_ = 0;  // simulated time of the last fault
+  double pace_from_s_ = 0;    // simulated time that corresponds to the host time pace_since_,
+                              // seconds
+  double next_s_ = 0;         // simulated time of the next event, seconds
+  double go_until_s_ = 0;     // simulated time before which events need no check of the set speed,
+                              // seconds
+  double fault_after_s_ = 0;  // simulated time of the last fault that the user caused, seconds
   HostClock::time_point next_frame_at_;
   RecentLoads loads_;
-  std::map<std::uint64_t, std::vector<int>> selected_;  // selected processors, by page
+  std::map<std::uint64_t, std::vector<int>> selected_;  // processors selected for description, by
+                                                        // number of the page
   bool has_left_ = false, is_observing_ = true;
   std::string fault_;
-  bool has_thrown_ = false;  // the fault was an exception in a process
+  bool has_thrown_ = false;  // true: the fault that ended the run was an exception in a process
   std::uint64_t calls_ = 0, frames_ = 0;
 
-  // The members below are used by all threads. The mutex guards those that are not atomic.
+  // All threads use the following members. The mutex guards those that are not atomic.
   mutable std::mutex mutex_;
   std::condition_variable asked_anything_;
   std::deque<Asked> asked_;
@@ -155,8 +162,8 @@ class Session : public observe::RunController {
   std::function<void()> told_;
   bool wants_frame_ = false, is_quitting_ = false;
   bool is_new_ = true;                // something has changed since the last frame
-  std::atomic<bool> has_news_{true};  // a command or a request for a frame is pending
-  std::jthread renders_;              // thread that renders the sequential picture
+  std::atomic<bool> has_news_{true};  // true: a command or a request for a frame waits
+  std::jthread renders_;              // thread that renders the picture sequentially
 };
 
 }  // namespace laboratory

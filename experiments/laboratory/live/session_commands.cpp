@@ -1,4 +1,4 @@
-// Execution of the pages' commands to a session.
+// Execution of the commands that pages send to a session.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,9 +14,9 @@ using nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::size_t MOST_SELECTED = 8;  // limit on selected processors
-// Time grid in s. Orders happen at whole multiples of it, faults halfway between two, so that they
-// never coincide.
+constexpr std::size_t MOST_SELECTED = 8;  // limit on processors that one page can select
+// Time grid, in seconds. Orders take effect at whole multiples of it, and faults halfway between
+// two multiples. Thus no order and fault happen at the same time.
 constexpr double FAULT_GRID_S = 1e-6;
 
 double number_at(const ordered_json& command, const char* key, double low, double high) {
@@ -27,7 +27,8 @@ double number_at(const ordered_json& command, const char* key, double low, doubl
   return value;
 }
 
-// Reads the speed of a command; null means as fast as possible.
+// Reads the speed in a command, in simulated seconds per host second; null stands for as fast as
+// possible.
 double speed_at(const ordered_json& command) {
   if (command.contains("x") && command["x"].is_null())
     return std::numeric_limits<double>::infinity();
@@ -45,7 +46,7 @@ bool is_index(const ordered_json& value, std::size_t size) {
   return value.get<std::int64_t>() >= 0 && value.get<std::uint64_t>() < size;
 }
 
-// The number of a processor in the machine, and its number in the network.
+// Finds a processor: its id in the machine, and its number in the network.
 std::pair<int, int> find_processor(const machine::Machine& machine, const std::vector<int>& network,
                                    const ordered_json& id) {
   const auto& processors = machine.processors();
@@ -111,7 +112,7 @@ void Session::quit() {
   end_by_hand();
 }
 
-// Saves the current picture under a generated file name.
+// Saves the current picture. Its file name is the first of live1, live2, ... that is not used yet.
 void Session::save() {
   const auto* orders = (*file_.content)["order"].as_array();
   const auto is_taken = [&](const std::string& name) {
@@ -204,13 +205,13 @@ void Session::obey_fault(const Command& fault) {
   actions_.push_back(std::move(action));
 }
 
-// Makes the user leave, for whom the machine would otherwise wait for ever. If an order to leave is
-// refused, only closes the orders.
+// Makes the simulated user leave, because the machine would wait for this user forever. If the
+// program refuses the order to leave, only closes the list of orders.
 void Session::leave() {
   if (!orders_ || !view_.take_order || has_left_) return;
   try {
     obey_order({{"leave", true}});
-    // the user process does not run yet, or the file has a later order
+    // the simulated user does not run yet, or the file has an order at a later time
   } catch (const base::BadInput&) {
     view_.close_orders();
     has_left_ = true;
@@ -257,7 +258,7 @@ void Session::run_to(const Command& command) {
   set_goal(goal);
 }
 
-// Renders the sequential picture in a separate thread while the machine continues.
+// Renders the picture sequentially in a separate thread, while the simulation continues.
 void Session::render_sequentially() {
   base::require(view_.sequential != nullptr, "compare",
                 "found one, but the program has no sequential renderer for comparison");

@@ -70,7 +70,7 @@ std::any read_order(const programs::RecordList& list, const ordered_json& order)
 
 UserAction make_action(double at_s, const ordered_json& order) {
   UserAction action{"order", at_s, {}};
-  // JSON and TOML spell numbers, lists, strings and booleans alike.
+  // JSON and TOML spell numbers, lists, strings and booleans in the same way.
   for (const auto& [key, value] : order.items()) action.keys.emplace_back(key, value.dump());
   return action;
 }
