@@ -59,7 +59,7 @@ double parse_exposure(const std::string& text) {
 
 struct Outcome {
   int rounds = 0;
-  double error = 0;  // estimated error of the picture
+  double error = 0;  // estimated error of the picture (see radiosity::estimate_error)
   std::size_t patches = 0, vertices = 0, mirrors = 0, creases = 0, left_out = 0;
   radiosity::Solution solution;
   Rgb emitted;  // power that the room emits
@@ -69,9 +69,10 @@ struct Outcome {
   double mesh_s = 0, solve_s = 0, picture_s = 0;
 };
 
-// Makes a callback that shows the progress of all solutions on one bar.
+// Makes a function that shows the progress of all solutions of the radiosity equation on one bar.
 radiosity::Step make_step(const RadiosityOptions& o, Progress& bar) {
-  // The bar is logarithmic in the unshot energy, since each shot distributes a similar share of it.
+  // The bar is logarithmic in the energy not yet distributed, because each step distributes a
+  // similar share of it.
   const double end = std::log(std::max(o.light.solve.tolerance, 1e-9));
   return [&o, &bar, end](int shots, double unshot) {
     const double by_light = end < 0 ? std::log(std::max(unshot, 1e-9)) / end : 1;
@@ -159,7 +160,7 @@ void save_stats(const RadiosityOptions& o, const Outcome& made) {
   base::save_whole(o.stats, stats.dump(2) + "\n");
 }
 
-// Imbalance of a closed room, as a share of the emitted power, above which a warning appears.
+// A warning appears if more than this share of the emitted power is lost in a closed room.
 constexpr double FAIR_BALANCE = 0.01;
 
 void print_balance(const Outcome& made) {
@@ -180,7 +181,7 @@ void print_balance(const Outcome& made) {
                     100 * std::abs(error), error > 0 ? "lost" : "too much"));
 }
 
-// Estimated error of a picture above which a warning appears.
+// A warning appears if the estimated error of the picture is larger.
 constexpr double FAIR_ERROR = 0.02;
 
 void warn_of_error(const RadiosityOptions& o, const Outcome& made) {

@@ -28,7 +28,8 @@ struct RenderOptions : RenderTask {
   std::string samples_map;
 };
 
-// Writes the file of --stats: `rays` traced in `seconds`, and the members of `more`.
+// Writes the file of --stats: the number of rays, the host time in seconds, and the members of
+// `more`.
 void save_stats(const RenderOptions& o, const renderer::Rendering& image, std::uint64_t rays,
                 double seconds, const nlohmann::ordered_json& more) {
   nlohmann::ordered_json stats = {{"scene", o.scene},
@@ -62,7 +63,7 @@ void check_samples_map(const RenderOptions& o) {
 void render_at_once(const RenderOptions& o) {
   const auto scene = open_scene(o.scene);
   check_can_save_all({o.output, o.stats, o.samples_map});
-  const InterruptGuard guard;  // holds interrupts until all files are written
+  const InterruptGuard guard;  // delays interrupts until all files are written
   Progress bar("rendering");
   Clock clock;
   int rows_done = 0, all_rows = 0;
@@ -86,7 +87,7 @@ void render_at_once(const RenderOptions& o) {
 void render_in_order(const RenderOptions& o) {
   const auto scene = open_scene(o.scene);
   check_can_save_all({o.output, o.stats, o.samples_map});
-  const InterruptGuard guard;  // holds interrupts until all files are written
+  const InterruptGuard guard;  // delays interrupts until all files are written
   Clock clock;
   const auto refined = render_refined(o.refined, o, scene);
   const double seconds = clock.lap();
@@ -130,8 +131,8 @@ void render_scene(RenderOptions& o) {
 void add_render_command(CLI::App& app) {
   auto* command = app.add_subcommand("render", "render a scene with the sequential renderer");
   auto o = std::make_shared<RenderOptions>();
-  // Experiments use the thesis's traversal. The traversal `nearest` is faster and yields the same
-  // image.
+  // Uses the traversal `nearest`, which is faster than the thesis's traversal and yields the same
+  // image. Experiments use the thesis's, because they count its work.
   o->params.traversal = renderer::Traversal::nearest;
 
   command

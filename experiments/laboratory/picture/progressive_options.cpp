@@ -82,7 +82,7 @@ void render_progressively(const ProgressiveOptions& o, const RenderTask& task) {
   check_can_save_all({task.output, task.stats});
   if (!task.key_images.empty()) make_folder("--key-images", task.key_images);
   const auto steps = make_steps(o.kind, o.max_cell, last);
-  const InterruptGuard guard;  // holds interrupts until all files are written
+  const InterruptGuard guard;  // delays interrupts until all files are written
   Progress bar("rendering");
   Clock clock;
   double seconds = 0;
@@ -95,7 +95,7 @@ void render_progressively(const ProgressiveOptions& o, const RenderTask& task) {
     const auto counts = image.advance(step, was_interrupted);
     seconds += clock.lap();
     if (!counts) is_stopped = true;
-    // Ends when no shading tree has grown: if there are no rays at one depth, there are none below.
+    // Ends early if a depth adds no rays: then deeper levels of the shading trees add none either.
     if (!counts || (o.kind == StepKind::depth && counts->rays.fresh.total() == 0)) break;
     all += counts->rays;
     rows.push_back(make_step_json(step, *counts));

@@ -17,10 +17,10 @@ struct ProgressiveOptions {
   renderer::progressive::StepKind kind = renderer::progressive::StepKind::cells;
 };
 
-/// Input common to all ways of rendering. The parameters have passed renderer::check().
+/// Input of all rendering commands. The parameters must have passed renderer::check().
 struct RenderTask {
   std::string scene, output, stats;
-  std::string key_images;  ///< folder for intermediate pictures; "": none
+  std::string key_images;  ///< folder for intermediate pictures; "": write none
   renderer::Params params;
   int threads = 1;
 };
@@ -28,7 +28,8 @@ struct RenderTask {
 /// Adds --progressive and the options that depend on it.
 void add_progressive_options(CLI::App& command, ProgressiveOptions& options);
 
-/// Renders step by step and saves the requested files. Depth and area come from the task.
+/// Renders in successive steps and saves the requested files. Takes the depth and the area of the
+/// last step from the task.
 void render_progressively(const ProgressiveOptions& options, const RenderTask& task);
 
 }  // namespace laboratory

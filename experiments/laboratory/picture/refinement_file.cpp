@@ -10,9 +10,9 @@
 #include "experiments/laboratory/host/version.hpp"
 #include "renderer/files/load_scene.hpp"
 
-// File format: FIRST_LINE, then "name: value" for each member of the identity, and an empty line.
-// Then come numbers and lists in the host's binary format, each list preceded by its length. The
-// last part is a hash of everything before it.
+// File format: FIRST_LINE, then "name: value" for each input in the identity, and an empty line.
+// Then numbers and lists in the host's binary format, each list preceded by its length. At the end,
+// a hash of everything before it.
 namespace laboratory {
 namespace {
 
@@ -22,7 +22,7 @@ using renderer::progressive::RefinementState;
 constexpr std::string_view FIRST_LINE = "state of a tlab rendering\n";
 constexpr std::size_t HASH_LENGTH = 32;
 
-// Hashes the scene's file and the files that it names.
+// Hashes the scene file and the files that it refers to.
 std::string hash_scene(const std::string& path) {
   std::string hashes = hash_of(base::read_text(path));
   for (const auto& further : renderer::find_files(path))
@@ -30,7 +30,7 @@ std::string hash_scene(const std::string& path) {
   return hash_of(hashes);
 }
 
-// Passes the bytes of every number or list of a state to `take`, which reads or writes them.
+// Passes every number or list of a state to `take`, which reads or writes its bytes.
 template <class State, class Take>
 void visit(State& state, const Take& take) {
   take(state.done);
@@ -91,7 +91,7 @@ struct Reader {
   }
 };
 
-// Reads the identity and the empty line after it. Throws if the identity differs.
+// Reads the identity and the empty line after it. Throws if the file has a different identity.
 void check_identity(const std::string& path, std::string_view& text, const Identity& identity) {
   const auto take_line = [&] {
     const auto end = std::min(text.find('\n'), text.size());

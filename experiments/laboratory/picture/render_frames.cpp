@@ -33,14 +33,14 @@ Range parse_range(const std::string& text) {
   return {*first, *last};
 }
 
-// Duration of frame `n` of an animation, in whole ms. Each frame starts within half a millisecond
-// of its exact time.
+// Duration of frame `n` of an animation in whole ms; n counts from 0. The durations are rounded so
+// that each frame starts within half a millisecond of its exact time.
 int get_duration_ms(int n, double rate) {
   const auto at = [&](int frame) { return std::lround(1000 * frame / rate); };
   return static_cast<int>(at(n + 1) - at(n));
 }
 
-// Limit in bytes on the memory of all frames, which an animation keeps until it is written.
+// Limit in bytes on all frames of an animation, which are kept in memory until it is written.
 constexpr std::size_t MAX_ANIMATION = std::size_t{1} << 31;
 
 void check_webp(const renderer::Params& params, const Range& range) {
@@ -67,7 +67,7 @@ void add_frames_options(CLI::App& command, FramesOptions& o) {
   frames->option_text("A-B");
   command.add_option("--frame-rate", o.rate, "frames per second of the animation")
       ->check(CLI::Range(1.0, 1000.0))
-      ->check([](const std::string& text) {  // Range accepts "nan"
+      ->check([](const std::string& text) {  // rejects "nan", which Range accepts
         return text.find_first_of("nN") == text.npos ? "" : "found " + text + ", expected a number";
       })
       ->capture_default_str()
@@ -92,7 +92,7 @@ void render_frames(const FramesOptions& o, const RenderTask& task) {
     base::check_can_save(output);
   }
   base::check_can_save(name_of(range.first));
-  const InterruptGuard guard;  // holds interrupts until all files are written
+  const InterruptGuard guard;  // delays interrupts until all files are written
   const auto render_frame = [&](const renderer::Scene& scene) {
     return renderer::render(scene, task.params, task.threads,
                             [](int, int) { return !was_interrupted(); });

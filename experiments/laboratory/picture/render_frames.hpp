@@ -7,17 +7,19 @@
 namespace laboratory {
 
 struct FramesOptions {
-  std::string frames;         ///< range "A-B"; "": render a single image
+  std::string frames;         ///< frames to render, "A-B", counted from 0; "": render a single
+                              ///< image
   double rate = 25;           ///< frames per second
-  bool is_confirmed = false;  ///< --yes: render even if it takes long
+  bool is_confirmed = false;  ///< true: the user gave --yes, to render even if it takes long
 };
 
-/// Adds --frames and --frame-rate. The options that --frames excludes must already exist.
+/// Adds --frames and --frame-rate. Must be called after the options that --frames excludes were
+/// added.
 void add_frames_options(CLI::App& command, FramesOptions& options);
 
-/// Renders an image of every frame. The output name of the task must end in .png or .webp. Writes
-/// nothing unless the scene is readable at all frames. Estimates the duration from the first frame
-/// (announce_cost in host/progress.hpp).
+/// Renders an image of each frame. The output name of the task must end in .png or .webp. Writes
+/// nothing if the scene cannot be read for some frame. Estimates the total time from the first
+/// frame (see announce_cost() in host/progress.hpp).
 void render_frames(const FramesOptions& options, const RenderTask& task);
 
 }  // namespace laboratory

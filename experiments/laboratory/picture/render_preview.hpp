@@ -11,11 +11,11 @@ class App;
 
 namespace laboratory {
 
-/// Adds the option, which sets `step`. It excludes those options of `command` that have no effect
-/// on previews. `step` must outlive `command`.
+/// Adds the option --preview, which sets `step` and excludes the options of `command` that have no
+/// effect on previews. `step` must outlive `command`.
 void add_preview_option(CLI::App& command, std::optional<renderer::PreviewStep>& step);
 
-/// Writes the preview as a PNG image and, unless `stats` is "", the counts of work.
+/// Writes the preview as a PNG image and, unless `stats` is "", the counts of work as JSON.
 void save_preview(const std::string& scene, const renderer::Params& params,
                   renderer::PreviewStep step, const std::string& output, const std::string& stats);
 

@@ -21,10 +21,13 @@ using renderer::progressive::Order;
 using renderer::progressive::Refinement;
 
 constexpr double KEY_PERCENTS[] = {1, 5, 25, 100};
-constexpr double STATE_PERCENT = 5;    // a state is written at each multiple of this progress
-constexpr double STATE_SECONDS = 2;    // a state is also written after this time
-constexpr double STATE_SHARE = 0.05;   // largest share of time spent on writing states
-constexpr double STEP_SECONDS = 0.05;  // time between checks of clock and signals
+constexpr double STATE_PERCENT = 5;    // writes a state at each multiple of this share of the
+                                       // samples
+constexpr double STATE_SECONDS = 2;    // also writes a state after this time since the last one
+constexpr double STATE_SHARE = 0.05;   // largest share of the time that may be spent on writing
+                                       // states
+constexpr double STEP_SECONDS = 0.05;  // desired time between two checks of the clock and of
+                                       // interrupts
 
 std::uint64_t samples_at(double percent, std::uint64_t all) {
   return static_cast<std::uint64_t>(std::ceil(percent / 100 * static_cast<double>(all)));
@@ -49,7 +52,7 @@ Budget parse_budget(const std::string& text) {
   return budget;
 }
 
-// Writer of successive states to one file.
+// Writes successive states of a rendering to one file.
 class StateFile {
  public:
   StateFile(std::string path, Identity identity)
@@ -65,8 +68,8 @@ class StateFile {
     saved_ = image.done();
     since_s_ = 0;
   }
-  /// Saves a state if `seconds` have passed since the last one, or longer, so that saving takes at
-  /// most STATE_SHARE of the time.
+  /// Saves a state if more than `seconds` have passed since the last one. Waits longer if writing
+  /// is slow, so that it takes at most STATE_SHARE of the time.
   void save_after(double seconds, const Refinement& image) {
     since_s_ += clock_.lap();
     if (since_s_ > std::max(seconds, last_cost_s_ / STATE_SHARE)) save(image);
@@ -80,7 +83,7 @@ class StateFile {
   std::optional<std::uint64_t> saved_;
 };
 
-// Writer of intermediate pictures of a rendering.
+// Writes the intermediate pictures of a rendering.
 class KeyImages {
  public:
   KeyImages(std::string folder, const Refinement& image) : folder_(std::move(folder)) {
@@ -92,7 +95,8 @@ class KeyImages {
   void add_stops(std::set<std::uint64_t>& stops) const {
     for (const auto& [samples, name] : names_) stops.insert(samples);
   }
-  /// Saves the image if it has just reached the sample count of an intermediate picture.
+  /// Saves the image if its sample count has reached that of an intermediate picture since
+  /// `before`.
   void save(const Refinement& image, std::uint64_t before) {
     for (const auto& [samples, name] : names_)
       if (before < samples && image.done() >= samples)
@@ -101,10 +105,11 @@ class KeyImages {
 
  private:
   const std::string folder_;
-  std::map<std::uint64_t, std::string> names_;  // file names by sample count
+  std::map<std::uint64_t, std::string> names_;  // file names of the intermediate pictures, by
+                                                // sample count
 };
 
-// Number of samples rendered between two checks.
+// Number of samples to render between two checks, adapted to the time that they take.
 class Pace {
  public:
   explicit Pace(int threads) : samples_(static_cast<std::uint64_t>(threads)) {}
