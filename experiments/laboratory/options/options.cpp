@@ -31,7 +31,8 @@ std::string describe(const base::Domain& domain) {
 
 fs::path whole_path(const std::string& path) {
   std::error_code ignored;
-  // Relative paths without an existing part would stay relative.
+  // absolute() is needed, since weakly_canonical() leaves a relative path relative if no part of it
+  // exists
   return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Declaration and parsing of options that several commands share.
+// Declares and parses the options that several commands share.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -16,30 +16,32 @@
 
 namespace laboratory {
 
-/// Adds --output, --set and --jobs. `output` and `set` are the help texts of the first two.
+/// Adds the options --output, --set and --jobs. `output` and `set` are the help texts of --output
+/// and --set.
 void add_run_options(CLI::App& command, RunOptions& options, const std::string& output,
                      const std::string& set);
 
-/// Adds --set, whose values become overrides.
+/// Adds the option --set, which appends to `overrides`.
 void add_set_option(CLI::App& command, Overrides& overrides, const std::string& help);
 
-/// Options whose names differ from those of their fields: field to option, without "--".
+/// Names of options that differ from the names of their fields: maps field name to option name,
+/// without "--".
 using Aliases = std::map<std::string, std::string>;
 
-/// Adds the option `--name`. `assign` receives its value, and returns "" if the value is valid,
-/// else a description of valid values. The help shows `standard` as the default.
+/// Adds the option `--name`. `assign` receives its value, and returns "" if the value is valid, or
+/// else a description of the valid values. The help shows `standard` as the default value.
 CLI::Option* add_field_option(CLI::App& app, const std::string& name, const std::string& help,
                               const base::Domain& domain, const base::Scalar& standard,
                               const std::function<std::string(const base::Scalar&)>& assign);
 
-/// Adds the option `--name`, which overrides a key of the experiment file. Values and default are
-/// those of the key.
+/// Adds the option `--name`, which overrides the key `key` of the experiment file. The option has
+/// the valid values and the default of this key.
 CLI::Option* add_key_option(CLI::App& app, const std::string& name, const std::string& key,
                             Overrides& overrides, const std::string& help);
 
-/// Adds an option for each field, named like the field with - for _. The option sets the field in
-/// `params`, which must outlive `app`. Its default is the field's current value. Fields must be
-/// numbers, choices or strings.
+/// Adds an option for each field. It has the field's name, with - for _, unless `aliases` gives
+/// another. The option sets the field in `params`, which must outlive `app`. The default is the
+/// field's current value. Fields must be numbers, choices or strings.
 template <class P>
 void bind_options(CLI::App& app, const base::Fields<P>& fields, P& params,
                   const Aliases& aliases = {}) {
@@ -53,26 +55,26 @@ void bind_options(CLI::App& app, const base::Fields<P>& fields, P& params,
   }
 }
 
-/// Formats the counts of work and of rays for --stats.
+/// Converts counts of work and of rays to JSON, for the file of --stats.
 nlohmann::ordered_json make_json(const renderer::Work& work);
 nlohmann::ordered_json make_json(const renderer::RayCounts& rays);
 
-/// Throws CLI::ValidationError for an image name with another extension than `endings` (".png"),
-/// for a missing folder, and if both paths name the same file. A name without an extension is
-/// valid.
+/// Checks the image name `output` and the file name `stats`. Throws CLI::ValidationError if the
+/// image has an extension that is not among `endings` (such as ".png"), if a folder is missing, or
+/// if both names denote the same file. An image name without an extension is valid.
 void check_output(const std::string& output, const std::vector<std::string>& endings,
                   const std::string& stats);
-/// Throws if `file`, the value of an option, is also among the files `others`. Empty names never
-/// match.
+/// Throws if `file`, the value of `option`, is the same file as one of `others`. Empty names match
+/// nothing.
 void check_apart(const std::string& option, const std::string& file,
                  std::initializer_list<std::string> others);
 
-/// Throws the error of base::check_can_save() for the first of these files that cannot be saved.
-/// Called after all input has been read and before long work. Skips empty names.
+/// Throws the error of base::check_can_save() for the first of the files that cannot be written. To
+/// be called after all input is read and before long work. Skips empty names.
 void check_can_save_all(std::initializer_list<std::string> files);
 
-/// Removes blanks around a name from a comma-separated list. Throws CLI::ValidationError for an
-/// empty name.
+/// Removes blanks around a name that comes from a comma-separated list. Throws CLI::ValidationError
+/// if nothing remains.
 std::string trim_name(const std::string& name);
 
 /// Help of --columns in commands that show the results of a run.
@@ -80,11 +82,12 @@ inline constexpr const char* COLUMNS_HELP =
     "results that the table shows beside the axes, or all [those used in the file, and others that "
     "fit]";
 
-/// Makes the folder given to an option, unless it exists. Throws CLI::ValidationError if that
-/// fails.
+/// Makes the folder that is the value of `option`, unless it exists. Throws CLI::ValidationError if
+/// that fails.
 void make_folder(const std::string& option, const std::string& path);
 
-/// Parses a size, "WxH", or an area, "X,Y,WxH". Throws CLI::ValidationError for other text.
+/// Parses the size "WxH" (N = 2) or the area "X,Y,WxH" (N = 4). Throws CLI::ValidationError for
+/// other text; the message describes the expected `form`.
 template <std::size_t N>
 std::array<int, N> parse_numbers(const std::string& option, const std::string& text,
                                  const char* form) {
@@ -102,7 +105,7 @@ std::array<int, N> parse_numbers(const std::string& option, const std::string& t
   return values;
 }
 
-/// Sets width and height from the value of --size, unless it is empty.
+/// Sets `params.width` and `params.height` from the value of --size, unless it is empty.
 template <class Params>
 void parse_size(const std::string& text, Params& params) {
   if (text.empty()) return;

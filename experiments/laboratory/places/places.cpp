@@ -10,9 +10,10 @@ namespace {
 
 using topologies::Place;
 
-// limit on the places compared in the search for a free one; larger machines skip the search
+// a processor gets the first position beside its neighbour, without a search for a free one, if the
+// machine has more processors
 constexpr std::size_t MOST_COMPARED = 2048;
-// Directions from a processor to its neighbours, upwards first.
+// Positions to try for a processor, relative to its neighbour; y points upwards.
 constexpr Place BESIDE[] = {{0, 1}, {-1, 1},     {1, 1},     {-1, 0},
                             {1, 0}, {-0.5, 0.5}, {0.5, 0.5}, {0, -1}};
 

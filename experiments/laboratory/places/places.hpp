@@ -1,5 +1,6 @@
 #pragma once
-// Positions of a machine's processors in drawings.
+// Positions of a machine's processors in drawings. The unit is the usual distance of two
+// neighbours.
 #include <optional>
 #include <vector>
 
@@ -8,20 +9,20 @@
 
 namespace laboratory {
 
-/// Positions by machine processor; none: not yet placed.
+/// Positions of processors, by machine id; no value: not placed yet.
 using SomePlaces = std::vector<std::optional<topologies::Place>>;
 
-/// The machine id of a network processor, looked up in `network`. If `network` is empty, the id is
-/// the processor's number.
+/// The machine id of a processor of the network. `network` lists the ids by number in the network;
+/// if it is empty, the numbers are the ids.
 int find_id(const std::vector<int>& network, int processor);
 
-/// Places the remaining processors next to those that they share a link or memory with. Isolated
-/// processors form a row.
+/// Places the processors without a position next to one that they share a link or memory with.
+/// Processors without such a neighbour form a row.
 topologies::Places place_others(const machine::Machine& machine, SomePlaces places);
 
-/// Positions of all processors of the machine. The network is laid out as in reports, and all other
-/// processors are next to one that they have a link to. `network` maps network processors to
-/// machine ids; if it is empty, the numbers equal the ids.
+/// Positions of all processors of the machine, by id. The network is laid out as in reports; every
+/// other processor is next to one that it has a link to. `network` gives the machine id of each
+/// processor of the network; if it is empty, the numbers are the ids.
 topologies::Places place_processors(const machine::Machine& machine,
                                     const topologies::Topology& topology,
                                     const std::vector<int>& network);
