@@ -10,8 +10,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// True if a program's name for a column matches it. A name such as "stage{}_s" matches several
-// columns.
+// True if the name `named` of a program's column stands for `column`. A name with a placeholder,
+// such as "stage{}_s", stands for several columns.
 bool is_called(const std::string& column, std::string named) {
   const auto gap = named.find("{}");
   if (gap == std::string::npos) return column == named;
@@ -21,10 +21,10 @@ bool is_called(const std::string& column, std::string named) {
 struct Meaning {
   std::string text{}, unit{};
   bool is_flag = false;                 // true if the values are only 0 and 1
-  std::vector<std::string> programs{};  // programs that produce the column; empty: any
+  std::vector<std::string> programs{};  // programs that produce the column; empty: all programs
 };
 
-// A program's description of a column that is one of its results or parameters.
+// Finds the program's description of a column that is one of its results or parameters.
 Meaning find_in(const programs::Program& program, const std::string& column) {
   for (const auto& [name, help] : program.columns)
     if (is_called(column, name)) return {help, unit_of(column)};
@@ -34,7 +34,7 @@ Meaning find_in(const programs::Program& program, const std::string& column) {
   return {};
 }
 
-// The help text of the key that an axis sets.
+// The help text of the key that an axis sets. The axis is found by its column.
 std::string find_axis_help(const ExperimentFile& file, const std::string& column) {
   const auto all = settings();
   for (const auto& axis : file.axes()) {
@@ -46,7 +46,7 @@ std::string find_axis_help(const ExperimentFile& file, const std::string& column
 
 Meaning find_meaning(const ExperimentFile& file, const std::string& column) {
   Meaning meaning{"", unit_of(column)};
-  std::string texts;  // joined descriptions, if those of the programs differ
+  std::string texts;  // descriptions of all programs, joined, to be used if they differ
   bool is_same = true;
   for (const auto& point : file.points) {
     const auto& program = *point.experiment.program;
@@ -72,7 +72,7 @@ Meaning find_meaning(const ExperimentFile& file, const std::string& column) {
   return meaning;
 }
 
-// The type in the schema; "any" for a column without values.
+// The column's type in the schema; "any" for a column without values.
 std::string find_type(const Table& table, std::size_t column) {
   if (std::ranges::all_of(table.rows, [&](const auto& row) { return row[column] == Value(); }))
     return "any";

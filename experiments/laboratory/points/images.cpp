@@ -34,18 +34,18 @@ std::string save_by_content(const std::function<void(const std::string& path)>& 
   return name;
 }
 
-// An image, and the points that share it.
+// An image, and the points whose results have this image.
 struct Shared {
   std::vector<std::size_t> points;
   bool is_named = false;
   std::string stem, caption;
 };
-// name of the image, and the content names of its PNG and EXR files
+// name of the image, and the file names of its PNG and EXR files, which are hashes of their content
 using Key = std::array<std::string, 3>;
 
 Key key_of(const SavedImage& image) { return {image.name, image.file, image.exr}; }
 
-// Finds the axes that are constant over `points` but not over `others`.
+// Finds the axes that have one value at all `points`, and another value at some of `others`.
 std::vector<Coordinate> find_distinction(const ExperimentFile& file,
                                          const std::vector<std::size_t>& points,
                                          const std::vector<std::size_t>& others) {
@@ -61,7 +61,7 @@ std::vector<Coordinate> find_distinction(const ExperimentFile& file,
   return found;
 }
 
-// Keeps letters and digits, and replaces other characters by single dashes.
+// Keeps letters, digits and dots. Replaces each sequence of other characters by one dash.
 std::string make_stem(const std::string& text) {
   std::string stem;
   for (const char c : text)
@@ -88,13 +88,13 @@ void name_image(const std::string& name, const std::vector<Coordinate>& distinct
   image.stem = unique;
 }
 
-// Groups equal images, and names each group by the axes that distinguish it. An image whose name
-// already describes its content, such as the key image of a stage, is distinguished only from
-// images of the same name. Key images depend on the machine's progress.
+// Groups equal images, and names each group by the axes that distinguish it from other images. A
+// key image, which shows a stage of the program's progress, is compared only with images of the
+// same name, because its name already describes its content.
 std::map<Key, Shared> find_shared(const ExperimentFile& file, const Results& results) {
   std::vector<Key> order;
   std::map<Key, Shared> shared;
-  // points that have an image of that name
+  // points that have an image of this name
   std::map<std::string, std::vector<std::size_t>> namesakes;
   for (std::size_t i = 0; i < results.size(); ++i)
     for (const auto& image : results[i].images) {
@@ -114,7 +114,8 @@ std::map<Key, Shared> find_shared(const ExperimentFile& file, const Results& res
   return shared;
 }
 
-// Throws if points have different images although their programs' picture keys are equal.
+// Throws if two points have different images although their programs' picture keys are equal. The
+// picture key contains all that the image may depend on.
 void check_images(const ExperimentFile& file, const Results& results) {
   std::map<std::string, std::string> known;
   for (std::size_t i = 0; i < results.size(); ++i) {

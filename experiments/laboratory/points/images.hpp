@@ -1,5 +1,5 @@
 #pragma once
-// Storage of the points' images: with the records, then among the results.
+// Storage of the points' images: first beside the records, then among the results.
 #include <filesystem>
 #include <vector>
 
@@ -7,13 +7,13 @@
 
 namespace laboratory {
 
-/// Saves each image in `folder`, in a file named by a hash of its content.
+/// Saves each image in `folder`, in a file whose name is a hash of its content.
 std::vector<SavedImage> save_images(const std::vector<programs::Image>& images,
                                     const std::filesystem::path& folder);
 
-/// Gives each image a caption and a file in `folder`, named after the image and the axes common to
-/// its points. Equal images share a file. The image of a scene must not depend on topology, number
-/// of processors and timing: throws base::InvariantBroken if it does.
+/// Gives each image a caption and a file in `folder`, named after the image and the axes whose
+/// values all its points share. Equal images share a file. The image of a scene must not depend on
+/// the topology, the number of processors or the timing: throws base::InvariantBroken if it does.
 void place_images(const ExperimentFile& file, Results& results,
                   const std::filesystem::path& records, const std::filesystem::path& folder);
 

@@ -15,7 +15,7 @@
 namespace laboratory {
 namespace {
 
-// The rows of completed points, or all rows if no point was completed.
+// Chooses the rows of completed points, or all rows if no point was completed.
 RowList choose_complete(const Table& table, const RowList& rows) {
   RowList complete;
   std::ranges::copy_if(rows, std::back_inserter(complete),
@@ -23,7 +23,7 @@ RowList choose_complete(const Table& table, const RowList& rows) {
   return complete.empty() ? rows : complete;
 }
 
-// The numbers of a column; none if a cell is a text, or if a number is not finite.
+// The numbers of a column; no value if a cell is a text or a number is not finite.
 std::optional<std::vector<double>> find_finite(const Table& table, const RowList& rows,
                                                std::size_t column) {
   std::vector<double> numbers;
@@ -37,7 +37,7 @@ std::optional<std::vector<double>> find_finite(const Table& table, const RowList
   return numbers;
 }
 
-// The value that all rows share, else an empty cell.
+// The value that a column has in all these rows; an empty cell if the values differ.
 Value find_common(const Table& table, const RowList& rows, std::size_t column) {
   const auto& first = table.rows[rows[0]][column];
   const bool is_common =
@@ -51,7 +51,8 @@ Value find_end(const Table& table, const RowList& rows, std::size_t column) {
   return table.rows[rows[0]][column];
 }
 
-// The mean of a column over the rows of a group, and its half width if the samples differ.
+// The mean of a column over the rows of a group. Also returns the half width of its confidence
+// interval if the samples differ.
 std::pair<Value, std::optional<double>> find_cell(const Table& table, const RowList& rows,
                                                   std::size_t column) {
   if (table.columns[column] == "ended") return {find_end(table, rows, column), {}};
@@ -77,8 +78,10 @@ Table average_seeds(const Table& table) {
   for (const auto c : kept) means.columns.push_back(table.columns[c]);
   means.columns.emplace_back(SEEDS);
   const auto groups = group_samples(table, all_rows(table));
-  std::vector<std::vector<std::optional<double>>> half_widths;  // by row, then by column kept
-  std::set<std::size_t> spread;                                 // columns whose samples differ
+  std::vector<std::vector<std::optional<double>>> half_widths;  // by row of the means, then by kept
+                                                                // column
+  std::set<std::size_t> spread;                                 // indices in `kept` of columns
+                                                                // whose samples differ
   for (const auto& rows : groups) {
     auto& row = means.rows.emplace_back();
     auto& halves = half_widths.emplace_back();
@@ -94,7 +97,8 @@ Table average_seeds(const Table& table) {
   for (const auto i : spread) {
     means.columns.push_back(table.columns[kept[i]] + HALF_WIDTH);
     for (std::size_t r = 0; r < groups.size(); ++r) {
-      // a column with a mean has numbers with decimals
+      // all cells of a column of means become floating-point numbers, even where the mean is an
+      // integer
       if (const auto whole = as_number(means.rows[r][i])) means.rows[r][i] = *whole;
       auto& cell = means.rows[r].emplace_back();
       if (means.rows[r][i] != Value() && groups[r].size() > 1) cell = half_widths[r][i].value_or(0);

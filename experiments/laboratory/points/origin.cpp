@@ -34,8 +34,8 @@ std::string describe(const std::string& name, const std::string& title) {
   return title.empty() ? fmt::format("\"{}\"", name) : fmt::format("\"{}\" ({})", name, title);
 }
 
-// Keeps the recorded spelling of the folder if it still names the same folder. Otherwise derives
-// the folder from that of the results.
+// Finds the folder of the experiment file. Keeps the spelling in the recorded file name if it still
+// leads to the same folder. Otherwise uses `folder`, which is relative to the results folder.
 fs::path find_folder(const fs::path& results, const std::string& file, const std::string& folder) {
   const fs::path spelled = fs::path(file).parent_path();
   const auto found = resolve(resolve(results) / folder);
@@ -57,7 +57,7 @@ Origin read_origin(const fs::path& results, const ordered_json& json, const Over
   return origin;
 }
 
-// Quotes a word with control characters for bash, zsh and ksh.
+// Quotes a word that contains control characters, for the shells bash, zsh and ksh.
 std::string spell_controls(const std::string& text) {
   std::string word = "$'";
   for (const char c : text)
@@ -67,7 +67,7 @@ std::string spell_controls(const std::string& text) {
   return word + "'";
 }
 
-// Quotes a word for a shell.
+// Quotes a word for a shell, if necessary.
 std::string spell_word(const std::string& text) {
   const auto is_plain = [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) ||

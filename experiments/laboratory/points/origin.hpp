@@ -1,6 +1,6 @@
 #pragma once
-// Options of a run, and origin of a results folder. The origin is a description of the experiment,
-// written to points/experiment.json with the first record of a point.
+// The origin of a results folder: the description of the experiment that made it. It is written to
+// points/experiment.json together with the first record of a point.
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -10,26 +10,27 @@
 
 namespace laboratory {
 
-/// The requested results folder, or results/NAME.
+/// The results folder that the user gave, or results/NAME, where NAME is that of the experiment
+/// file.
 std::filesystem::path results_folder(const RunOptions& options);
 
-/// Formats the command, "tlab run FILE --set ...".
+/// Formats the command that makes the results: "tlab run FILE --set ...".
 std::string command_line(const RunOptions& options);
 
 inline constexpr const char* POINTS_ORIGIN = "points/experiment.json";
 
-/// Makes the origin, which is also a part of run.json: name, title, command line, and resolved
-/// experiment. It can be read without the experiment file. Paths are relative to the results
-/// folder.
+/// Makes the origin, which is also a part of run.json: name, title, command line, and the
+/// experiment with all overrides applied. The experiment file is not needed to read it. Paths are
+/// relative to the results folder.
 nlohmann::ordered_json make_origin(const RunOptions& options, const ExperimentFile& file,
                                    const std::filesystem::path& results);
 
-/// Throws BadInput if the results belong to another experiment: to a file with another name, or to
-/// a file of the same name in another folder with another title. The message names both
-/// experiments. Accepts results that record no name.
+/// Throws BadInput if the results belong to another experiment, with both experiments in the
+/// message. Another experiment has another file name, or the same file name but another folder and
+/// title. Accepts results that record no name.
 void check_same_experiment(const std::filesystem::path& results, const ExperimentFile& file);
 
-/// Writes the origin unless it exists. Throws as check_same_experiment does, even if another
+/// Writes the origin, unless it exists. Throws as check_same_experiment() does, even if another
 /// process writes the origin of another experiment at the same time.
 void save_origin(const std::filesystem::path& results, const ExperimentFile& file,
                  const nlohmann::ordered_json& origin);
@@ -39,12 +40,12 @@ struct Origin {
   RunOptions options;  ///< only file, output, overrides and until_s are set
   ExperimentFile file;
 };
-/// Loads the origin from POINTS_ORIGIN or run.json, and applies `overrides` after those of the run.
-/// Throws BadInput if it is missing or damaged.
+/// Loads the origin from `file`, which is POINTS_ORIGIN or run.json. Applies `overrides` after the
+/// overrides of the run. Throws BadInput if the file is missing or damaged.
 Origin load_origin(const std::filesystem::path& results, const std::filesystem::path& file,
                    const Overrides& overrides = {});
 
-/// The error for a file of tlab's own that is not valid JSON, or is incomplete.
+/// Makes the error for a file written by tlab that is no valid JSON, or incomplete.
 base::BadInput make_damaged(const std::filesystem::path& file,
                             const nlohmann::json::exception& error);
 

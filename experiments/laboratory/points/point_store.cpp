@@ -22,15 +22,15 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-// A hash of version, executable and SimGrid, which identifies this program.
+// A hash that identifies this program, from its version, executable and SimGrid's version.
 const std::string& program_id() {
   static const std::string id = hash_of(fmt::format(
       "{} {} {}", VERSION, hash_of(base::read_text("/proc/self/exe")), machine::simgrid_version()));
   return id;
 }
 
-// Formats the entries of a model. Models with equal entries yield equal text, whatever their
-// source.
+// Formats the entries of a machine model. Models with equal entries give equal text, even if they
+// come from different files.
 std::string describe_entries(const ModelSpec& spec) {
   const auto model = make_model(spec);
   std::string text = model.base + "\n";
@@ -40,7 +40,7 @@ std::string describe_entries(const ModelSpec& spec) {
   return text;
 }
 
-// Finds the files named in a scene file. Unreadable files are skipped here and refused elsewhere.
+// Finds the files to which a scene file refers. Skips unreadable files, which other code refuses.
 std::vector<std::string> find_further_files(const std::string& path) {
   try {
     return renderer::find_files(path);
@@ -49,13 +49,13 @@ std::vector<std::string> find_further_files(const std::string& path) {
   return {};
 }
 
-// Makes the last part of a record: a hash of all text before it.
+// Makes the end of a record: a hash of all text before it.
 std::string make_seal(std::string_view text) {
   return fmt::format(",\"hash\":\"{}\"}}\n", hash_of(text));
 }
 
-// Reads a record; null if it is damaged or its key differs. `filter` is the callback of
-// nlohmann::json::parse.
+// Reads a record. Returns null if it is damaged, or if its key is not the file's name. `filter` is
+// the callback of nlohmann::json::parse.
 ordered_json read_record(const fs::path& file, const ordered_json::parser_callback_t& filter) {
   const std::string text = base::read_own_text(file);
   const std::size_t end = make_seal("").size();
@@ -84,7 +84,7 @@ bool has_images(const PointResult& result, const fs::path& folder) {
 }  // namespace
 
 std::vector<std::string> make_keys(const ExperimentFile& file, double until_s) {
-  // hashes of models and files, computed once for all points
+  // hashes of models and files, each computed once for all points
   std::map<std::string, std::string> models, files;
   const auto describe_file = [&](const std::string& path) {
     auto& hash = files[path];
@@ -170,7 +170,7 @@ void StoreGuard::clean_up() const noexcept {
   remove_left_behind(records_);
   remove_left_behind(records_.parent_path());
   std::error_code ignored;
-  // fails for folders that are not empty, whose images may belong to another process's record
+  // has no effect on folders that still contain files, such as images of another process's records
   fs::remove(records_, ignored);
   fs::remove(records_.parent_path(), ignored);
   if (!was_there_) fs::remove(results_, ignored);

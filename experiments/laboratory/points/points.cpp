@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// Throws for an axis without effect, whose rows would claim values that were not used.
+// Throws for an axis without effect, since the results table would show values that were not used.
 void check_axes(const ExperimentFile& file) {
   for (const auto& [axis, key, values] : file.axes())
     for (const auto& point : file.points) {
@@ -40,13 +40,13 @@ void save_point(const PointsPlan& plan, std::size_t number, const PointResult& r
               name_of(point));
 }
 
-// Runs a point in the child process. A failed simulation is a result too; bad input is an
-// exception.
+// Simulates a point, in a child process, and records its result. A simulated failure counts as a
+// result. Bad input causes an exception.
 PointResult run_and_save(const PointsPlan& plan, std::size_t number) {
   const Point& point = plan.file.points[number];
   try {
     auto result = plan.run(point, plan.options, plan.results / records_folder());
-    // before the inspection, so that an error there loses no result
+    // saves before inspect() may throw, so that the result is not lost
     save_point(plan, number, result);
     if (plan.inspect) plan.inspect(point, result);
     result.use = nullptr;
@@ -59,8 +59,8 @@ PointResult run_and_save(const PointsPlan& plan, std::size_t number) {
   }
 }
 
-// Reports and records a failed point. Adds the topology, its size and the columns known before the
-// run, which identify the point's row.
+// Reports and records a failed point. Adds the name of the topology, its size, and the columns
+// known before the simulation, because these identify the point's row in the table.
 void finish_failure(const PointsPlan& plan, std::size_t number, PointResult& failure,
                     Progress& bar) {
   const Point& point = plan.file.points[number];
@@ -82,7 +82,7 @@ void check_points(const RunOptions& options, const ExperimentFile& file) {
       check_point(point.experiment);
       check_threads(options, point.experiment);
       if (networks.insert(network_key(point.experiment)).second) check_network(point.experiment);
-      // an error from any module here is an error of the experiment file
+      // whatever module reports this error, it is an error of the experiment file
     } catch (const std::runtime_error& error) {
       throw base::BadInput(fmt::format("{}: {}", file.path, error.what()));
     } catch (const std::bad_alloc&) {

@@ -1,6 +1,6 @@
 #pragma once
-// Execution of an experiment's points: checked together, then run in parallel, each in its own
-// process.
+// Checks all points of an experiment, and then simulates them in parallel, each in a process of its
+// own.
 #include <filesystem>
 #include <functional>
 
@@ -9,19 +9,19 @@
 
 namespace laboratory {
 
-/// Throws BadInput for an error in any point, or in options for points, before the first point
-/// runs.
+/// Throws BadInput for an error in any point, or in options that concern points, before the first
+/// point is simulated.
 void check_points(const RunOptions& options, const ExperimentFile& file);
 
-/// Callback that examines the result of a point as soon as it exists. Throws if the file's checks
-/// and plots use names that the result lacks.
+/// Callback that examines the result of a point as soon as it exists. It throws if the file's
+/// checks and plots use names that the result lacks.
 using Inspect = std::function<void(const Point& point, const PointResult& result)>;
 
-/// Runs a point, like run_point().
+/// Function that simulates a point, with the contract of run_point().
 using RunPoint = std::function<PointResult(const Point& point, const RunOptions& options,
                                            const std::filesystem::path& images)>;
 
-/// The points to run, and where their records are.
+/// The points to simulate, and the folders of their records.
 struct PointsPlan {
   PointsPlan(const RunOptions& options, const ExperimentFile& file, Inspect inspect = {},
              RunPoint run = {});
@@ -29,25 +29,25 @@ struct PointsPlan {
   const RunOptions& options;
   const ExperimentFile& file;
   Inspect inspect;
-  RunPoint run;                   ///< none: run_point()
-  std::filesystem::path results;  ///< folder with records to use and to add to
-  /// folder for records that only these results may use; "": not saved
+  RunPoint run;                   ///< function that simulates a point; empty: run_point()
+  std::filesystem::path results;  ///< folder whose records are used and extended
+  /// folder for records that are valid only for these results; "": they are not saved
   std::filesystem::path lone;
-  std::vector<std::string> keys;  ///< record key of each point
-  nlohmann::ordered_json origin;  ///< origin of the results (see make_origin)
+  std::vector<std::string> keys;  ///< for each point, the key of its record
+  nlohmann::ordered_json origin;  ///< description of the experiment (see make_origin)
 };
 
-/// Finds the recorded results of the points with these numbers. Finds none under --profile,
-/// --trace, --timeline or --animate.
+/// Finds the recorded results of the points with these numbers; all other results stay empty. Uses
+/// no records with --profile, --trace, --timeline and --animate, which need a simulation.
 Results find_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers);
 
-/// Runs the points with these numbers and records each result as soon as it exists. A failure is
-/// reported on standard error at once, and the other points continue. After an interrupt by the
-/// user, some results are missing. Throws Failure for bad input. Throws Interrupted at a second
-/// interrupt, or if there is no result at all.
+/// Simulates the points with these numbers, and records each result as soon as it exists. Reports a
+/// failure on standard error at once, and continues with the other points. If the user interrupts,
+/// some results stay empty. Throws Failure for bad input. Throws Interrupted at a second interrupt,
+/// or if there is no result at all.
 void run_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers, Results& results);
 
-/// True if only these results may use the point's record.
+/// True if the point's record is valid only for the results in the same folder.
 bool is_lone(const Experiment& experiment, const PointResult& result);
 
 }  // namespace laboratory

@@ -10,9 +10,9 @@
 namespace laboratory {
 namespace {
 
-constexpr double EXACT = 0x1p53;  // limit below which doubles represent every integer
+constexpr double EXACT = 0x1p53;  // doubles represent every integer below this limit
 
-// Lists the programs of the points, each once.
+// Lists the programs that the points use, each once.
 std::vector<const programs::Program*> programs_of(const ExperimentFile& file) {
   std::vector<const programs::Program*> all;
   for (const auto& point : file.points)
@@ -21,18 +21,19 @@ std::vector<const programs::Program*> programs_of(const ExperimentFile& file) {
   return all;
 }
 
-// Names the column of an axis.
+// The name of an axis's column in the results table.
 std::string column_of(const ExperimentFile& file, const std::string& axis) {
   return axis == "workers" ? programs_of(file)[0]->processors : axis;
 }
 
-// A table that is filled cell by cell. New columns are appended.
+// A results table that is filled cell by cell. A new column name appends a column.
 class Filling {
  public:
   Filling(Table& table) : table_(table) {}
 
   void begin() { table_.rows.emplace_back(table_.columns.size()); }
-  // Sets a cell. A result that is also an input has one column, and both values must agree.
+  // Sets a cell of the last row. If a value is both an input and a result, both are put into the
+  // same cell, and must be equal.
   void put(const std::string& column, const Value& value) {
     auto known = table_.find(column);
     if (!known) {
@@ -60,7 +61,7 @@ Value to_value(const base::Scalar& value) {
   return {};
 }
 
-// Adds the inputs of a point that are not axes.
+// Adds the cells of a point's inputs that are not axes of the sweep.
 void put_inputs(Filling& filling, const Experiment& experiment, const PointResult& result) {
   const auto& program = *experiment.program;
   if (program.uses.network) {
@@ -72,7 +73,7 @@ void put_inputs(Filling& filling, const Experiment& experiment, const PointResul
   for (const auto& p : program.parameters) filling.put(p.name, to_value(p.get(experiment.params)));
 }
 
-// Lists the columns before the measurements, in order. Some rows may leave columns empty.
+// Lists the columns of inputs, which precede the measured ones. A row may leave some of them empty.
 std::vector<std::string> input_columns(const ExperimentFile& file) {
   auto columns = axis_columns(file);
   const auto add = [&](const std::string& name) {
@@ -83,8 +84,8 @@ std::vector<std::string> input_columns(const ExperimentFile& file) {
   return columns;
 }
 
-// Converts a column of integral numbers to integers, so that they are written without a decimal
-// point.
+// Converts columns whose numbers are all integral to integers, so that they are written without a
+// decimal point.
 void make_whole(Table& table) {
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const bool whole = std::ranges::all_of(table.rows, [&](const auto& row) {
@@ -105,7 +106,7 @@ bool is_base(const Table& table, const std::vector<Value>& base, const std::vect
   return true;
 }
 
-// Fills empty speed-ups from a separate run of the same point with a single worker.
+// Fills empty speed-ups by means of the time of the same machine with a single worker.
 void add_speedups(Table& table, const Results& results, const std::string& processors) {
   const auto workers = table.find(processors), time = table.find("time_s");
   const auto speedup = table.find("speedup"), efficiency = table.find("efficiency");

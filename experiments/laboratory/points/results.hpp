@@ -1,5 +1,5 @@
 #pragma once
-// Table of the results of all points of a sweep.
+// The table of the results of all points of a sweep.
 #include <set>
 
 #include "experiments/laboratory/points/point_result.hpp"
@@ -7,46 +7,47 @@
 
 namespace laboratory {
 
-/// The columns that identify a point. Those of the program come first (the farm's topology, workers
-/// and objects), then the axes of the sweep in file order. The program names the column of the
-/// network's size.
+/// The columns that identify a point. Those that the program declares come first, such as the
+/// farm's topology, workers and objects. Then come the axes of the sweep, in the order of the file.
+/// The program also gives the name of the column for the size of the network.
 std::vector<std::string> axis_columns(const ExperimentFile& file);
 
-/// The columns of the axes coupled with `column` in [sweep], including `column` itself.
+/// The columns of the axes that change together with `column` in [sweep], including `column`.
 std::vector<std::string> find_coupled(const ExperimentFile& file, const std::string& column);
 
-/// Makes the table of results, with one row for each row that a point measured, or one for a point
-/// that measured nothing. Columns are:
-///   - the axes, and the columns that a program declares as its parts, which count as axes;
-///   - network and parameters, if the program shows them;
-///   - the measurements, and how the point ended.
-/// With several programs in the sweep, the table has the columns of all, empty where they do not
-/// apply. Speed-up and efficiency are relative to the row with one processor and otherwise equal
-/// axes, or to PointResult::single_s. If both are missing, they stay empty, and so do the serial
-/// fractions of laws.hpp.
+/// Makes the results table. A point has one row for each row that it measured, or one row if it
+/// measured nothing. The columns are
+///   - the axes, and the columns by which a program divides its results into parts, which count as
+///     axes;
+///   - the network and the parameters, if the program shows them;
+///   - the measured results, and `ended`, which tells how the point ended.
+/// With several programs in the sweep, the table has the columns of all programs; cells are empty
+/// where a column does not apply. Speed-up and efficiency are relative to the row with one
+/// processor and otherwise equal axes, or else to PointResult::single_s. Without both, they stay
+/// empty, and so do the serial fractions (see laws.hpp).
 Table make_table(const ExperimentFile& file, const Results& results);
 
-/// Makes growth.csv: the axes, and the growth of each point's picture. Empty if growth was not
-/// recorded.
+/// Makes growth.csv: the axes, and how the picture of each point grew with simulated time. Empty if
+/// this was not recorded.
 Table make_growth_table(const ExperimentFile& file, const Results& results);
 
-/// True if the point of the row was completed.
+/// True if the point that the row belongs to was completed.
 bool is_complete_row(const Table& table, const std::vector<Value>& row);
 
 /// Fills empty cells of speed-up and efficiency, relative to the row with one processor and
 /// otherwise equal axes. `processors` is the name of the column with the number of processors.
 void add_speedups(Table& table, const std::string& processors);
 
-/// Fills serial_karp_flatt and serial_gustafson (laws.hpp) in each row with a speed-up.
+/// Fills the columns serial_karp_flatt and serial_gustafson (see laws.hpp) in rows with a speed-up.
 void add_serial_fractions(Table& table, const std::string& processors);
 
 /// The names of input columns: axes, properties of the network, and parameters of the programs.
 std::set<std::string> input_names(const ExperimentFile& file, const Table& table);
 
-/// The first column of a results table that is a result and not an input; none if all are inputs.
+/// The first column that is a result and not an input, as a list; empty if all columns are inputs.
 std::vector<std::string> first_result(const ExperimentFile& file, const Table& table);
 
-/// What the program of all points shows of its results; the defaults if there are several programs.
+/// What the program of the points shows of its results. If there are several programs, the default.
 const programs::Shows& shows_of(const ExperimentFile& file);
 Value to_value(const Coordinate& at);
 

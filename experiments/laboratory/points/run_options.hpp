@@ -10,35 +10,40 @@ namespace laboratory {
 
 /// Options of --animate.
 struct FilmOptions {
-  /// film files (.webp), or .png for frames NAME-0001.png ...; "": no film
+  /// file of the film (.webp), or NAME.png for the frames NAME-0001.png ...; "": no film
   std::string picture, network;
   int frames = 100;
-  bool is_confirmed = false;  ///< --yes: draw the films even if that takes long
+  bool is_confirmed = false;  ///< true: the user gave --yes, to draw the films even if it takes
+                              ///< long
 
   bool is_asked() const { return !picture.empty() || !network.empty(); }
 };
 
 inline constexpr int MIN_FRAMES = 2, MAX_FRAMES = 1000;
 
-/// The options of tlab run.
+/// The options of tlab run. Simulated times are in seconds from the start of the program.
 struct RunOptions {
   std::string file;         ///< experiment file
-  std::string output;       ///< results folder; "": results/NAME
+  std::string output;       ///< results folder; "": results/NAME, where NAME is that of the
+                            ///< experiment file
   Overrides overrides;      ///< values of --set
-  bool is_reduced = false;  ///< use the values of [reduced]
-  unsigned jobs = 1;        ///< number of parallel jobs: points to run, and networks to draw
-  unsigned threads = 1;     ///< threads for each point; results do not depend on their number
+  bool is_reduced = false;  ///< true: use the values of [reduced]
+  unsigned jobs = 1;        ///< number of processes that simulate points or draw networks at the
+                            ///< same time
+  unsigned threads = 1;     ///< threads that simulate each point; results do not depend on their
+                            ///< number
   bool profile = false;
-  double until_s = std::numeric_limits<double>::infinity();  ///< end of simulated time
+  double until_s = std::numeric_limits<double>::infinity();  ///< simulated time at which a
+                                                             ///< simulation ends at the latest
   double from_s = 0;     ///< simulated time at which trace, timeline and films start
   std::string trace;     ///< trace file of the only point: .json (Perfetto) or .paje; "": none
-  std::string timeline;  ///< Gantt chart of the only point: .svg file; "": none
+  std::string timeline;  ///< file of the Gantt chart (.svg) of the only point; "": none
   FilmOptions films;     ///< films of the only point
   bool list = false;
   std::vector<std::string> points;  ///< values of --point: "3" or "3-5", numbered from 0
 
   bool wants_trace() const { return !trace.empty() || !timeline.empty() || !films.network.empty(); }
-  /// True if points are simulated even if they have results.
+  /// True if points must be simulated even if they have results.
   bool runs_anew() const { return profile || wants_trace() || films.is_asked(); }
 };
 

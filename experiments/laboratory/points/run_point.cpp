@@ -20,14 +20,14 @@ using base::require;
 using nlohmann::ordered_json;
 using programs::Setup;
 
-// CPU time of this process, independent of other programs on the host.
+// CPU time of this process in seconds; other programs on the host do not affect it.
 double process_cpu_s() {
   timespec time{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// Makes the surroundings of a program without its network.
+// Makes what a program needs for its simulation: model, engine and costs, but not yet its network.
 Setup make_setup(const Experiment& experiment, const machine::Model& model) {
   Setup setup{.model = model, .topology = topologies::make_line(1), .engine = experiment.engine};
   setup.cycles_per_host_s = experiment.cycles_per_host_s;
@@ -48,7 +48,7 @@ void add_network(Setup& setup, const Experiment& experiment, unsigned threads) {
   if (uses.others) setup.others = find_others(experiment, setup.topology, setup.model);
 }
 
-// Describes a point before its run. The caller passes the network, since making it may take
+// Describes a point before its simulation. The caller passes the network, since making it may take
 // seconds.
 PointResult describe(const Experiment& experiment, const topologies::Topology& topology) {
   const auto& program = *experiment.program;
@@ -61,8 +61,8 @@ PointResult describe(const Experiment& experiment, const topologies::Topology& t
   return result;
 }
 
-// Throws unless there is exactly one row. A program that declares columns as `parts` may have
-// several rows, each with other values in these columns.
+// Throws unless there is exactly one row. Programs that declare the columns `parts` may have
+// several rows, each with a different combination of values in these columns.
 void check_rows(const programs::Program& program, const std::vector<base::Row>& rows) {
   if (program.parts.empty()) return base::check_equal("rows of a point", rows.size(), 1u);
   std::set<std::vector<base::Cell>> known;
@@ -84,8 +84,8 @@ void check_rows(const programs::Program& program, const std::vector<base::Row>& 
 ordered_json make_use(const programs::Outcome<base::Row>& outcome) {
   if (!outcome.use) return {};
   const auto& use = *outcome.use;
-  // Uses arrays, since machines are large and a JSON object searches all members before each
-  // insertion.
+  // Uses arrays for large machines: before each insertion, an ordered JSON object searches all its
+  // members.
   auto cpus = ordered_json::array(), links = cpus, loads = cpus;
   for (const auto& cpu : use.cpus) {
     cpus.push_back({{"name", cpu.name},
@@ -179,7 +179,7 @@ void check_point(const Experiment& experiment) {
   }
   if (!experiment.program->check) return;
   auto setup = make_setup(experiment, model);
-  // Makes the network only for programs that check it, since that is slow.
+  // making the network is slow, so it is made only for programs that check it
   if (experiment.program->services > 0 || !experiment.faults.empty())
     setup.topology = make_workers(experiment);
   if (!experiment.faults.empty()) setup.faults = find_faults(experiment, setup.topology);

@@ -33,13 +33,13 @@ bool needs_single(const Point& point, const PointResult& result) {
          result.processors > 1 && time_of(result) && speedup && *speedup == base::Cell();
 }
 
-// True for keys that have no meaning in a network of one worker.
+// True for keys that have no meaning on a network of one worker.
 bool is_of_network(const std::string& key) {
   return key == "fault" || key == "processor" ||
          (key.starts_with("network.") && key != "network.switches");
 }
 
-// The file without points, and without the axes that concern the network.
+// Copies the file without its points, and without axes and keys that concern the network.
 ExperimentFile without_network(const ExperimentFile& file) {
   ExperimentFile single = file;
   single.points.clear();
@@ -80,8 +80,9 @@ void run_missing(const PointsPlan& plan, Results& results) {
 
 void measure_single_workers(const PointsPlan& plan, Results& results, SingleWorker single_worker) {
   ExperimentFile file = without_network(plan.file);
-  std::map<std::string, double> times;  // times of single workers, by the name of their point
-  // points that need the time of a single worker, by the name of the single worker's point
+  std::map<std::string, double> times;  // simulation times of single workers, by the name of their
+                                        // point, in seconds
+  // by the name of a single worker's point: the points that need its time
   std::map<std::string, std::vector<std::size_t>> needed;
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Point& point = plan.file.points[i];

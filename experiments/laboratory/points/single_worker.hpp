@@ -1,15 +1,16 @@
 #pragma once
-// Single-worker reference times, for speed-ups on networks that define their own size.
+// Times of a single worker, for the speed-ups on networks that define their own size.
 #include "experiments/laboratory/points/points.hpp"
 
 namespace laboratory {
 
-/// Treatment of a missing reference time: search other points only, or also run a single worker.
+/// What to do if the time of a single worker is missing: only search other points, or also simulate
+/// it.
 enum class SingleWorker { find, run };
 
-/// Sets PointResult::single_s of each complete point whose network defines its own size and whose
-/// program leaves the speed-up empty. This is the time of one worker of the same machine. It comes
-/// from another point of the sweep, or from an additional run, which is recorded like a point.
+/// Sets PointResult::single_s, the time of one worker of the same machine, of complete points whose
+/// network defines its own size and whose program leaves the speed-up empty. The time comes from
+/// another point of the sweep, or from an additional simulation, which is recorded like a point.
 void measure_single_workers(const PointsPlan& plan, Results& results, SingleWorker single_worker);
 
 }  // namespace laboratory

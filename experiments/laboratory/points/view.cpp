@@ -24,7 +24,7 @@ bool contains(const Texts& texts, const std::string& text) {
   return std::ranges::find(texts, text) != texts.end();
 }
 
-// The names that the file's plots, checks and [[best]] use, directly or through [let].
+// The names that the file's plots, checks and [[best]] use, directly or through names of [let].
 std::set<std::string> find_asked(const ExperimentFile& file) {
   std::map<std::string, std::string> formulas;
   for (const Definition& definition : file.definitions)
@@ -48,7 +48,7 @@ std::set<std::string> find_asked(const ExperimentFile& file) {
   return names;
 }
 
-// The value of a column if it is equal in all rows.
+// The value of a column, if it is the same in all rows.
 std::optional<std::string> find_constant(const Table& table, std::size_t column) {
   if (table.rows.empty()) return {};
   const auto& first = table.rows[0][column];
@@ -57,7 +57,7 @@ std::optional<std::string> find_constant(const Table& table, std::size_t column)
   return to_string(first);
 }
 
-// Inserts the column with half widths after each shown mean.
+// Inserts after each shown mean the column with its half widths, if there is one.
 void add_half_widths(const Table& table, TableView& view) {
   Texts columns;
   std::size_t least = 0;
@@ -70,8 +70,8 @@ void add_half_widths(const Table& table, TableView& view) {
   view.least = least;
 }
 
-// True if the speed-up exists for less than half of the completed rows, because only some of the
-// networks have a run with one worker.
+// True if a speed-up exists in less than half of the completed rows, because only some networks
+// have a point with one worker.
 bool is_sparse(const Table& table, std::size_t column) {
   const auto& name = table.columns[column];
   if (name != "speedup" && name != "efficiency") return false;
@@ -95,7 +95,7 @@ TableView choose_named(const ExperimentFile& file, const Table& table) {
                         table.columns.begin() + static_cast<std::ptrdiff_t>(table.axes));
     for (const auto& name : names)
       if (table.find(SEEDS) && is_seed(name))
-        continue;  // its values are averaged
+        continue;  // the seed is averaged over, and so has no column
       else if (!table.find(name))
         view.unknown.push_back(
             fmt::format("no column \"{}\"{}", name, base::suggest(name, table.columns)));
@@ -176,7 +176,7 @@ std::string to_text(const Table& table, const TableView& view, std::size_t width
   if (!line.empty()) text += line + "\n\n";
   const auto columns = fit_columns(table, view, width);
   text += to_text(table, columns);
-  // columns with half widths belong to others, and are not in results.csv
+  // columns with half widths are not counted, because results.csv does not have them
   const auto is_own = [](const auto& name) { return !name.ends_with(HALF_WIDTH); };
   const auto others = std::ranges::count_if(table.columns, is_own) -
                       std::ranges::count_if(columns, is_own) -

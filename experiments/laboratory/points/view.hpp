@@ -1,5 +1,5 @@
 #pragma once
-// Selection of columns for display, since a program may have sixty columns.
+// Selection of the columns to display, since a program may have sixty columns.
 #include <string>
 #include <utility>
 #include <vector>
@@ -9,28 +9,29 @@
 namespace laboratory {
 
 struct TableView {
-  /// Shown columns, in this order: axes, other inputs that vary, results that the file refers to,
-  /// other results.
+  /// Shown columns, in this order: axes, other inputs that vary, results that the experiment file
+  /// uses, other results.
   std::vector<std::string> columns;
-  std::size_t least = 0;  ///< number of columns to show on any terminal, however narrow
-  /// Inputs with the same value in all rows: name and value.
+  std::size_t least = 0;  ///< number of columns that are shown even on narrow terminals
+  /// Names and values of the inputs that have the same value in all rows.
   std::vector<std::pair<std::string, std::string>> constants;
-  std::vector<std::string> unknown;  ///< one sentence for each requested name that is not a column
+  std::vector<std::string> unknown;  ///< one sentence for each name in [report] that is not a
+                                     ///< column
 };
 
-/// Chooses the columns. In a table of means over seeds, each is followed by its half widths. With
-/// [report] columns these are the axes and the named columns, or all columns if one of the names is
-/// "all". Otherwise they are the axes, inputs that vary, and results. Results used in [[check]],
-/// [[plot]] and [[best]], also through [let], come first. The farm's other results are limited to
-/// the most useful ones, and speed-ups to those of most rows. `ended` is shown only if a point
-/// failed or was cut short.
+/// Chooses the columns to display. If the file has `columns` in [report], these are the axes and
+/// the named columns, or all columns if a name is "all". Otherwise they are the axes, the inputs
+/// that vary, and results. Results that [[check]], [[plot]] and [[best]] use, also through [let],
+/// come first. Other results of a farm are limited to the most useful ones, and speed-ups are shown
+/// only if most rows have one. `ended` is shown only if a point failed or was ended early. In a
+/// table of means over seeds, each mean is followed by its half width.
 TableView choose_view(const ExperimentFile& file, const Table& table);
 
-/// Formats the view: its constants in lines, its table, and the number of hidden columns. The table
-/// is `width` characters wide, unless its first columns need more.
+/// Formats the chosen columns: lines with the constant inputs, the table, and the number of hidden
+/// columns. The table is at most `width` characters wide, unless its first columns need more.
 std::string to_text(const Table& table, const TableView& view, std::size_t width);
 
-/// The names of the columns that to_text() shows at this width.
+/// The names of the columns that to_text() shows if the terminal is `width` characters wide.
 std::vector<std::string> fit_columns(const Table& table, const TableView& view, std::size_t width);
 
 }  // namespace laboratory
