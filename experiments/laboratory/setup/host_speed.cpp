@@ -21,13 +21,14 @@ constexpr int SIZE = 48, SHOTS = 3, REPEATS = 5;  // SIZE: image width and heigh
 
 using Kernels = std::vector<kernels::KernelUse>;
 
-// One worker with timed costs.
+// Describes a machine of one worker with timed costs.
 programs::Setup make_setup(const machine::Model& model) {
   return {.model = model, .topology = topologies::make_topology("line:1"), .cycles_per_host_s = 1};
 }
 
-// Measures each workload of the farm by simulating a machine with one worker. The kernels then run
-// as in an experiment, between events of a simulation with which they share the host's caches.
+// Measures a workload of the farm by simulating a machine with one worker. The kernels (the
+// numerical code) then run as in an experiment: between events of a simulation, which also uses the
+// host's caches.
 Kernels run_farm(const machine::Model& model, std::optional<farm::Block> block) {
   farm::Params params;
   params.image.width = params.image.height = SIZE;
@@ -35,7 +36,7 @@ Kernels run_farm(const machine::Model& model, std::optional<farm::Block> block) 
   return farm::run_farm(make_setup(model), renderer::load_scene(SCENE), params).kernels;
 }
 
-// Makes a box of 2 x 2 x 2 m with a screen. Below its ceiling is a lamp, also a face.
+// Makes a room: a box of 2 x 2 x 2 m, with a lamp below its ceiling and a screen in the middle.
 radiosity::Room make_room() {
   radiosity::Room room;
   room.materials = {{"wall", {0.6, 0.6, 0.6}, {}}, {"lamp", {}, {10, 10, 10}}};
@@ -86,11 +87,11 @@ constexpr Workload WORKLOADS[] = {
      }},
     {"radiosity", &run_radiosity}};
 
-// Alternates the workloads, so that a temporary slowdown of the host affects all of them.
+// Measures the workloads in turn, so that a temporary slowdown of the host affects all of them.
 HostSpeed measure(const machine::Model& model) {
   HostSpeed host;
   host.repeats = REPEATS;
-  // measured before any job, since jobs inherit this_host()
+  // must be measured before the first job, because child processes inherit the value of this_host()
   host.clock_interval_s = kernels::this_host().interval_s;
   std::vector<double> speeds[std::size(WORKLOADS)];
   for_each_job(

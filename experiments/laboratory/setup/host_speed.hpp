@@ -1,6 +1,6 @@
 #pragma once
-// Calibration of cost = "timed": the number of a model's cycles that one second of host CPU time
-// represents.
+// Calibration for the setting cost = "timed": how many cycles of the simulated processor one second
+// of host CPU time stands for.
 #include <map>
 #include <string>
 #include <vector>
@@ -9,24 +9,25 @@
 
 namespace laboratory {
 
-/// Ratio of counted cycles to host time, for the kernels of three workloads: a farm's rays, its
-/// blocks of pixels, and shots of radiosity.
+/// Ratio of counted cycles to host CPU time, measured with three workloads: single rays of a farm,
+/// its blocks of pixels, and steps of radiosity.
 struct HostSpeed {
   struct Workload {
     std::string name;
     double cycles_per_host_s = 0;  ///< median of the repeats
-    double spread = 0;             ///< of the repeats: (largest - smallest) / median
+    double spread = 0;             ///< spread of the repeats: (largest - smallest) / median
   };
   double cycles_per_host_s = 0;  ///< geometric mean over the workloads
-  double spread = 0;             ///< of the workloads: (largest - smallest) / mean
+  double spread = 0;             ///< spread of the workloads: (largest - smallest) / mean
   int repeats = 0;
   std::vector<Workload> workloads;
-  double clock_interval_s = 0;  ///< least time between two readings of the host's clock, s
+  double clock_interval_s = 0;  ///< least time between two readings of the host's clock, seconds
 };
-using HostSpeeds = std::map<std::string, HostSpeed>;  ///< Host speeds by model_key.
+using HostSpeeds = std::map<std::string, HostSpeed>;  ///< host speeds by model_key() of the machine
+                                                      ///< model
 
-/// Measures the host for each model that a point with cost = "timed" uses, and sets
-/// cycles_per_host_s of all such points.
+/// Measures the host's speed for each machine model that a point with cost = "timed" uses. Sets
+/// cycles_per_host_s of all these points.
 HostSpeeds measure_host(ExperimentFile& file);
 
 }  // namespace laboratory

@@ -1,5 +1,5 @@
 #pragma once
-// Loading of scenes and rooms with warnings on standard error.
+// Loads scenes and rooms, with warnings on standard error.
 #include <string>
 #include <vector>
 
@@ -9,17 +9,19 @@
 
 namespace laboratory {
 
-/// Prints each sentence as "tlab: warning: ...".
+/// Prints each sentence on standard error, as "tlab: warning: ...".
 void warn(const std::vector<std::string>& sentences);
 
-/// Loads a scene as renderer::load_scene() does, and warns of everything that was left out.
+/// Loads a scene as renderer::load_scene() does, and warns of features in the file that are left
+/// out.
 renderer::Scene open_scene(const std::string& source, int frame = 0);
 
-/// Loads a room as radiosity::load_room() does, and warns of everything that was left out.
+/// Loads a room as radiosity::load_room() does, and warns of features in the file that are left
+/// out.
 radiosity::Room open_room(const std::string& path);
 
-/// Warns of everything that is left out of the OBJ files of an experiment's points, once for each
-/// file. Ignores errors in them, because programs report these.
+/// Warns of features that are left out of the OBJ files of an experiment, once for each file.
+/// Ignores errors in the files, because the programs report these.
 void warn_of_scenes(const ExperimentFile& file);
 
 }  // namespace laboratory

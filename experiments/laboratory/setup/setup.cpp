@@ -48,8 +48,8 @@ Topology make_network(const Experiment& experiment) {
 
 }  // namespace
 
-// Caches the last model, since loading takes about ten milliseconds, as long as a short run. Does
-// not cache models from files, which may change.
+// Keeps the last model for the next call, since loading a model takes about ten milliseconds, as
+// long as a short simulation. Does not keep models from files, which may change.
 machine::Model make_model(const ModelSpec& spec) {
   thread_local std::string known;
   thread_local machine::Model last;
