@@ -9,7 +9,7 @@
 namespace laboratory {
 namespace {
 
-// Formats one value: "3200 objects", "tree", "depth 3", "link rate 20 Mbit/s".
+// Formats the value of an axis: "3200 objects", "tree", "depth 3", "link rate 20 Mbit/s".
 std::string name_value(const std::string& axis, const Value& value) {
   const auto text = to_string(value), label = make_label(axis);
   if (!as_number(value) && text != "true" && text != "false") return text;

@@ -18,7 +18,8 @@ struct Points {
 
 bool is_good(double value) { return std::isfinite(value) && value > 0; }
 
-// Drops points with n = 1, which fit any serial fraction.
+// Omits points with n = 1, where every serial fraction gives the speed-up 1, and points with
+// invalid values.
 Points choose_points(const std::vector<double>& n, const std::vector<double>& speedup,
                      const std::vector<double>& growth) {
   base::check_equal("points of a fit", speedup.size(), n.size());
@@ -50,8 +51,9 @@ Fit make_share_fit(const std::string& law, const std::string& minimised, std::si
           points,    {}};
 }
 
-// Tests whether the residuals of a fit follow log n. `terms` are those of the law, with one list
-// for each parameter; `deviation` is the largest relative deviation of the law from the points.
+// Tests whether the residuals of a fit depend on log n. `terms` are the terms of the law, one list
+// for each fitted parameter; `deviation` is the largest relative deviation of the law from the
+// points.
 std::optional<Misfit> find_misfit(std::vector<std::vector<double>> terms,
                                   const std::vector<double>& residuals,
                                   const std::vector<double>& n, double deviation) {
@@ -60,7 +62,7 @@ std::optional<Misfit> find_misfit(std::vector<std::vector<double>> terms,
   if (residuals.size() <= used || deviation <= LEAST_DEVIATION) return std::nullopt;
   std::vector<double> trend;
   for (const double x : n) trend.push_back(std::log(x));
-  // With the law log x itself, the trend is its square.
+  // If the law itself has the term log n (fit_log), tests for the square of log n instead.
   if (used > 2)
     for (double& value : trend) value *= value;
   terms.push_back(trend);
@@ -72,7 +74,7 @@ std::optional<Misfit> find_misfit(std::vector<std::vector<double>> terms,
   return Misfit{t, limit, deviation};
 }
 
-// The largest relative deviation of a law from points.
+// The largest relative deviation of a law from the measured values.
 template <class Law>
 double find_deviation_of(const std::vector<double>& measured, Law law) {
   double most = 0;
@@ -82,7 +84,7 @@ double find_deviation_of(const std::vector<double>& measured, Law law) {
   return most;
 }
 
-// Fits the serial fraction s of y(n, S) = s (1 - 1/n).
+// Fits the serial fraction s in the equation y(n, S) = s (1 - 1/n), where S is the speed-up.
 std::optional<Fit> fit_share(const std::string& law, const std::string& minimised,
                              const std::vector<double>& n, const std::vector<double>& speedup,
                              double (*y)(double n, double speedup),
@@ -160,7 +162,7 @@ std::optional<Fit> fit_sun_ni(const std::vector<double>& n, const std::vector<do
     const auto eval = [&](double serial, std::size_t i) {
       return sun_ni_speedup(serial, points.n[i], points.growth[i]);
     };
-    std::vector<double> slopes;  // of the residuals over the serial fraction
+    std::vector<double> slopes;  // derivatives of the residuals with respect to the serial fraction
     for (std::size_t i = 0; i < points.n.size(); ++i)
       slopes.push_back((eval(fit.parameters[0] + STEP, i) - eval(fit.parameters[0] - STEP, i)) /
                        (2 * STEP * points.n[i]));

@@ -11,7 +11,8 @@ namespace {
 constexpr int MOST_MOVES = 200;
 constexpr double TOLERANCE = 1e-10;
 
-using Columns = std::vector<std::vector<double>>;  // one column of the Jacobian for each parameter
+using Columns = std::vector<std::vector<double>>;  // the Jacobian matrix, with one column for each
+                                                   // parameter
 
 bool are_finite(const std::vector<double>& values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });
@@ -33,7 +34,8 @@ Columns eval_jacobian(const Residuals& residuals, const std::vector<double>& at,
   return jacobian;
 }
 
-// Throws if a column is zero or two columns are parallel.
+// Throws if the residuals do not determine the parameters: a column is zero, or two columns are
+// parallel.
 void require_determined(const Columns& jacobian) {
   constexpr double NOTHING = 1e-7, ALIKE = 0.99999;
   std::vector<double> lengths;
@@ -47,8 +49,8 @@ void require_determined(const Columns& jacobian) {
   }
 }
 
-// Levenberg's and Marquardt's iteration. `scales` has, for each parameter, the greatest length so
-// far of its column of the Jacobian.
+// State of the Levenberg-Marquardt iteration: the parameters `at`, and their residuals `left`.
+// `scales` has, for each parameter, the greatest length so far of its column of the Jacobian.
 struct Descent {
   const Residuals& residuals;
   const Step& step;
@@ -64,7 +66,7 @@ void differentiate(Descent& d) {
     d.scales[p] = std::max(d.scales[p], std::sqrt(dot(d.jacobian[p], d.jacobian[p])));
 }
 
-// True if the gradient is zero to within TOLERANCE.
+// True if the gradient of the sum of squares is zero up to TOLERANCE.
 bool is_level(const Descent& d) {
   for (std::size_t p = 0; p < d.at.size(); ++p)
     if (std::abs(dot(d.jacobian[p], d.left) * std::max(d.at[p], 1.0)) >
@@ -73,7 +75,8 @@ bool is_level(const Descent& d) {
   return true;
 }
 
-// The move that minimises |left + jacobian move|^2 + damping |scales move|^2.
+// The change of the parameters that minimises the sum
+// |left + jacobian * change|^2 + damping * |scales * change|^2.
 LinearFit find_move(const Descent& d) {
   auto terms = d.jacobian;
   std::vector<double> values;
@@ -86,8 +89,8 @@ LinearFit find_move(const Descent& d) {
   return fit_linear(std::move(terms), std::move(values));
 }
 
-// Computes a move, and applies it if it reduces the sum of squares. Returns false for a move too
-// small to matter.
+// Computes a change of the parameters, and applies it if it reduces the sum of squares. Returns
+// false if the change is too small to matter.
 bool try_move(Descent& d) {
   const auto move = find_move(d);
   auto next = d.at;

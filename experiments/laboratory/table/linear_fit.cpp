@@ -11,18 +11,19 @@ namespace {
 using Vector = std::vector<double>;
 using Matrix = std::vector<Vector>;
 
-// a term whose orthogonal rest is shorter than this share of the term depends on earlier terms
+// A term counts as dependent on earlier terms if the part orthogonal to them is shorter than this
+// share of the term.
 constexpr double DEPENDENT = 1e-12;
 
-// Subtracts from `from` its component along the unit vector `direction`, and returns that
-// component.
+// Removes from `from` its component along the unit vector `direction`, and returns the length of
+// this component.
 double take_share(const Vector& direction, Vector& from) {
   const double share = dot(direction, from);
   for (std::size_t i = 0; i < from.size(); ++i) from[i] -= share * direction[i];
   return share;
 }
 
-// Solves the upper triangular system; unknowns with a zero on the diagonal are 0.
+// Solves an upper triangular system. Unknowns with a zero on the diagonal become 0.
 Vector solve_triangle(const Matrix& upper, Vector right) {
   for (std::size_t k = right.size(); k-- > 0;) {
     for (std::size_t j = k + 1; j < right.size(); ++j) right[k] -= upper[k][j] * right[j];

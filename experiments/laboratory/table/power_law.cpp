@@ -10,7 +10,7 @@
 namespace laboratory {
 namespace {
 
-// minimum number of points; a broken line fits almost any smaller number of points
+// least number of points; a line with a bend would fit almost any four points
 constexpr std::size_t FEWEST = 5;
 constexpr double LEAST_CHANGE = 0.2, MOST_LEFT = 0.25;
 
@@ -18,7 +18,7 @@ struct Line {
   double before, after, squares;
 };
 
-// The logarithms of the numbers; empty unless all are positive.
+// The logarithms of the numbers; empty if a number is not finite and positive.
 std::vector<double> logs_of(const std::vector<double>& values) {
   std::vector<double> logs;
   for (const double value : values) {
@@ -50,7 +50,7 @@ std::optional<PowerLaw> fit_power_law(const std::vector<double>& x, const std::v
   if (t.size() < FEWEST || v.size() < FEWEST || !ascends) return std::nullopt;
   const Line straight = fit_straight(t, v);
   PowerLaw growth{straight.before, straight.after};
-  // Residuals of a straight line that are only rounding errors do not justify a bend.
+  // A straight line whose residuals are only rounding errors needs no bend.
   double least = std::max(MOST_LEFT * straight.squares, 1e-18 * static_cast<double>(t.size()));
   if (straight.squares <= least) return growth;
   for (std::size_t i = 1; i + 1 < t.size(); ++i) {

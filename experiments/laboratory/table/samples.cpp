@@ -12,13 +12,13 @@
 namespace laboratory {
 namespace {
 
-constexpr double BELOW = 0.975;  // upper end of a two-sided interval of 95 %
+constexpr double BELOW = 0.975;  // probability below the upper end of a two-sided 95 % interval
 
 double find_half_width(double standard_error, double degrees_of_freedom) {
   return standard_error == 0 ? 0 : student_t(BELOW, degrees_of_freedom) * standard_error;
 }
 
-// The cells of the axes in a row, except those of seeds, or only those of seeds.
+// Spells the values of a row's axes: only of the seeds if `are_seeds`, else of all other axes.
 std::vector<std::string> spell_axes(const Table& table, std::size_t row,
                                     const std::vector<std::size_t>& seeds, bool are_seeds) {
   std::vector<std::string> texts;
@@ -81,7 +81,8 @@ std::string name_seeds(const Table& table) {
 MeanInterval find_mean_interval(const std::vector<double>& samples) {
   MeanInterval found{find_mean(samples), samples.size()};
   if (samples.size() < 2) return found;
-  // Equal samples have no spread, not even one by rounding.
+  // For equal samples, sets mean and half width exactly, since the formulas would give rounding
+  // errors.
   const bool are_equal = std::ranges::all_of(samples, [&](double s) { return s == samples[0]; });
   if (are_equal) found.mean = samples[0];
   const auto n = static_cast<double>(samples.size());

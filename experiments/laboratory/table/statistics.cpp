@@ -16,7 +16,7 @@ void check_count(const std::vector<double>& samples, std::size_t least) {
   if (samples.size() < least) throw std::invalid_argument("too few samples");
 }
 
-// Ranks from 1.
+// The rank of each sample, from 1; equal samples share their mean rank.
 std::vector<double> rank(const std::vector<double>& samples) {
   std::vector<std::size_t> order(samples.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -16,7 +16,7 @@
 namespace laboratory {
 namespace {
 
-// Chooses the number format for the doubles of one column.
+// Chooses the number format that all floating-point numbers of a column share.
 std::string choose_format(const Table& table, std::size_t column) {
   double largest = 0, smallest = INFINITY;
   for (const auto& row : table.rows) {
@@ -40,7 +40,7 @@ Value read_bare(std::string_view text) {
   return std::string(text);
 }
 
-// Quotes a string that would read back as a number or needs quotes in CSV.
+// Quotes a string for CSV if it contains special characters, or would be read back as a number.
 std::string write_text(const std::string& text) {
   return read_bare(text) == Value(text) ? base::quote_csv(text) : '"' + text + '"';
 }
@@ -117,7 +117,7 @@ struct Ending {
   std::string_view ending, unit;
 };
 
-// The unit at the end of a column's name; empty if there is none.
+// Finds the unit at the end of a column's name; empty if the name has none.
 Ending find_unit(std::string_view column) {
   static constexpr std::pair<std::string_view, std::string_view> UNITS[] = {
       {"_s", "s"},           {"_ms", "ms"},         {"_us", "µs"},       {"_ns", "ns"},
@@ -136,7 +136,8 @@ Ending find_unit(std::string_view column) {
 std::string unit_of(std::string_view column) { return std::string(find_unit(column).unit); }
 
 std::string make_label(std::string_view column) {
-  constexpr std::string_view HALF_WIDTH = " ±";  // of a column with half widths of intervals
+  constexpr std::string_view HALF_WIDTH = " ±";  // ends the name of a column with half widths of
+                                                 // confidence intervals
   if (column.ends_with(HALF_WIDTH))
     return make_label(column.substr(0, column.size() - HALF_WIDTH.size())) +
            std::string(HALF_WIDTH);
