@@ -22,14 +22,13 @@ std::string of_rows(std::size_t rows) {
   return rows > 1 ? fmt::format(" (the median of {} rows)", rows) : "";
 }
 
-// Reader of a row of intervals.csv or assumptions.csv, whether the table was computed or loaded
-// from a file.
+// Reads a row of intervals.csv or assumptions.csv. The table may be computed or loaded from a file.
 class Reader {
  public:
   Reader(const Table& table, std::size_t row) : table_(table), row_(row) {}
   std::string text(std::string_view column) const { return to_string(cell(column)); }
   double number(std::string_view column) const { return as_number(cell(column)).value_or(0); }
-  // The cells of the axes, which precede the column "column".
+  // The cells of the row's axes as text. The axes are the columns before the column "column".
   std::string axes() const {
     std::string text;
     for (std::size_t c = 0; c < *table_.find("column"); ++c)
@@ -45,9 +44,7 @@ class Reader {
   std::size_t row_;
 };
 
-// Formats the entries of most influence: "X matters most: ± 2 % (the median of 6 rows); then Y ± 1
-// %, Z ± 0.5 %".
-// Formats a share in per cent with two digits: "3.2", "480".
+// Formats a share in percent with two digits: "3.2", "480".
 std::string in_percent(double share) {
   const double percent = 100 * share;
   return std::abs(percent) < 99.5 ? fmt::format("{:.2g}", percent) : fmt::format("{:.0f}", percent);
@@ -77,7 +74,7 @@ Confidence find_confidence(const ExperimentFile& file, const Table& table, const
   const auto drawn = static_cast<std::size_t>(file.uncertain.machines);
   const auto seed = static_cast<std::uint64_t>(file.uncertain.seed);
   const std::size_t points = file.points.size();
-  std::vector<std::vector<double>> all;  // quantiles of each entry, by machine
+  std::vector<std::vector<double>> all;  // for each entry, its quantile on each machine
   for (const auto& entry : confidence.entries) all.push_back(draw_quantiles(seed, entry, drawn));
   std::vector<Table> tables;
   for (std::size_t machine = 0; machine < drawn; ++machine) {
@@ -116,8 +113,8 @@ Table make_assumptions_table(const Table& table, const Confidence& confidence) {
   return made;
 }
 
-// Formats an interval relative to its value: "± 3.2 %", or two bounds "-20 % to +80 %" if it is
-// wide or does not contain the value.
+// Formats an interval relative to its value: "± 3.2 %", or with two bounds, "-20 % to +80 %", if
+// the interval is wide or does not contain the value.
 std::string tell_bounds(double below, double above) {
   constexpr double WIDE = 0.3;
   const double half = (above - below) / 2;
@@ -163,10 +160,11 @@ std::optional<std::pair<double, double>> find_interval(const ConfidenceTables& c
 }
 
 std::vector<Weight> weigh(const ConfidenceTables& confidence, const std::string& column) {
-  std::map<std::string, double> values;  // nominal results, by row
+  std::map<std::string, double> values;  // results of the nominal model, by the row's axes
   each_of(confidence.intervals, column,
           [&](const Reader& row) { values[row.axes()] = row.number("value"); });
-  std::map<std::string, std::vector<double>> shares;  // relative influence of each entry, by row
+  std::map<std::string, std::vector<double>> shares;  // relative influences of each entry, one for
+                                                      // each row
   each_of(confidence.assumptions, column, [&](const Reader& row) {
     const auto value = values.find(row.axes());
     if (value != values.end() && value->second != 0)
@@ -184,7 +182,8 @@ std::vector<std::string> describe_confidence(const ConfidenceTables& confidence,
                                              const std::vector<std::string>& columns) {
   std::vector<std::string> sentences;
   for (const auto& column : columns) {
-    std::vector<double> below, above;  // distances of the ends from the value, relative to it
+    std::vector<double> below, above;  // for each row, distances of the interval's ends from the
+                                       // value, relative to the value
     each_of(confidence.intervals, column, [&](const Reader& row) {
       const double value = row.number("value");
       if (value == 0) return;

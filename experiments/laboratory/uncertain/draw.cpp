@@ -22,12 +22,13 @@ bool is_set(const machine::Overrides& set, const std::string& key) {
   return std::ranges::find(set, key, &machine::Overrides::value_type::first) != set.end();
 }
 
-// The random seed of an entry: a hash of its name, the same on every host.
+// The random seed for an entry: a hash of its name, and hence the same on every host.
 std::uint64_t number_of(const std::string& entry) {
   return std::stoull(hash_of(entry).substr(0, 16), nullptr, 16);
 }
 
-// The slice of each machine in a Latin hypercube: a permutation determined by seed and entry.
+// For each machine, its slice of the entry's range in a Latin hypercube: a permutation that the
+// seed and the entry determine.
 std::vector<std::size_t> shuffle_slices(std::uint64_t stream, std::size_t machines) {
   std::vector<std::pair<std::uint64_t, std::size_t>> keyed;
   for (std::size_t i = 0; i < machines; ++i) keyed.emplace_back(base::random_at(stream, i), i);
@@ -37,16 +38,16 @@ std::vector<std::size_t> shuffle_slices(std::uint64_t stream, std::size_t machin
   return slices;
 }
 
-// The value of an entry for a number drawn from its range. If `is_share`, the number multiplies the
-// entry's nominal value.
+// The value of an entry for a number drawn from its range. If `is_share`, the value is the entry's
+// nominal value times this number.
 machine::EntryValue make_value(const machine::Entry& entry, double number, bool is_share) {
   if (!is_share) return number;
   if (entry.formula.empty()) return entry.value * number;
   return fmt::format("({}) * {}", entry.formula, number);
 }
 
-// The factor by which a calibrated entry must be multiplied, with the other entries in `set`, so
-// that its `holds` formula has the same value as in the model `before`. The formula is linear in
+// The factor for a calibrated entry that compensates for the other drawn entries in `set`: with it,
+// the entry's formula `holds` has the same value as in the model `before`. The formula is linear in
 // the entry, so two evaluations determine the factor.
 double fit_to_held(const machine::Entry& entry, const machine::Model& before,
                    machine::Overrides set,
@@ -96,7 +97,7 @@ machine::Overrides draw_machine(const std::string& model, const machine::Overrid
   };
   const auto before = make(set);
   machine::Overrides drawn = set;
-  // calibrated entries, each with the number drawn for it
+  // calibrated entries, each with the number that was drawn for it
   std::vector<std::pair<const machine::Entry*, double>> fitted;
   for (const auto& entry : before.entries) {
     if (!entry.range || is_set(set, entry.key)) continue;
@@ -139,12 +140,14 @@ ExperimentFile spread(const ExperimentFile& file) {
   ExperimentFile all = file;
   all.sweep.push_back({{"machine", "uncertain.machine", {}}});
   const auto seed = static_cast<std::uint64_t>(file.uncertain.seed);
-  std::map<std::string, std::vector<double>> quantiles;  // quantiles of each entry, by machine
+  std::map<std::string, std::vector<double>> quantiles;  // for each entry, its quantile on each
+                                                         // machine
   for (const auto& entry : drawn_entries(file))
     quantiles[entry] = draw_quantiles(seed, entry, machines);
   for (std::size_t machine = 0; machine < machines; ++machine) {
     const auto number = make_node(static_cast<std::int64_t>(machine + 1));
-    std::map<std::string, machine::Overrides> known;  // drawn entries of each model of the file
+    std::map<std::string, machine::Overrides> known;  // by model of the file: the overrides that
+                                                      // realise this machine
     for (Point point : file.points) {
       const auto draw = [&](ModelSpec& spec) {
         auto [found, is_new] = known.try_emplace(model_key(spec));
@@ -155,7 +158,7 @@ ExperimentFile spread(const ExperimentFile& file) {
         spec.entries = found->second;
       };
       draw(point.experiment.model);
-      // the engine "direct" takes half the time, and its results are equal up to rounding
+      // the engine "direct" takes half the time, and its results differ only by rounding
       point.experiment.engine = {.links = machine::Links::direct};
       for (auto& other : point.experiment.others) draw(other.model);
       point.at.push_back({"machine", "uncertain.machine", number});

@@ -12,10 +12,12 @@ namespace laboratory {
 namespace {
 
 constexpr double LOW = 0.05, HIGH = 0.95;
-constexpr double CHANCE = 0.05;  // probability of selecting an entry if none has an effect
+constexpr double CHANCE = 0.05;  // probability that an entry is selected although no entry has an
+                                 // effect
 constexpr std::size_t MOST_CHOSEN = 8;
 
-// The row of another table with the same values on the axes; none if there is no such row.
+// The row of `table` with the same axis values as `row`; no value if there is none. Tries the row
+// number `likely` first.
 std::optional<std::size_t> find_row(const Table& table, const std::vector<Value>& row,
                                     std::size_t likely, std::size_t axes) {
   const auto is_it = [&](const std::vector<Value>& other) {
@@ -28,7 +30,7 @@ std::optional<std::size_t> find_row(const Table& table, const std::vector<Value>
   return static_cast<std::size_t>(found - table.rows.begin());
 }
 
-// The results of a cell on all machines; empty if one of them has no result.
+// The results for a cell of the nominal table on all machines; empty if one of them has no result.
 std::vector<double> gather(const Table& table, std::size_t row, std::size_t column,
                            const std::vector<Table>& machines) {
   std::vector<double> all;
@@ -44,7 +46,7 @@ std::vector<double> gather(const Table& table, std::size_t row, std::size_t colu
 
 // A linear regression of the results on the quantiles of some entries.
 struct Plane {
-  std::vector<double> slopes, errors;  // slope of each entry, and its standard error
+  std::vector<double> slopes, errors;  // slope for each entry, and its standard error
   std::vector<double> left;            // residual of each result
 };
 
@@ -59,7 +61,7 @@ Plane fit_plane(const std::vector<double>& results,
     plane.slopes.push_back(fit.factors[term]);
     plane.errors.push_back(std::sqrt(fit.variance(term)));
   }
-  // Residuals that are only rounding errors count as zero.
+  // Treats residuals that are only rounding errors as zero.
   const double size = *std::ranges::max_element(results, {}, [](double r) { return std::abs(r); });
   for (const double rest : fit.residuals)
     plane.left.push_back(std::abs(rest) > 1e-12 * std::abs(size) ? rest : 0);
@@ -78,8 +80,8 @@ std::vector<Interval> find_intervals(const Table& table, const std::vector<Table
       auto sorted = all;
       std::ranges::sort(sorted);
       if (sorted.front() == sorted.back()) continue;
-      // Estimates the quantile below which a further machine lies with probability `share`. Its
-      // rank is share * (n + 1), counted from 1 and clamped to the samples.
+      // Estimates the value below which one more machine would lie with the probability `share`:
+      // the sample with the rank share * (n + 1), counted from 1 and limited to the existing ranks.
       const auto at = [&](double share) {
         const auto n = static_cast<double>(sorted.size());
         const double place = std::clamp((share * (n + 1) - 1) / (n - 1), 0.0, 1.0);

@@ -13,7 +13,7 @@ namespace {
 constexpr std::size_t MOST_BARS = 12;
 constexpr int BAR = 26, AROUND = 150;  // height of a bar, and of the space around all bars, pixels
 
-// Quotes a name. Names of entries and columns contain no special characters of gnuplot.
+// Quotes a name for gnuplot. Names of entries and columns contain no characters that need escaping.
 std::string quote(const std::string& name) { return "\"" + name + "\""; }
 
 std::size_t count_bars(const std::vector<Weight>& weights) {
@@ -37,8 +37,8 @@ std::string make_tornado_script(const std::string& column, const std::vector<Wei
     data += fmt::format("{} {}\n", sorted.size() - i, 100 * sorted[i].share);
     tics += fmt::format("{}{} {}", i > 0 ? ", " : "", quote(sorted[i].entry), sorted.size() - i);
   }
-  // Draws two bars for each entry: blue for the change of the result at the high end of the entry's
-  // range, orange at the low end.
+  // Draws two bars for each entry: a blue one for the change of the result at the high end of the
+  // entry's range, and an orange one for the low end.
   return "reset\nset encoding utf8\n$bars << END\n" + data +
          "END\nset border 1 linecolor rgb '#404040'\nset xtics nomirror out scale 0.6\n"
          "set ytics nomirror scale 0 (" +
