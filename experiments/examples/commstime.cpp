@@ -1,5 +1,5 @@
-// Commstime: the cost of channels, PAR and process switches. The classical benchmark of occam
-// systems (P. Welch, University of Kent); the published time is 15.049 us a loop for a T800-20.
+// Commstime, a classical benchmark of occam systems (P. Welch, University of Kent), measures the
+// cost of channels, PAR and process switches. Published for a T800-20: 15.049 us a loop.
 //
 //            +--------+    a    +-------+    d    +---------+
 //        +-->| prefix |-------->| delta |-------->| consume |
@@ -9,7 +9,8 @@
 //        +--------| succ |<---------+         all at low priority on one T800-20
 //                 +------+
 //
-// A number circulates and grows by 1; consume receives each value. A loop is 303 cycles at 20 MHz:
+// A number circulates and grows by 1 in each loop, and consume receives each value. One loop takes
+// 303 cycles at 20 MHz:
 //   4 channels x (out, in: operands 4 + 4, one waits 20, the other copies 21, outword 2)   204
 //   PAR (two branches laid out 15, startp 12, two endp 26)                                  53
 //   three WHILEs' way back (j 3, prefix 1), SEQ's (ldlp, ldc, prefix, lend 10), adc 1       26
@@ -33,7 +34,7 @@ struct Int {
 };
 using Ints = Channel<Int>;
 
-// WHILE TRUE repeats by a jump, SEQ i = 0 FOR n by lend.
+// The instructions that repeat a loop: a jump for WHILE TRUE, and lend for SEQ i = 0 FOR n.
 void again() {
   for (auto instruction : {"prefix", "j"}) charge(instruction);
 }
@@ -41,7 +42,8 @@ void next() {
   for (auto instruction : {"ldlp", "ldc", "prefix", "lend"}) charge(instruction);
 }
 
-Proc prefix(Ints& b, Ints& a) {  // without a stack on the host, for comparison
+Proc prefix(Ints& b, Ints& a) {  // a coroutine, which has no stack of its own; the other processes
+                                 // show the usual form
   co_await a.output(Int{0});
   for (;; again()) co_await a.output(co_await b.input());
 }
@@ -57,13 +59,14 @@ void delta(Ints& a, Ints& c, Ints& d) {
 void succ(Ints& c, Ints& b) {
   for (Int x;; again()) {
     in(c, x);
-    charge("ldc");  // adc takes the same time; `out` includes the loads of x and of b's address
+    charge("ldc");  // ldc takes as long as adc, which adds 1; `out` includes the loads of x and of
+                    // b's address
     out(b, Int{x.value + 1});
   }
 }
 
-// Measures the time of a loop, averaged over the last thousand. Reading the simulator's clock costs
-// no simulated time.
+// Measures the mean time of a loop over a thousand loops, again and again. Reading the simulator's
+// clock costs no simulated time.
 void consume(Ints& d, Seconds& loop) {
   for (Int x;;) {
     const Seconds start = this_process().now();
@@ -87,7 +90,7 @@ int main() {
   t800.start("delta", Priority::low, [&] { delta(a, c, d); });
   t800.start("succ", Priority::low, [&] { succ(c, b); });
   t800.start("consume", Priority::low, [&] { consume(d, loop); });
-  machine.run({0.1});  // time limit in seconds, since the program never ends by itself
+  machine.run({0.1});  // time limit in seconds, because the program never ends by itself
 
   const double us = 1e6 * loop.value;
   fmt::print("a loop: {:.3f} us, {:.0f} cycles\n", us, loop.value * model.cpu.clock.value);

@@ -1,5 +1,5 @@
-// A farm over any topology, a template for other tasks: tasks go down a spanning tree to ready
-// processors, and results come up. On every processor, with a sender for each child:
+// A farm on any topology, a template for other tasks. Tasks go down a spanning tree, and results
+// come up. Each processor has one sender for its worker, and one for each child:
 //                +--------+ ready  +--------+                +--------+
 //   parent ----->| router |<-------| sender |---> worker --->| merger |----> parent
 //                |        |------->|        |   children --->|        |
@@ -15,7 +15,7 @@
 using namespace occam;
 using machine::Priority;
 
-// A task, its computation and its cost: replace these. A task also carries its result back.
+// A task, its computation and its cost: replace these by your own. A task also carries its result.
 constexpr int TASKS = 200;
 struct Task {
   int number = -1, terms = 0, sum = 0;
@@ -42,7 +42,7 @@ void sender(Readies& ready, Tasks& tasks, Tasks& way) {
 
 void router(Tasks& parent, std::span<Readies* const> ready, std::span<Tasks* const> tasks) {
   Signal signal;
-  // PRI ALT: its own worker has priority over its children
+  // The worker on this processor is the first guard and has priority over the children.
   for (Task task; in(parent, task), !task.stop();) out(*tasks[fair_alt(0, ready, signal)], task);
   for (std::size_t i = 0; i < ready.size(); ++i) in(*ready[i]), out(*tasks[i], Task{});
 }
@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
   const auto& cpus = machine.processors();
   for (int i = 0; i < topology.processors; ++i) machine.add_processor(std::to_string(i), 1 << 20);
   for (auto [a, b] : topology.links) machine.connect(*cpus[a.processor], *cpus[b.processor]);
-  std::deque<Tasks> down, up, soft;  // down[i] and up[i]: from and to the parent of processor i
+  std::deque<Tasks> down, up, soft;  // down[i] and up[i]: between processor i and its parent
   std::deque<Readies> signals;
   for (int i = 0, parent; i < topology.processors; ++i)
     if ((parent = tree.parent[i]) < 0)
@@ -85,7 +85,7 @@ int main(int argc, char** argv) {
     cpus[i]->start("merger", Priority::high, [=, &to = up[i]] { merger(inputs, to); });
   }
   std::vector<int> returns(TASKS);
-  Cycles alone{};  // time of all tasks on a single processor, without a farm
+  Cycles alone{};  // time of all tasks on one processor without a farm
   cpus[topology.root]->start("feed", Priority::high, [&] {
     for (int i = 0; i <= TASKS; ++i) out(down[topology.root], make_task(i));
   });

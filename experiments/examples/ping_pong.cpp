@@ -5,9 +5,10 @@
 //        |      |<-----------|      |        two T805-25, one link
 //        +------+    back    +------+
 //
-// The partner always waits already. So each way is the instructions that start an output, plus the
-// wire: (operands + blocked) / clock + bytes / one-way rate. The output of a word, outword, takes 3
-// more cycles. For a word: (4 + 20 + 3) / 25 MHz + 4 / 1.778 MB/s = 1.08 + 2.25 = 3.33 us.
+// The partner always waits already, so each way takes the instructions that start an output, and
+// the time on the wire: (operands + blocked) / clock + bytes / one-way rate. Outputs of one word
+// use outword, which takes 3 more cycles. For a word:
+//   (4 + 20 + 3) / 25 MHz + 4 / 1.778 MB/s = 1.08 us + 2.25 us = 3.33 us
 #include <fmt/format.h>
 
 #include "simulator/occam/channel.hpp"
@@ -29,7 +30,7 @@ struct Block {
 void ping(Channel<Block>& there, Channel<Block>& back, const Model& model) {
   for (const std::uint64_t length : LENGTHS) {
     Block block{length};
-    out(there, block);  // first round, not measured, after which pong waits
+    out(there, block);  // first round, not measured, so that pong waits afterwards
     in(back, block);
     const Seconds start = this_process().now();
     out(there, block);

@@ -1,12 +1,12 @@
-// A sorting pipeline: each cell keeps the largest number so far and passes on the others; it sends
-// its own last. With as many cells as numbers, they come out sorted.
+// A sorting pipeline: each cell keeps the largest number so far, passes the others on, and sends
+// its own at the end. With as many cells as numbers, the numbers leave the last cell sorted.
 //
 //        +--------+   +------+   +------+         +------+   +------+
 //        | source |-->| cell |-->| cell |-- ... ->| cell |-->| sink |
 //        +--------+   +------+   +------+         +------+   +------+
 //        |<- processor 0 ->|<- 1 ->|     ...      |<- last processor ->|
 //
-//   example_sort [NUMBERS [PROCESSORS]]       one cell a number, shared out along a line of T805-25
+//   example_sort [NUMBERS [PROCESSORS]]       one cell for each number, on a line of T805-25
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -44,7 +44,7 @@ void cell(Items& left, Items& right) {
     for (auto instruction : {"load", "load", "compare", "cj"}) charge(instruction);
     if (next.number > largest.number) {
       std::swap(next, largest);
-      for (int i = 0; i < 3; ++i)  // charges three assignments of two words
+      for (int i = 0; i < 3; ++i)  // the exchange consists of three assignments of two words
         for (auto instruction : {"ldl", "stl", "ldl", "stl"}) charge(instruction);
     }
     out(right, next);
@@ -75,7 +75,7 @@ int main(int argc, char** argv) try {
   std::vector<float> numbers, sorted;
   for (std::size_t i = 0; i < n; ++i) numbers.push_back(static_cast<float>((i + 1) * 7919 % 1009));
 
-  std::deque<Items> channels;  // channels[i] leads to cell i, the last one to the sink
+  std::deque<Items> channels;  // channels[i] leads to cell i, and the last channel to the sink
   for (std::size_t i = 0; i <= n; ++i) {
     const std::size_t from = i == 0 ? 0 : (i - 1) * processors / n;
     const std::size_t to = i == n ? from : i * processors / n;

@@ -1,5 +1,5 @@
-// A token ring that survives the loss of its token, which permits the use of a shared resource. One
-// station loses it once; a timer guard tells the monitor, which makes a new one.
+// A token ring: only the station with the token may use a shared resource. One station loses the
+// token once. A timer guard tells the monitor, which makes a new one.
 //
 //        +---------+      +-----------+      +-----------+      +-----------+
 //   +--->| monitor |----->| station 1 |----->| station 2 |----->| station 3 |---+
@@ -7,9 +7,9 @@
 //   +---------------------------------------------------------------------------+
 //                                         each on its T805-25, at high priority: ticks of 1 us
 //
-// A station has the token for 100 us + out 0.96 + 12 bytes on the wire 6.75 = 107 whole ticks. The
-// monitor has it for 110, since its ALT takes longer: a round is 3 x 107 + 110 = 431 us. A shorter
-// TIMEOUT would make a second token: the monitor drops all but its latest.
+// A station holds the token for 100 us + output 0.96 us + 12 bytes on the wire 6.75 us = 107 whole
+// ticks. The monitor's ALT takes longer, 110 ticks in all, so a round takes 3 x 107 + 110 = 431 us.
+// If TIMEOUT were shorter, two tokens would circulate: the monitor drops all but its latest.
 #include <fmt/format.h>
 
 #include <deque>
@@ -23,7 +23,7 @@ using namespace occam;
 namespace {
 
 constexpr int STATIONS = 4, ROUNDS = 5;
-// ticks for which a station holds the token, and until the monitor replaces it
+// in ticks: how long a station holds the token, and how long the monitor waits for it
 constexpr std::int64_t HOLD = 100, TIMEOUT = 1000;
 constexpr int LOSER = 2, LOST_ROUND = 3;
 
