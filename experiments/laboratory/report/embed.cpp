@@ -10,7 +10,7 @@
 namespace laboratory {
 namespace {
 
-// Removes every element <name ...>...</name>. Elements of this name must not be nested.
+// Removes every element <name>...</name>. Elements of this name must not be nested.
 void remove_elements(std::string& text, const std::string& name) {
   const std::string opening = "<" + name + ">", closing = "</" + name + ">";
   for (auto at = text.find(opening); at != std::string::npos; at = text.find(opening, at)) {
@@ -58,7 +58,8 @@ ImageSize read_webp_size(std::string_view bytes, const std::string& name) {
       number = number << 8u | static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(i)]);
     return number;
   };
-  // WebP stores sizes minus 1: in 24 bits each if animated, in 14 bits if still.
+  // WebP stores each size minus 1: in 24 bits in an animation, in 14 bits in a lossless still
+  // image.
   if (kind == "WEBPVP8X") return {1 + read(24, 3), 1 + read(27, 3)};
   if (kind == "WEBPVP8L") {
     const auto sizes = read(21, 4);
@@ -77,7 +78,7 @@ std::string inline_svg(std::string_view svg, const std::string& prefix,
         fmt::format("the drawing \"{}\": no <svg> element in its file", caption));
   const auto inner = start + OPENING.size();
   std::string text(svg.substr(inner, end + CLOSING.size() - inner));
-  remove_elements(text, "title");  // a browser would show titles as tool tips
+  remove_elements(text, "title");  // a browser would show these titles as tool tips
   remove_elements(text, "desc");
   for (const std::string quote : {"'", "\""}) {
     boost::replace_all(text, " id=" + quote, " id=" + quote + prefix);

@@ -16,7 +16,7 @@ using Figure = CheckPlan::Figure;
 
 // ---- Curves ----
 
-// Finds the axes in the expression of x.
+// Finds the axes of the sweep that the expression for x uses.
 std::vector<std::size_t> axes_of_x(const Figure& figure, const Table& table) {
   std::vector<std::size_t> axes;
   for (const auto& name : figure.x.names())
@@ -24,7 +24,8 @@ std::vector<std::size_t> axes_of_x(const Figure& figure, const Table& table) {
   return axes;
 }
 
-// Chooses the axes that distinguish the curves: those that the plot declares, else those that vary.
+// Chooses the axes of the sweep whose values distinguish curves: those that the [[plot]] names,
+// else all that vary.
 std::vector<std::size_t> choose_axes(const Figure& figure, const Table& table,
                                      const RowList& rows) {
   if (!figure.spec.series) return choose_series_axes(table, rows, axes_of_x(figure, table));
@@ -32,22 +33,23 @@ std::vector<std::size_t> choose_axes(const Figure& figure, const Table& table,
   return find_all(table, *figure.spec.series);
 }
 
-// The label of an axis: the given one, else one made from the column name, else the expression.
+// The label of a plot axis: `given` if it is not empty, else a label made from the column's name,
+// else the expression itself.
 std::string label_of(const std::string& text, const std::string& given) {
   if (!given.empty()) return given;
   return base::Formula::is_name(text) ? make_label(text) : text;
 }
 
-// Names a curve by its values of the distinguishing axes. With several y, the label of y comes
-// first.
+// Names a curve by its values of the distinguishing axes. If the plot has several y, the label of y
+// comes first.
 std::string name_curve(const Figure& figure, std::size_t y, const std::string& values) {
   if (figure.y.size() == 1) return values;
   const auto label = without_unit(label_of(figure.spec.y[y], ""));
   return values.empty() ? label : fmt::format("{}, {}", label, values);
 }
 
-// Makes a curve for each combination of values of the distinguishing axes. Rows whose value refers
-// to missing rows are added to `left_out`.
+// Makes a curve for each combination of values of the distinguishing axes. Adds a row to `left_out`
+// if its x or y refers to a row that is missing.
 std::vector<Series> make_curves(const Figure& figure, const Rows& rows, RowList& left_out) {
   const auto chosen = choose_rows(rows, figure.where);
   const auto axes = choose_axes(figure, rows.table(), chosen);
@@ -66,15 +68,15 @@ std::vector<Series> make_curves(const Figure& figure, const Rows& rows, RowList&
   return curves;
 }
 
-// Begins a sentence on a curve: "200 objects: ", or "" for the only curve.
+// The beginning of a sentence about a curve: "200 objects: ", or "" if there is only one curve.
 std::string describe(const std::string& curve) { return curve.empty() ? "" : curve + ": "; }
 
 // ---- References: published values ----
 
 double round_to(double value, double step) { return std::round(value / step) * step; }
 
-// Finds the published value for each row of the table. Adds a note on published values whose points
-// were not run.
+// Finds the published value for each row of the table. Adds a note about published values whose
+// points were not simulated.
 std::vector<std::optional<double>> find_published(Exhibit& exhibit, const Figure& figure,
                                                   const Table& table) {
   const PlotSpec& spec = figure.spec;
@@ -85,7 +87,8 @@ std::vector<std::optional<double>> find_published(Exhibit& exhibit, const Figure
   return published;
 }
 
-// Adds the published points of curve `i`, and how far the simulated points deviate from them.
+// Adds the published values of curve `i` to the plot, and the deviations of the simulated values
+// from them.
 void compare_curve(Exhibit& exhibit, const PlotSpec& spec, const Series& curve, std::size_t i,
                    const std::vector<std::optional<double>>& published) {
   const auto name = (curve.name.empty() ? "" : curve.name + ", ") + spec.reference_name;
@@ -136,8 +139,8 @@ void add_reference(Exhibit& exhibit, const Figure& figure, const Rows& rows,
 
 // ---- Fits: laws through the curves ----
 
-// A law to fit: its name in the legend, its fit to a curve, and its value at an x. Some laws need
-// the growth G(n) at each point.
+// A law to fit: its name in the legend, its fit to a curve, and its value at x. Some laws also need
+// the growth of the work, G(n), at each point.
 struct FittedLaw {
   const char* name;
   std::optional<Fit> (*fit)(const Series& curve, const std::vector<double>& growth);
@@ -168,8 +171,8 @@ const FittedLaw& find_law(Law law) {
   return LAWS.at(law);
 }
 
-// Draws the fitted law as a line. Laws with a growth are drawn only at the curve's x, where the
-// growth is known.
+// Draws the fitted law as a line. A law that needs the growth of the work is drawn only at the x of
+// the curve's points, where the growth is known.
 Series draw_law(const FittedLaw& law, const Fit& fit, const Series& curve,
                 const std::vector<double>& growth, bool log_x) {
   constexpr int SAMPLES = 128;
@@ -188,10 +191,11 @@ Series draw_law(const FittedLaw& law, const Fit& fit, const Series& curve,
   return line;
 }
 
-// Returns a warning if the confidence interval contains impossible serial fractions, else "".
+// Returns a warning if the confidence interval contains values that no serial fraction can have;
+// else "".
 const char* judge_interval(const Estimate& p) {
-  // In a narrower interval, the points lie exactly on the law, and fractions of 0 and 1 are
-  // possible.
+  // If the interval is narrower, the points lie exactly on the law. Then the fractions 0 and 1 are
+  // plausible.
   constexpr double EXACT = 1e-6;
   if (p.name != "serial fraction" || p.high - p.low < 2 * EXACT) return "";
   if (p.high < 0 || p.low > 1) return ", which is not a share of the work: the law does not hold";
@@ -212,7 +216,7 @@ void tell_fit(Exhibit& exhibit, const std::string& curve, const Fit& fit) {
   for (const auto& p : fit.parameters) {
     auto& row = exhibit.fits.rows.emplace_back();
     row = {curve, fit.law, p.name, p.value};
-    // a law that does not fit has no interval
+    // a law that does not fit the points has no confidence interval
     for (const double number : {p.low, p.high, p.standard_error})
       row.push_back(fit.misfit ? Value() : Value(number));
     row.insert(row.end(), {fit.rms, fit.minimised, static_cast<std::int64_t>(fit.points),
@@ -227,7 +231,7 @@ void tell_fit(Exhibit& exhibit, const std::string& curve, const Fit& fit) {
   }
 }
 
-// Formats a fit for the legend, after the curve's name: "s = 0.0123 ± 0.0021".
+// Describes a fit for the legend, where it follows the curve's name: "s = 0.0123 ± 0.0021".
 std::string label_fit(const Fit& fit) {
   if (fit.misfit) return "does not fit";
   const auto& p = fit.parameters.back();
@@ -238,7 +242,8 @@ std::string label_fit(const Fit& fit) {
   return fmt::format("{} = {:.{}f} ± {:.{}f}", name, p.value, digits, error, digits);
 }
 
-// Adds the fitted laws. The legend names a law only once.
+// Adds the fitted laws to the plot and to the tables. Only one line of each law has an entry in the
+// legend.
 void add_fits(Exhibit& exhibit, const Figure& figure, const Rows& rows,
               const std::vector<Series>& curves) {
   exhibit.fits.columns = {
@@ -268,7 +273,8 @@ void add_fits(Exhibit& exhibit, const Figure& figure, const Rows& rows,
 
 // ---- Optima: maxima of the curves ----
 
-// Describes a curve beyond its maximum. A decrease of less than 1 % is ignored.
+// Describes a curve beyond its maximum: it turns down, levels off or still rises. A decrease of
+// less than 1 % does not count. Sets `falls` if the curve turns down.
 std::string describe_after(const Series& curve, std::size_t best, bool& falls) {
   constexpr double LEVEL = 0.01;
   const double most = curve.y[best];
@@ -283,7 +289,7 @@ std::string describe_after(const Series& curve, std::size_t best, bool& falls) {
   return fmt::format("still rising at {:g}", curve.x.back());
 }
 
-// Adds marks at the maxima. Only the first mark has an entry in the legend.
+// Adds a mark at the maximum of each curve. Only the first mark has an entry in the legend.
 void add_optima(Exhibit& exhibit, const Figure& figure, const std::vector<Series>& curves) {
   const auto& y = figure.spec.y;
   const std::string of_y = y.size() == 1 && base::Formula::is_name(y[0]) ? y[0] : "y";
@@ -310,7 +316,8 @@ void add_optima(Exhibit& exhibit, const Figure& figure, const std::vector<Series
 
 // ---- The figure ----
 
-// Makes a title such as "Time per ray" from a column name. An explicit label stays unchanged.
+// Makes a title such as "Time per ray" from the label of a column. Leaves labels of other kinds as
+// they are.
 std::string title_of(const std::string& label, bool is_column) {
   auto title = without_unit(label);
   if (is_column && !title.empty())

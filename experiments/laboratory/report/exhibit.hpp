@@ -1,4 +1,4 @@
-// Plots that an experiment declares with [[plot]], with their tables and findings.
+// The plots that an experiment declares with [[plot]], with their tables and findings.
 #pragma once
 
 #include <string>
@@ -9,23 +9,26 @@
 
 namespace laboratory {
 
-/// A plot and the tables below it. Tables without rows are not shown.
+/// A plot with the tables that are shown below it. Tables without rows are not shown.
 struct Exhibit {
   Plot plot;
-  Table differences = {};  ///< for each point with a reference: predicted, reference, difference %
-  Table fits = {};         ///< for each curve and parameter: value and 95 % confidence interval
-  Table optima = {};       ///< for each curve: its maximum, and the point after it
-  /// notes on points left out and laws that could not be fitted
+  Table differences = {};  ///< for each point with a published value: simulated value, published
+                           ///< value, difference in percent
+  Table fits = {};         ///< for each curve and fitted parameter: its value and 95 % confidence
+                           ///< interval
+  Table optima = {};       ///< for each curve: its maximum, and how the curve goes on after it
+  /// notes about points that were left out and laws that could not be fitted
   std::vector<std::string> notes = {};
-  std::vector<std::string> findings = {};  ///< one sentence for each finding
+  std::vector<std::string> findings = {};  ///< one sentence for each result of the comparison, the
+                                           ///< fits and the maxima
 };
 
-/// Makes the plots that have points, in the order of the file. Adds a note to `nothing` for each
+/// Makes the plots that have points, in the order of the file. Adds a note to `nothing` about each
 /// plot without points.
 std::vector<Exhibit> make_exhibits(const CheckPlan& plan, const Rows& rows,
                                    std::vector<std::string>& nothing);
 
-/// Makes fits.csv: the rows of all fits, each with the name of its plot first.
+/// Makes fits.csv: the rows of all fits. The first cell of a row is the name of its plot.
 Table make_fits_csv(const std::vector<Exhibit>& exhibits);
 
 }  // namespace laboratory

@@ -24,7 +24,7 @@ Curves curves_of(const Plot& plot) {
   return curves;
 }
 
-// Formats a value of x with its unit, if any: "7 workers", "1000 s", "width 32".
+// Formats a value of x with its unit, or with its name: "7 workers", "1000 s", "width 32".
 std::string name_x(const Plot& plot, double x) {
   const auto name = without_unit(plot.x_label);
   if (name.size() < plot.x_label.size())
@@ -33,13 +33,14 @@ std::string name_x(const Plot& plot, double x) {
   return name.ends_with('s') ? fmt::format("{:g} {}", x, name) : fmt::format("{} {:g}", name, x);
 }
 
-// Joins texts: "200, 800 and 3200".
+// Joins texts for a sentence: "200, 800 and 3200".
 std::string join_and(const Texts& texts) {
   if (texts.size() < 2) return texts.empty() ? "" : texts[0];
   return join_texts({texts.begin(), texts.end() - 1}, ", ") + " and " + texts.back();
 }
 
-// Lists curves: " for line and ring", " for all 8 curves"; "" for the only curve.
+// Lists some of a plot's curves: " for line and ring", or " for all 8 curves". Returns "" if the
+// plot has only one curve.
 std::string name_curves(const Curves& some, std::size_t all) {
   constexpr std::size_t MOST_NAMES = 8;
   if (all < 2) return "";
@@ -50,7 +51,7 @@ std::string name_curves(const Curves& some, std::size_t all) {
   return " for " + join_and(names);
 }
 
-// Capitalises the first word of a sentence.
+// Begins a sentence with a capital letter.
 std::string begin(std::string sentence) {
   sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
   return sentence;
@@ -63,12 +64,13 @@ struct FittedCurve {
   PowerLaw law;
 };
 
-// Formats a power law, "workers^0.95", or the range of several, "workers^0.90…0.95".
+// Formats a power law as "workers^0.95", or those of several curves as a range,
+// "workers^0.90…0.95".
 std::string name_power(const std::string& x, const std::vector<FittedCurve>& all,
                        double PowerLaw::*exponent) {
   const auto [low, high] =
       std::ranges::minmax(all, {}, [&](const FittedCurve& fitted) { return fitted.law.*exponent; });
-  // Adding 0 turns the exponent -0.00 into 0.00.
+  // adding 0 turns the rounded exponent -0 into 0
   const auto round = [](double value) {
     return fmt::format("{:.2f}", std::round(100 * value) / 100 + 0.0);
   };
@@ -104,15 +106,16 @@ std::string tell_bends(const Plot& plot) {
 
 // ---- Limiting resources ----
 
-// The limiting resource at the end of a curve.
+// The resource that limits a curve at its last point.
 struct Limit {
   const Series* curve;
-  const programs::Load* load;  // the busiest resource of the last point
-  double from;                 // x from which on this resource is the limit
+  const programs::Load* load;  // the busiest resource of the curve's last point
+  double from;                 // x of the first point from which on this resource is always the
+                               // limit
 };
 
-// The name under which limits by this resource are counted together. All links share a name, since
-// at different points different links may be the busiest.
+// The name under which points limited by this resource are counted. All links have the same name,
+// because different links may be the busiest at different points.
 std::string part_of(const programs::Load* limit) {
   if (!limit) return "";
   const auto& name = limit->resource;
@@ -120,7 +123,7 @@ std::string part_of(const programs::Load* limit) {
   return name.ends_with(" (routing)") ? "routing" : name;
 }
 
-// Finds the limit of a curve; none if the loads of a point are unknown.
+// Finds the resource that limits a curve; no value if the loads of one of its points are unknown.
 std::optional<Limit> find_limit_of(const Series& s, const Table& table,
                                    const std::vector<PointLoads>& points) {
   Texts parts;
@@ -136,10 +139,11 @@ std::optional<Limit> find_limit_of(const Series& s, const Table& table,
   return Limit{&s, &last->loads[0], s.x[from]};
 }
 
-// Tells from which x on the same resource limits several curves: "from 4 workers on for line,
+// Describes from which x on the same resource limits several curves: "from 4 workers on for line,
 // throughout for ring".
 std::string tell_since(const Plot& plot, const std::vector<Limit>& limits, std::size_t all) {
-  std::map<std::pair<bool, double>, Curves> since;  // curves limited throughout (false) sort first
+  std::map<std::pair<bool, double>, Curves> since;  // key: false if the limit holds throughout, and
+                                                    // the x from which on it holds
   for (const auto& limit : limits) {
     const bool is_later = limit.from > limit.curve->x.front();
     since[{is_later, is_later ? limit.from : 0}].push_back(limit.curve);
@@ -152,8 +156,8 @@ std::string tell_since(const Plot& plot, const std::vector<Limit>& limits, std::
   return join_texts(parts, ", ");
 }
 
-// Describes the last point of the most limited curve: "200 objects at 7 workers 0.98: its CPU 42
-// %".
+// Describes the last point of the curve whose resource is the busiest, as an example: "200 objects
+// at 7 workers 0.98: its CPU 42 %".
 std::string tell_example(const Plot& plot, const std::vector<Limit>& limits,
                          const std::string& part) {
   const auto& limit =
@@ -170,7 +174,7 @@ std::string tell_example(const Plot& plot, const std::vector<Limit>& limits,
 std::string tell_limits(const Plot& plot, const Table& table,
                         const std::vector<PointLoads>& points) {
   const auto curves = curves_of(plot);
-  // limits by resource; "" (unsaturated) sorts first
+  // limits by resource; the key "" stands for curves without a saturated resource, and comes first
   std::map<std::string, std::vector<Limit>> groups;
   for (const auto* s : curves)
     if (const auto limit = find_limit_of(*s, table, points))
@@ -198,7 +202,7 @@ std::string tell_limits(const Plot& plot, const Table& table,
 struct End {
   double y;
   const Series* curve;
-  std::size_t point;  // index of the point of the curve
+  std::size_t point;  // index of the point in the curve
 };
 
 // The values of all curves that have a point at this x.
@@ -211,14 +215,15 @@ std::vector<End> values_at(const Curves& curves, double x) {
   return values;
 }
 
-// Formats a value, with half the width of its interval if it is a mean over seeds.
+// Formats a value. For a mean over seeds, adds half the width of its confidence interval.
 std::string tell_value(const End& end) {
   const Series& s = *end.curve;
   if (!s.has_bars || s.low[end.point] == s.high[end.point]) return fmt::format("{:.3g}", end.y);
   return fmt::format("{:.3g} ± {:.2g}", end.y, (s.high[end.point] - s.low[end.point]) / 2);
 }
 
-// Tells whether the difference of two means over seeds may be chance; "" for single runs.
+// Says whether the difference of two means over seeds may be due to chance; "" without several
+// seeds.
 std::string tell_chance(const Table& table, const End& low, const End& high) {
   if (!low.curve->has_bars || !high.curve->has_bars) return "";
   const auto difference =
@@ -228,7 +233,7 @@ std::string tell_chance(const Table& table, const End& low, const End& high) {
                      *difference.half_width, difference.contains(0) ? ", which may be chance" : "");
 }
 
-// Compares the curves at the largest x that at least half of them have.
+// Compares the curves at one x: the largest that at least half of the curves have.
 std::string tell_extremes(const Plot& plot, const Table& table) {
   constexpr double ALIKE = 0.01;
   const auto curves = curves_of(plot);
@@ -250,7 +255,7 @@ std::string tell_extremes(const Plot& plot, const Table& table) {
                      tell_chance(table, low, high));
 }
 
-// The last point of each curve.
+// The table row of each curve's last point.
 RowList ends_of(const Plot& plot) {
   RowList rows;
   for (const auto* s : curves_of(plot))
@@ -263,7 +268,7 @@ RowList ends_of(const Plot& plot) {
 std::vector<std::string> tell_plots(const std::vector<Plot>& plots, bool titled, const Table& table,
                                     const std::vector<PointLoads>& points) {
   Texts findings;
-  std::set<std::size_t> told;  // rows whose limits have been mentioned
+  std::set<std::size_t> told;  // rows whose limits a sentence has mentioned
   for (const auto& plot : plots) {
     Texts sentences = {tell_bends(plot), tell_extremes(plot, table)};
     const auto ends = ends_of(plot);

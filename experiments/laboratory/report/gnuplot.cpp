@@ -18,8 +18,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Runs a script and returns the drawing that gnuplot writes to standard output. No other function
-// starts gnuplot. Throws std::runtime_error with the plot's name on failure.
+// Runs a script, and returns the drawing that gnuplot writes to standard output. All runs of
+// gnuplot use this function. Throws std::runtime_error with the plot's name if gnuplot fails.
 std::string run_script(const std::string& script, const std::string& name) {
   return base::run_program({.name = "gnuplot",
                             .arguments = {"-d", "-"},
@@ -51,7 +51,8 @@ bool is_whole(const Drawing& drawing) {
          png.substr(png.size() - 8, 4) == "IEND";
 }
 
-// Escapes "]]>", which gnuplot leaves in texts. XML allows it only at the end of CDATA.
+// Escapes "]]>" in texts, which gnuplot writes unchanged. XML allows it only at the end of a CDATA
+// section.
 std::string escape_ends_of_cdata(std::string svg) {
   constexpr std::string_view BEGIN = "<![CDATA[", END = "]]>";
   for (std::size_t at = 0; (at = svg.find_first_of("<]", at)) != svg.npos; ++at) {
@@ -86,7 +87,7 @@ void draw_plot(const Plot& plot, const fs::path& folder) {
   base::save_whole(folder / (plot.name + ".png"), drawing.png);
 }
 
-// Threads suffice, since each only waits for its gnuplot process.
+// Uses threads, not processes, since each thread only waits for its own gnuplot process.
 std::vector<std::string> draw_plots(const std::vector<Plot>& plots, const fs::path& folder) {
   std::vector<std::string> failures(plots.size());
   const auto threads = std::max(1u, std::thread::hardware_concurrency());

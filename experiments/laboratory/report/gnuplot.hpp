@@ -1,4 +1,4 @@
-// Drawing of plots with the program gnuplot.
+// Draws plots with the program gnuplot.
 #pragma once
 
 #include <filesystem>
@@ -9,25 +9,26 @@
 
 namespace laboratory {
 
-/// The contents of the two files that a script draws.
+/// The contents of the two files made from a script.
 struct Drawing {
   std::string svg, png;
 };
 
-/// Runs gnuplot without the user's settings. `script` must set neither terminal nor output. `name`
-/// appears in the drawing's identifiers and in messages. The SVG is 800 pixels wide and `height`
-/// high; the PNG has twice that size. Throws std::runtime_error if gnuplot is not installed (with
-/// the remedy), fails (with its message), or leaves an incomplete file.
+/// Runs gnuplot without the user's settings. The script must not set the terminal or the output.
+/// `name` appears in the identifiers of the drawing and in messages. The SVG drawing is 800 pixels
+/// wide and `height` pixels high; the PNG drawing is twice as large. Throws std::runtime_error if
+/// gnuplot is not installed (the message says what to do), fails (with gnuplot's message), or
+/// leaves an incomplete file.
 Drawing run_gnuplot(const std::string& script, const std::string& name, int height = 500);
 
-/// Writes NAME.svg and NAME.png into an existing folder. The bytes depend only on the plot, and on
-/// gnuplot's version and fonts. Throws std::invalid_argument with the plot's name if the plot has
-/// no points, or its name is not valid for a file. Throws as run_gnuplot does, and
+/// Writes NAME.svg and NAME.png into an existing folder. Their bytes depend only on the plot, and
+/// on gnuplot's version and fonts. Throws std::invalid_argument with the plot's name if the plot
+/// has no points, or if its name is not valid for a file. Throws as run_gnuplot() does, and
 /// std::system_error if a file cannot be written.
 void draw_plot(const Plot& plot, const std::filesystem::path& folder);
 
-/// Draws all plots, as many in parallel as the host has processors. Returns one text for each plot:
-/// "" for success, else the error.
+/// Draws all plots, as many at the same time as the host has processors. Returns for each plot ""
+/// if it succeeded, else the error.
 std::vector<std::string> draw_plots(const std::vector<Plot>& plots,
                                     const std::filesystem::path& folder);
 

@@ -24,10 +24,11 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr int MAX_SHOWN = 1024;  // workers of the largest network shown (2 MB of SVG)
+constexpr int MAX_SHOWN = 1024;  // most workers of a network that is shown in the report (2 MB of
+                                 // SVG)
 
-// Busy shares of processors by name. Rounding can make a share slightly larger than 1, so they are
-// clamped to the range 0 to 1.
+// Shares of time that processors were busy, by name. They are limited to at most 1, because
+// rounding can make them slightly larger.
 using Busy = std::unordered_map<std::string, double>;
 
 double busy(const ordered_json& of) { return std::clamp(of.at("busy").get<double>(), 0.0, 1.0); }
@@ -38,8 +39,8 @@ Busy read_cpus(const ordered_json& use) {
   return cpus;
 }
 
-// Busy shares of links, by "FROM>TO". Several links between the same two processors are in topology
-// order.
+// Shares of time that links were busy, by "FROM>TO". If two processors have several links, their
+// shares are in the order of the topology's links.
 using LinkBusy = std::unordered_map<std::string, std::deque<double>>;
 
 LinkBusy read_links(const ordered_json& use) {
@@ -51,8 +52,8 @@ LinkBusy read_links(const ordered_json& use) {
   return links;
 }
 
-// Removes and returns both directions of the next link between two processors; none if there is no
-// further one in the record.
+// Removes and returns the shares of both directions of the next link between two processors. No
+// value if the record contains no further link.
 std::optional<std::array<double, 2>> take_both_ways(LinkBusy& links, const std::string& a,
                                                     const std::string& b) {
   auto &there = links[a + ">" + b], &back = links[b + ">" + a];
@@ -63,7 +64,8 @@ std::optional<std::array<double, 2>> take_both_ways(LinkBusy& links, const std::
   return both;
 }
 
-// Names a point by its network and its axes: "topology = ring:3, workers = 3, objects = 9".
+// Describes a point by its network and the values of its axes: "topology = ring:3, workers = 3,
+// objects = 9".
 std::string make_caption(const Simulation& s, std::size_t point) {
   const auto& row = s.table.rows[s.table.row_of(point)];
   std::vector<std::string> parts;
@@ -82,7 +84,7 @@ std::string draw(topologies::Topology topology, const programs::NetworkDrawing& 
     loads.processors.push_back(cpus.at(drawing.name(topology, id)));
     loads.labels.push_back(name_of(topology, id, std::to_string(id + 1)));
   }
-  // Drops links that the program does not use and therefore does not record.
+  // Drops links without recorded loads, because the program does not use them.
   std::erase_if(topology.links, [&](const topologies::Link& link) {
     const auto both = take_both_ways(links, drawing.name(topology, link.a.processor),
                                      drawing.name(topology, link.b.processor));
@@ -96,8 +98,8 @@ std::string draw(topologies::Topology topology, const programs::NetworkDrawing& 
   return to_load_svg(topology, loads);
 }
 
-// Makes a file name such as "topology-tree-workers-16" from the axes, or from the topology if there
-// are no axes.
+// Makes a file name from the values of the axes, such as "topology-tree-workers-16", or from the
+// topology if there are no axes.
 std::string file_name(const Point& point) {
   std::string name;
   for (const auto& at : point.at) name += "-" + at.axis + "-" + to_string(to_value(at));
@@ -107,7 +109,7 @@ std::string file_name(const Point& point) {
   return name.substr(1);
 }
 
-// For each point, true if it has the most workers among the points that differ only in workers.
+// For each point, true if no point that differs only in the number of workers has more workers.
 std::vector<bool> find_largest(const Simulation& s) {
   std::map<std::string, std::size_t> largest;
   const std::size_t column = *s.table.find(s.file.points[0].experiment.program->processors);
@@ -137,7 +139,7 @@ struct Network {
   std::string failure = {};
 };
 
-// The drawing of a point, or the reason why it failed.
+// The drawing of a point, or the reason why it could not be made.
 struct Drawn {
   std::size_t point;
   const Network* network;
@@ -155,7 +157,7 @@ void draw_point(const fs::path& folder, const Simulation& s, Drawn& drawn) try {
   drawn.failure = describe_error(error);
 }
 
-// Calls f for each element, RunOptions::jobs at a time.
+// Calls f for each element. Several threads, RunOptions::jobs of them, share the work.
 template <class Thing, class F>
 void share(const RunOptions& options, std::vector<Thing>& things, const F& f) {
   base::share(static_cast<int>(things.size()), static_cast<int>(options.jobs),
@@ -170,9 +172,10 @@ NetworkDrawings draw_networks(const fs::path& folder, const RunOptions& options,
   if (s.file.report.networks == "none" || !shows_of(s.file).network) return networks;
   const auto is_largest = find_largest(s);
   make_folders(folder / "networks");
-  std::map<std::string, std::size_t> known;  // index of each network in `made`, by network_key
+  std::map<std::string, std::size_t> known;  // by network_key(): the index of the network in `made`
   std::vector<Network> made;
-  std::vector<std::pair<std::size_t, std::size_t>> asked;  // points to draw, each with its network
+  std::vector<std::pair<std::size_t, std::size_t>> asked;  // points to draw, each with the index of
+                                                           // its network in `made`
   for (std::size_t i = 0; i < s.file.points.size(); ++i) {
     if (!s.results[i].is_complete() || (s.file.report.networks == "largest" && !is_largest[i]))
       continue;

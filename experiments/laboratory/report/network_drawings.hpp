@@ -1,4 +1,4 @@
-// Drawings of the farm's network with every processor and link coloured by its load.
+// Drawings of a program's network, in which the colour of processors and links shows their loads.
 #pragma once
 
 #include <filesystem>
@@ -11,17 +11,18 @@
 namespace laboratory {
 
 struct NetworkDrawings {
-  /// drawings in the report: only points with the most workers
+  /// drawings for the report; only of points with the most workers
   std::vector<Report::Drawing> drawings;
-  std::vector<std::string> failures;  ///< points that could not be drawn, with reasons
-  std::vector<std::string> notes;     ///< points that are too large for the report
+  std::vector<std::string> failures;  ///< points that could not be drawn, with the reasons
+  std::vector<std::string> notes;     ///< notes about points whose networks are too large for the
+                                      ///< report
 };
 
-/// Writes networks/NAME.svg into `folder`, which holds the points' records. [report] networks
-/// selects the points: "all", or "largest" for those with the most workers among otherwise equal
-/// points. Only the farm has such drawings. The report shows networks of up to 1024 workers; files
-/// are written up to topologies::MAX_DRAWN workers. Draws up to RunOptions::jobs points in
-/// parallel.
+/// Writes networks/NAME.svg into `folder`, which holds the records of the points. The key
+/// `networks` of [report] selects the points: "all", or "largest" for the point with the most
+/// workers among points that are otherwise equal. Only programs that declare such drawings, such as
+/// the farm, have them. The report shows networks of up to 1024 workers; files are written for up
+/// to topologies::MAX_DRAWN workers. Draws up to RunOptions::jobs points at the same time.
 NetworkDrawings draw_networks(const std::filesystem::path& folder, const RunOptions& options,
                               const Simulation& s);
 

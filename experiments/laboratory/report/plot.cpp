@@ -42,7 +42,7 @@ std::vector<Series> make_series(const Table& table, std::size_t x, std::size_t y
   return all;
 }
 
-// Makes the plot of column y on linear scales. It has no series if y has no values.
+// Makes the plot of column y over column x, on linear scales. It has no series if y has no values.
 Plot make_plot(const Table& table, std::size_t x, std::size_t y) {
   Plot plot;
   plot.name = table.columns[y];
@@ -52,7 +52,7 @@ Plot make_plot(const Table& table, std::size_t x, std::size_t y) {
   return plot;
 }
 
-// Names the axes that have a single value, with that value.
+// Formats the values of the axes that have a single value.
 std::string name_constants(const Table& table) {
   if (table.rows.empty()) return {};
   std::vector<std::size_t> constant;
@@ -97,7 +97,8 @@ void average_points(std::vector<Series>& all, const Table& table) {
   const auto group_of = number_samples(table);
   for (auto& series : all) {
     std::vector<RowSamples> samples;
-    std::map<std::pair<std::size_t, double>, std::size_t> known;  // by group and x
+    std::map<std::pair<std::size_t, double>, std::size_t> known;  // indices in `samples`, by the
+                                                                  // row's group and x
     std::vector<double> xs;
     for (std::size_t i = 0; i < series.x.size(); ++i) {
       const auto at = std::pair(group_of[series.rows[i]], series.x[i]);
@@ -161,10 +162,10 @@ void sort_points(std::vector<Series>& all) {
 
 namespace {
 
-// The growth of one picture: points by time.
+// The growth of the picture of one point: values by simulated time.
 using Growth = std::map<double, double>;
 
-// The value at a time, none before the first.
+// The value at a time, linearly interpolated; no value before the first time.
 std::optional<double> find_growth(const Growth& growth, double time) {
   const auto after = growth.lower_bound(time);
   if (after == growth.end()) return growth.rbegin()->second;
@@ -175,7 +176,7 @@ std::optional<double> find_growth(const Growth& growth, double time) {
   return before->second + share * (after->second - before->second);
 }
 
-// Groups the rows of points that differ only in the seed; without seeds, the rows of each point.
+// Groups the rows of points that differ only in the seed. Without seeds, each point is a group.
 std::vector<RowList> group_growths(const Table& growth, const RowList& rows) {
   if (!find_seeds(growth).empty()) return group_samples(growth, rows);
   std::map<std::size_t, RowList> by_point;
@@ -185,10 +186,10 @@ std::vector<RowList> group_growths(const Table& growth, const RowList& rows) {
   return groups;
 }
 
-// Makes the curve of a group of points: that of the only one, or means at the times of the last
-// picture to finish.
+// Makes the curve of a group of points. If the group has several points, the curve shows means, at
+// the times of the picture that is finished last.
 Series average_growth(const Table& growth, const RowList& rows, std::size_t time, std::size_t y) {
-  std::map<std::size_t, Growth> pictures;  // by point
+  std::map<std::size_t, Growth> pictures;  // by number of the point
   std::map<std::size_t, std::map<double, std::size_t>> row_of;
   for (const auto row : rows)
     if (const auto value = as_number(growth.rows[row][y]); value && std::isfinite(*value)) {

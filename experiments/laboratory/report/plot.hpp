@@ -1,4 +1,4 @@
-// Data of plots: curves over a sweep, and the default plots of a table of results.
+// Data of plots: curves over the values of an axis, and the default plots of a results table.
 #pragma once
 
 #include <optional>
@@ -16,80 +16,88 @@ namespace laboratory {
 enum class SeriesKind {
   curve,      ///< points joined by lines
   reference,  ///< published values: points without a line
-  law,        ///< thin line of a fitted law, without points
+  law,        ///< thin line of a fitted law, without symbols
   mark,       ///< rings around points of a curve
 };
 
 struct Series {
   std::string name;  ///< name in the legend; "": not in the legend
-  /// coordinates of the points, equally many; non-finite points are not drawn
+  /// coordinates of the points; both have the same length; points that are not finite are not drawn
   std::vector<double> x, y;
   SeriesKind kind = SeriesKind::curve;
-  /// Index of the curve that this series belongs to and shares colour and symbol with. Unused for
-  /// curves.
+  /// Index of the curve that this series belongs to, and whose colour and symbol it has. Unused if
+  /// the series is itself a curve.
   std::size_t of = 0;
-  RowList rows = {};  ///< for a curve: the table row of each point; of a mean, its first sample
-  std::string column = {};  ///< for a curve: the table column of y; "": none
-  /// For a curve: the ends of an interval at each point; empty without intervals. They contain 90 %
-  /// of randomly drawn machines, or are confidence intervals of means over seeds.
+  RowList rows = {};  ///< for a curve: the table row of each point; for a mean over seeds, the row
+                      ///< of its first sample
+  std::string column = {};  ///< for a curve: the table column of y; "": y is an expression
+  /// For a curve: the ends of an interval at each point; empty without intervals. An interval
+  /// either contains 90 % of the results on randomly drawn machines, or is the confidence interval
+  /// of a mean over seeds.
   std::vector<double> low = {}, high = {};
-  bool has_bars = false;  ///< true: the intervals are drawn as error bars; false: as a band
-  /// for a curve of means over seeds: the samples of each point; otherwise empty
+  bool has_bars = false;  ///< how intervals are drawn: true: as error bars; false: as a band along
+                          ///< the curve
+  /// for a curve of means over seeds: the samples of each point; else empty
   std::vector<RowSamples> samples = {};
-  /// result of a fit, shown after the name in the legend: "s = 0.01 ± 0.02"
+  /// result of a fit, which follows the name in the legend: "s = 0.01 ± 0.02"
   std::string fitted = {};
 
-  std::string key() const;  ///< the text in the legend: name and fit
+  std::string key() const;  ///< the text in the legend: name and result of the fit
 };
 
 struct Plot {
   std::string name;  ///< file name of the plot, without extension
   std::string title, x_label, y_label;
   std::vector<Series> series;
-  /// series of a lower panel with the same x axis, each with the index `of` of its curve
+  /// series of a lower panel with the same x axis; `of` is the index of the curve that each belongs
+  /// to
   std::vector<Series> differences = {};
   std::string difference_label = {};  ///< label of the lower panel's y axis
-  std::optional<double> level = {};   ///< adds a dashed horizontal line at this y
-  bool ideal_line = false;            ///< adds y = x, dashed, named "ideal"
-  bool is_speedup = false;            ///< true for speed-up over the number of processors
+  std::optional<double> level = {};   ///< y of an additional dashed horizontal line
+  bool ideal_line = false;            ///< true: adds the dashed line y = x with the name "ideal"
+  bool is_speedup = false;            ///< true if the plot shows speed-up over the number of
+                                      ///< processors
   bool log_x = false, log_y = false;
-  std::optional<double> y_min, y_max;  ///< range of the y axis; absent: chosen from the points
+  std::optional<double> y_min, y_max;  ///< ends of the y axis; no value: chosen from the points
 };
 
-/// Makes the default plots of a program's sweep from the columns that have values. speedup has the
-/// ideal line, and efficiency at least the range 0 to 1.05. The x axis is "workers" if that
-/// varies, else the first numeric axis that varies. Without one there are no plots. Each
-/// combination of the other axes that vary independently of x is a series ("tree, 200 objects").
-/// The title names the constant axes. Points are sorted by x.
+/// Makes the default plots of a program, for those of its columns that have values. The plot of the
+/// speed-up has the ideal line, and that of the efficiency shows at least the range 0 to 1.05. The
+/// x axis is "workers" if it varies, else the first numeric axis that varies. If there is none,
+/// there are no plots. Each combination of values of the other axes is a series ("tree, 200
+/// objects"), except axes that x determines. The title lists the axes with a single value. Points
+/// are sorted by x.
 std::vector<Plot> make_plots(const Table& table, const std::vector<programs::UsualPlot>& usual);
 
-/// Makes a plot of each given column. Both scales are logarithmic if the values on both axes span
-/// more than a decade.
+/// Makes a plot of each given column. Both scales are logarithmic if the largest value on each axis
+/// is more than ten times the smallest.
 std::vector<Plot> make_plots(const Table& table, const std::vector<std::string>& columns);
 
-/// Makes plots of the growth of pictures, from the table growth.csv, with a curve for each point.
-/// Points that differ only in the seed share a curve of means, whose samples are interpolated
-/// linearly in time; a finished picture stays as it is. None if growth was not recorded.
+/// Makes plots of how the picture grows with time, from the table of growth.csv, with a curve for
+/// each point. Points that differ only in the seed share a curve of means. For these, values are
+/// interpolated linearly in time; a finished picture keeps its last value. Empty if growth was not
+/// recorded.
 std::vector<Plot> plot_growth(const Table& growth);
 
-/// True if the scale of x should be logarithmic: the largest value is at least 16 times the
-/// smallest, or 32 times for workers.
+/// True if x should have a logarithmic scale: if the largest value is at least 16 times the
+/// smallest, or 32 times for the column "workers".
 bool wants_log_x(const std::string& column, const std::vector<double>& values);
 
-/// Chooses the axes that distinguish the series. They vary in these rows, are not part of x, and
-/// are not determined by x. `x` lists the axes of x.
+/// Chooses the axes whose values distinguish the series. These axes vary in the given rows, are not
+/// used in x, and are not determined by x. `x` lists the axes that x uses.
 std::vector<std::size_t> choose_series_axes(const Table& table, const RowList& rows,
                                             const std::vector<std::size_t>& x);
 
-/// Adds the point of a row to the series of that name. Makes the series if it is missing.
+/// Adds a point, from the given row, to the series with this name. Makes the series if it is
+/// missing.
 void add_point(std::vector<Series>& all, const std::string& name, std::size_t row, double x,
                double y);
 
-/// Replaces points that differ only in the seed by their mean, with a 95 % confidence interval.
+/// Replaces points that differ only in the seed by their mean and its 95 % confidence interval.
 void average_points(std::vector<Series>& all, const Table& table);
 
-/// Adds a band to each curve without error bars whose column has intervals. The band has zero width
-/// where all machines agree.
+/// Adds a band to each curve that has no error bars and whose column has intervals. Where all drawn
+/// machines give the same result, the band has zero width.
 void add_bands(Plot& plot, const Table& table, const ConfidenceTables& confidence);
 
 /// Sorts the points of each series by x. Points with equal x keep their order.

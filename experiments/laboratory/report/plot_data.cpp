@@ -36,8 +36,7 @@ ordered_json make_points(const Series& s, const Table& table) {
   return points;
 }
 
-// Formats one series. `of` is the index of the curve that it belongs to, or its own if it is a
-// curve.
+// Formats one series. `of` is the index of the curve that it belongs to; a curve belongs to itself.
 ordered_json make_series(const Series& s, std::size_t of, const Table& table) {
   const Look look = look_of(of);
   auto band = ordered_json::array();

@@ -19,7 +19,7 @@ struct Dot {
   double x, y;
 };
 
-// The points of a series that can be drawn on a logarithmic or linear scale of y.
+// The points of a series that can be drawn; on a logarithmic scale these are the positive ones.
 std::vector<Dot> drawn_points(const Plot& plot, const Series& s, bool log_y) {
   if (s.x.size() != s.y.size())
     throw std::invalid_argument(fmt::format("plot {}: the series \"{}\" has {} x but {} y",
@@ -36,12 +36,12 @@ std::vector<Dot> upper_points(const Plot& plot, const Series& series) {
   return drawn_points(plot, series, plot.log_y);
 }
 
-// The points of a series in the lower panel, whose scale is always linear.
+// The points of a series in the lower panel, whose y scale is always linear.
 std::vector<Dot> lower_points(const Plot& plot, const Series& series) {
   return drawn_points(plot, series, false);
 }
 
-// Formats the edges of a curve's band as x, low and high. Skips points that cannot be drawn.
+// Formats the band of a curve as lines of x, low and high. Skips points that cannot be drawn.
 std::string make_band(const Plot& plot, const Series& s) {
   std::string text;
   for (std::size_t i = 0; i < s.low.size(); ++i)
@@ -50,8 +50,8 @@ std::string make_band(const Plot& plot, const Series& s) {
   return text;
 }
 
-// Formats the error bars of a curve as x, y, low and high. Points without an interval have none. On
-// a logarithmic scale, a bar that would reach 0 ends at the point.
+// Formats the error bars of a curve as lines of x, y, low and high. Omits points whose interval has
+// no width. A bar that would reach 0 on a logarithmic scale ends at the point instead.
 std::string make_bars(const Plot& plot, const Series& s) {
   std::string text;
   for (std::size_t i = 0; i < s.low.size(); ++i) {
@@ -78,11 +78,11 @@ struct Extent {
   }
 };
 
-// The ranges of the points, which determine the axes.
+// The ranges of the points, from which the plot's axes are chosen.
 struct Axes {
   Extent x, y, difference;
-  std::set<double> marks;    // x of all points of the upper panel, except those of laws
-  bool is_doubling = false;  // true if x is logarithmic with ticks at powers of two
+  std::set<double> marks;    // x of all points of the upper panel, except points of laws
+  bool is_doubling = false;  // true if the x scale is logarithmic and its ticks are powers of two
 };
 
 bool is_power_of_two(double value) {
@@ -110,8 +110,8 @@ Axes measure_axes(const Plot& plot) {
   return axes;
 }
 
-// The base of a logarithmic scale is 2 for x if its ticks are powers of two, and then also for y if
-// there is an ideal line. Otherwise it is 10.
+// Sets logarithmic scales. The base for x is 2 if its ticks are powers of two; if there is an ideal
+// line, y has the same base. Otherwise the base is 10.
 std::string make_scales(const Plot& plot, const Axes& axes) {
   const int x_base = axes.is_doubling ? 2 : 10;
   std::string text;
@@ -128,8 +128,8 @@ std::string make_x_range(const Plot& plot, const Extent& x) {
 }
 
 // Makes the ticks of x. A logarithmic scale with few points has a tick at each point; a short
-// linear scale of integers has a tick at each integer. `labelled` is false for an upper panel,
-// since the numbers are below the lower panel.
+// linear scale with integers has a tick at each integer. `labelled` is false for the upper one of
+// two panels, because the numbers are below the lower panel.
 std::string make_x_ticks(const Plot& plot, const Axes& axes, bool labelled) {
   if (plot.log_x && axes.marks.size() <= 12) {
     std::vector<std::string> ticks;
@@ -143,7 +143,8 @@ std::string make_x_ticks(const Plot& plot, const Axes& axes, bool labelled) {
   return "";
 }
 
-// Limits y if the ideal line lies far above the points, since they would otherwise look flat.
+// Limits the y axis if the ideal line lies far above the points, because the curves would look flat
+// otherwise.
 std::string make_linear_y_range(const Plot& plot, const Axes& axes) {
   const Extent &x = axes.x, &y = axes.y;
   std::string low = "*", high = "*";
@@ -154,8 +155,8 @@ std::string make_linear_y_range(const Plot& plot, const Axes& axes) {
   return fmt::format("set yrange [{}:{}]\n", low, high);
 }
 
-// Makes ticks at 1, 2 and 5 times the powers of ten, for ranges of at most two and a half decades.
-// Powers of ten alone would be too few.
+// Makes ticks at 1, 2 and 5 times each power of ten, if the largest value is at most 300 times the
+// smallest. Powers of ten alone would be too few ticks then.
 std::string make_log_ticks(double low, double high) {
   if (high > 300 * low) return {};
   std::vector<std::string> ticks;
@@ -178,8 +179,8 @@ std::string make_y_range(const Plot& plot, const Axes& axes) {
          (axes.is_doubling && plot.ideal_line ? "" : make_log_ticks(low, high));
 }
 
-// Chooses the step between ticks: the smallest of 1, 2 or 5 times a power of ten that fits at most
-// `most` times.
+// Chooses the distance of ticks on an axis of this length: the smallest of 1, 2 or 5 times a power
+// of ten that fits at most `most` times.
 double choose_step(double length, double most) {
   const double least = length / most, power = std::pow(10, std::floor(std::log10(least)));
   for (const double factor : {1, 2, 5})
@@ -187,7 +188,7 @@ double choose_step(double length, double most) {
   return 10 * power;
 }
 
-// The y range of the lower panel. It includes 0, and has a margin of at least half a percent.
+// Sets the y range of the lower panel. It includes 0, and has a margin of at least half a percent.
 std::string make_difference_range(const Extent& difference) {
   const double margin = std::max(0.1 * (difference.high - difference.low), 0.5);
   const double low = std::min(0.0, difference.low) - margin;
@@ -195,11 +196,11 @@ std::string make_difference_range(const Extent& difference) {
   return fmt::format("set yrange [{}:{}]\nset ytics {}\n", low, high, choose_step(high - low, 5));
 }
 
-// Okabe and Ito's colours, distinct for colour-blind readers, darkest first, without yellow, which
-// is invisible on white.
+// Okabe and Ito's colours, which colour-blind readers can distinguish, the darkest first. Without
+// yellow, which is invisible on white.
 constexpr const char* COLOURS[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                    "#E69F00", "#56B4E9", "#000000"};
-// gnuplot's numbers for the symbols of Look.
+// gnuplot's numbers for the symbols that Look::symbol lists.
 constexpr int FILLED[] = {7, 5, 9, 13, 11, 15, 2, 1, 3};
 constexpr int OPEN[] = {6, 4, 8, 12, 10, 14, 2, 1, 3};
 constexpr const char* DASHES[] = {"", "12,6", "3,5", "12,5,3,5", "12,4,3,4,3,4"};
@@ -223,7 +224,7 @@ std::string make_style(SeriesKind kind, std::size_t look) {
   return "with points linecolor rgb '#000000' linewidth 1.5 pointtype 6 pointsize 2.4";
 }
 
-// The arguments of the command `plot` for one panel, with their data blocks.
+// The parts of gnuplot's command `plot` for one panel, and the data blocks that they use.
 struct Panel {
   std::vector<std::string> curves;
   std::string data;
@@ -237,7 +238,7 @@ struct Panel {
   std::string join() const { return join_texts(curves, ", \\\n     "); }
 };
 
-// Adds error bars, behind the symbols of their curve. Point type 0 has no symbol.
+// Adds error bars, which lie behind the symbols of their curve. Point type 0 draws no symbol.
 void add_bars(Panel& panel, std::size_t series, const std::string& bars, const Look& look) {
   if (bars.empty()) return;
   panel.data += fmt::format("$bars{} << END\n{}END\n", series, bars);
@@ -256,7 +257,7 @@ Panel make_upper(const Plot& plot) {
     panel.curves.push_back(
         fmt::format("{} with lines linecolor rgb '#707070' linewidth 1.5 dashtype (18,9) notitle",
                     *plot.level));
-  std::size_t banded = 0;  // number of curves, behind which bands and bars are drawn
+  std::size_t banded = 0;  // number of curves; bands and error bars are drawn behind them
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& s = plot.series[i];
     if (s.kind != SeriesKind::curve) continue;
@@ -294,13 +295,13 @@ Panel make_lower(const Plot& plot) {
   return panel;
 }
 
-// Heights in pixels of a drawing 800 wide, from the bottom: legend, x label and numbers, lower
-// panel with the gap above it, upper panel, title.
+// Heights in pixels of the parts of a drawing that is 800 pixels wide, from the bottom: the legend,
+// x label and numbers, the lower panel with a gap above it, the upper panel, the title.
 constexpr int KEY_MARGIN = 8, KEY_LINE = 21, BELOW = 62, LOWER = 130, GAP = 16, UPPER = 325,
               ABOVE = 50;
 
-// Layout of the legend. It has at most the columns that gnuplot itself would choose, so that the
-// number of lines is known.
+// Layout of the legend. It has no more columns than gnuplot itself would choose, so that the number
+// of its lines is known in advance.
 struct Key {
   int lines = 0, columns = 1;
 };
@@ -316,9 +317,9 @@ Key arrange_key(const Plot& plot) {
   return {static_cast<int>(lines), static_cast<int>(columns)};
 }
 
-// Chooses the font size of the title: the longer the title, the smaller.
+// Chooses the font size of the title so that the title fits.
 std::string choose_title_size(const std::string& title) {
-  // largest size, and number of characters that fit at that size
+  // largest font size in points, and number of characters that fit in that size
   constexpr double LARGEST = 17, FITS = 58;
   const double size = std::min(LARGEST, LARGEST * FITS / static_cast<double>(title.size() + 1));
   return fmt::format("{:.3g}", size);
@@ -331,13 +332,14 @@ Look look_of(std::size_t curve) {
           curve % std::size(FILLED)};
 }
 
-// Uses double quotes, since gnuplot misreads a single quote at the start of a single-quoted text.
+// Uses double quotes, because gnuplot misreads a single quote at the start of a text in single
+// quotes.
 std::string quote_for_gnuplot(std::string_view text) {
   std::string quoted = "\"";
   for (const char c : text) {
     const auto code = static_cast<unsigned char>(c);
     if (c == '"' || c == '\\') quoted += fmt::format("\\{}", c);
-    // escapes characters that run a command (`) or expand a macro (@)
+    // escapes characters by which gnuplot runs a command (`) or expands a macro (@)
     else if (c == '`' || c == '@')
       quoted += fmt::format("\\{:o}", code);
     else
@@ -361,7 +363,8 @@ std::string make_gnuplot_script(const Plot& plot) {
     throw std::invalid_argument(fmt::format("plot {}: no points to draw", plot.name));
   const Axes axes = measure_axes(plot);
   const Panel upper = make_upper(plot), lower = make_lower(plot);
-  const int bottom = choose_height(plot) - ABOVE - UPPER;  // lower edge of the upper panel, pixels
+  const int bottom = choose_height(plot) - ABOVE - UPPER;  // distance of the upper panel from the
+                                                           // lower edge of the drawing, pixels
   const Key key = arrange_key(plot);
   const auto edge = [&](int pixels) {
     return fmt::format("{:.4f}", pixels / static_cast<double>(choose_height(plot)));

@@ -8,30 +8,32 @@
 
 namespace laboratory {
 
-/// Style of a curve. 45 styles can be told apart even without colour.
+/// Style of a curve. 45 styles can be distinguished even without colours.
 struct Look {
   const char* colour;  ///< colour, such as "#0072B2"
   const char* dashes;  ///< lengths of dashes and gaps, "12,6"; "": solid line
-  /// Index into disc, square, triangle, diamond, triangle down, pentagon, cross, plus, star.
+  /// Index of the symbol: disc, square, triangle, diamond, triangle down, pentagon, cross, plus,
+  /// star.
   std::size_t symbol;
 };
-/// The style of a curve, by its index among the plot's curves. Styles repeat when exhausted.
+/// The style of a curve, by its index among the plot's curves. After the last style, the first one
+/// follows.
 Look look_of(std::size_t curve);
 
-/// Quotes a text as a literal of gnuplot's language. No variable, escape or command in it is
-/// expanded. Control characters become blanks.
+/// Quotes a text as a literal of gnuplot's language, so that gnuplot expands no variable, escape
+/// sequence or command in it. Control characters become blanks.
 std::string quote_for_gnuplot(std::string_view text);
 
-/// Makes the script of a plot, without terminal and output. Throws std::invalid_argument with the
-/// plot's name if the plot has no points, or a series has different numbers of x and y.
+/// Makes the script of a plot. It sets neither terminal nor output. Throws std::invalid_argument
+/// with the plot's name if the plot has no points, or if a series has different numbers of x and y.
 std::string make_gnuplot_script(const Plot& plot);
 
-/// The height of the drawing for a width of 800, both in pixels. It grows with the legend and a
-/// second panel.
+/// The height in pixels of the drawing if it is 800 pixels wide. A long legend and a second panel
+/// add to it.
 int choose_height(const Plot& plot);
 
-/// True if the plot has a finite point, which must be positive on a logarithmic scale. Throws as
-/// make_gnuplot_script does for series of unequal lengths.
+/// True if the plot has a point that can be drawn: it is finite, and positive on a logarithmic
+/// scale. Throws as make_gnuplot_script() does for a series with different numbers of x and y.
 bool has_points(const Plot& plot);
 
 }  // namespace laboratory

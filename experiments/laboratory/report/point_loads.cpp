@@ -13,19 +13,20 @@ namespace {
 using nlohmann::ordered_json;
 using programs::Load;
 
-// The busy share of a resource. It is null in JSON, and 0 here, if no time passed.
+// The share of time that a resource was busy. JSON has null, and this function returns 0, if no
+// simulated time passed.
 double share_of(const ordered_json& part) {
   const auto& busy = part.at("busy");
   return busy.is_null() ? 0 : busy.get<double>();
 }
 
-// The busiest resource of a list; null if the list is empty.
+// The busiest resource in a list; null if the list is empty.
 const ordered_json* find_busiest(const ordered_json& parts) {
   const auto busiest = std::ranges::max_element(parts, {}, share_of);
   return busiest == parts.end() ? nullptr : &*busiest;
 }
 
-// The busiest processor and link, for programs that have one role for all processors.
+// The busiest processor and the busiest link, for programs that do not describe their resources.
 std::vector<Load> find_busiest_parts(const ordered_json& use) {
   std::vector<Load> loads;
   if (const auto* cpu = find_busiest(use.at("cpus")))

@@ -24,7 +24,7 @@ using mustache::data, mustache::object;
 
 data make_list() { return data(data::type::list); }
 
-// Makes a list by applying `make` to each element.
+// Makes a list for the page's template by applying `make` to each element.
 template <class T, class Make>
 data make_list(const std::vector<T>& elements, Make make) {
   data list = make_list();
@@ -34,7 +34,8 @@ data make_list(const std::vector<T>& elements, Make make) {
 
 data make_texts(const std::vector<std::string>& texts) { return make_list(texts, std::identity()); }
 
-// True for rows that begin a group: an axis other than the fastest one has changed.
+// For each row, true if it begins a group: the value of an axis that changes rarely (in less than
+// half of the rows) has changed.
 std::vector<bool> find_groups(const Table& table) {
   const auto& rows = table.rows;
   std::vector<bool> begins(rows.size());
@@ -48,9 +49,9 @@ std::vector<bool> find_groups(const Table& table) {
   return begins;
 }
 
-// Makes the page's data for a table, with its axes first. Only rows of the first `points` points
-// refer to details of their point. Moves large data into place, since an initializer list would
-// copy them.
+// Makes the data of a table for the page's template, with the axes first. A click on a row shows
+// details of its point, if the point is among the first `points`. Large data are moved into place,
+// because an initializer list would copy them.
 data make_table(const Table& table, const std::vector<std::string>& columns,
                 std::size_t points = 0) {
   auto shown = find_all(table, columns);
@@ -84,7 +85,7 @@ data make_table(const Table& table, const std::vector<std::string>& columns,
   return made;
 }
 
-// Truncates the table to the limit of a page, and adds a note.
+// Truncates a table to the most rows that a page shows, and adds a note about it.
 void shorten(Table& table, std::vector<std::string>& notes) {
   constexpr std::size_t MOST = 1000;
   if (table.rows.size() <= MOST) return;
@@ -115,7 +116,8 @@ data make_answers(std::vector<Report::Part> answers) {
   return make_list(answers, make_part);
 }
 
-// Prefixes identifiers in the drawings with `kind` and the drawing's number, from 1.
+// Makes the data of drawings. Identifiers in a drawing get the prefix `kind` with the number of the
+// drawing, from 1.
 data make_drawings(const std::vector<Report::Drawing>& drawings, const std::string& kind) {
   data list = make_list();
   int number = 0;
@@ -145,9 +147,10 @@ data make_results(const Report& report) {
   return results;
 }
 
-// Enlarges small images by an integer factor, so that every pixel is a square.
+// Enlarges small images by a whole factor, so that every pixel becomes a square.
 data make_image(const Report::Image& image) {
-  constexpr unsigned ENLARGED = 400;  // pixels; about the width of the page's text
+  constexpr unsigned ENLARGED = 400;  // size of enlarged images in pixels, about the width of the
+                                      // page's text
   const auto bytes = base::read_own_text(image.file);
   const bool is_webp = image.file.extension() == ".webp";
   const auto size = is_webp ? read_webp_size(bytes, image.file.string())
@@ -184,7 +187,7 @@ nlohmann::ordered_json make_point(const PointLoads& point) {
   return made;
 }
 
-// Makes the JSON for the page's script. It contains no text that would close the script element.
+// Makes the JSON for the script in the page. No text in it can end the script element of the page.
 std::string make_data(const Report& report) {
   std::vector<std::string> plots;
   for (const auto& plot : report.plots) plots.push_back(plot.data.empty() ? "null" : plot.data);
@@ -197,7 +200,7 @@ std::string make_data(const Report& report) {
   return text;
 }
 
-// Adds a section to the page. The template omits missing sections.
+// Adds a section to the page, unless it has no items. The template then omits the section.
 void add_section(data& page, const char* name, data items) {
   if (!items.is_empty_list()) page[name]["items"] = std::move(items);
 }
@@ -217,8 +220,8 @@ std::string make_report(const Report& report) {
   page["library"] = has_charts ? data(DYGRAPHS_SCRIPT) : data(false);
   page["script"] = REPORT_SCRIPT;
   page["data"] = make_data(report);
-  // Makes a nonce, with which the page permits only its own scripts. A script injected by a text of
-  // the results does not know the nonce, which is a hash over that text.
+  // The page allows only scripts that carry this nonce. Text of the results could contain a script,
+  // but it cannot contain the nonce, which is a hash over this text.
   page["nonce"] = hash_of(report.title + to_csv(report.table) + make_data(report));
   page["title"] = report.title;
   add_text(page, "question", report.question);

@@ -11,9 +11,9 @@
 
 namespace laboratory {
 
-/// The content of a page. Sections without content are omitted.
+/// The content of the page. Sections without content are omitted.
 struct Report {
-  /// Notes and tables below a heading. Tables without rows are omitted.
+  /// A heading with notes and tables below it. Tables without rows are omitted.
   struct Part {
     std::string heading;
     std::vector<std::string> notes;
@@ -23,14 +23,16 @@ struct Report {
   struct Drawing {
     std::string caption;
     std::string svg;        ///< content of the SVG file
-    Part numbers = {};      ///< tables below the drawing, without a heading
-    std::string data = {};  ///< JSON from make_plot_data() for the page's script; "": none
+    Part numbers = {};      ///< tables shown below the drawing; without a heading
+    std::string data = {};  ///< JSON from make_plot_data() for the page's script; "": the plot is
+                            ///< only a drawing
   };
 
   struct Image {
     std::string caption;
-    std::filesystem::path file;  ///< image file, a PNG or an animated WebP
-    bool is_step = false;        ///< true for an intermediate image, shown smaller and side by side
+    std::filesystem::path file;  ///< a PNG or an animated WebP file
+    bool is_step = false;        ///< true: an intermediate image, shown smaller and beside the
+                                 ///< others
   };
 
   struct ModelRow {
@@ -38,30 +40,33 @@ struct Report {
   };
 
   std::string title, question;
-  std::vector<std::string> findings;  ///< one sentence for each finding
-  /// properties of machine, model, topology and program: name and value
+  std::vector<std::string> findings;  ///< one sentence for each main result
+  /// name and value of each property of machine, model, topology and program
   std::vector<std::pair<std::string, std::string>> facts;
-  std::vector<Drawing> plots;  ///< plots; their captions are for screen readers
-  std::vector<Part> answers;   ///< answers to [[best]]; empty ones are omitted
-  Table table;                 ///< the complete table, as a download in the page
-  Table means;  ///< the table of the page if it differs: means over seeds; else without columns
-  std::vector<std::string> shown_columns;  ///< columns of the table in the page; empty: all
-  std::vector<PointLoads> points;  ///< details of the table's rows, shown on a click; empty: none
-  /// columns of a second, folded table; empty: no such table
+  std::vector<Drawing> plots;  ///< plots; screen readers read their captions
+  std::vector<Part> answers;   ///< answers to [[best]]; parts without tables and notes are omitted
+  Table table;                 ///< all results; the page offers this table as a download
+  Table means;  ///< means over seeds, which the page shows instead of `table`; no columns: it shows
+                ///< `table`
+  std::vector<std::string> shown_columns;  ///< columns of the table that the page shows; empty: all
+  std::vector<PointLoads> points;  ///< details of the points, shown on a click on a row; empty:
+                                   ///< none
+  /// columns of a second table, which is folded at first; empty: no such table
   std::vector<std::string> load_columns;
-  std::vector<Part> checks;       ///< checks; the heading tells whether and how well each holds
-  std::vector<Drawing> networks;  ///< networks with their loads
+  std::vector<Part> checks;       ///< checks; each heading tells whether the check holds, and how
+                                  ///< well
+  std::vector<Drawing> networks;  ///< drawings of networks with their loads
   std::vector<Image> images;
   std::vector<std::string> notes;
-  std::string settings;  ///< the experiment as TOML, with every setting resolved
-  std::string command;   ///< command that reproduces the results
+  std::string settings;  ///< the experiment as TOML, with all settings and their values
+  std::string command;   ///< the command that reproduces the results
   std::vector<ModelRow> model;
 };
 
-/// Makes the page. It contains no date, so equal reports yield equal bytes. A browser without
-/// scripts shows everything except PointLoads and what is only in Drawing::data. Throws
-/// std::system_error for an unreadable image. Throws std::invalid_argument for an image that is
-/// neither PNG nor WebP, a drawing that is not SVG, and unknown columns.
+/// Makes the page. It contains no date, so that equal reports give equal bytes. In a browser
+/// without scripts, it shows everything except `points` and Drawing::data. Throws std::system_error
+/// for an unreadable image. Throws std::invalid_argument for an image that is neither PNG nor WebP,
+/// a drawing that is not SVG, and unknown columns.
 std::string make_report(const Report& report);
 
 }  // namespace laboratory

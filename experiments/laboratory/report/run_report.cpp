@@ -43,7 +43,7 @@ namespace fs = std::filesystem;
 using Texts = std::vector<std::string>;
 using Facts = std::vector<std::pair<std::string, std::string>>;
 
-// Appends the texts that are missing in `to`.
+// Appends those texts that `to` does not contain yet.
 void append(Texts& to, const Texts& from) {
   for (const auto& text : from)
     if (std::ranges::find(to, text) == to.end()) to.push_back(text);
@@ -51,7 +51,7 @@ void append(Texts& to, const Texts& from) {
 
 // ---- Description of the program ----
 
-// Lists the values of an axis, or the value of a key that is not an axis.
+// Lists the values of an axis; if it is no axis, returns `value`.
 std::string values_of(const ExperimentFile& file, const char* axis, const std::string& value) {
   Texts values;
   for (const auto& point : file.points)
@@ -62,13 +62,13 @@ std::string values_of(const ExperimentFile& file, const char* axis, const std::s
   return values.empty() ? value : join_texts(values, ", ");
 }
 
-// True if another key makes this parameter ineffective.
+// True if a parameter has no effect because of the value of another key.
 bool is_void(const Experiment& e, const programs::Parameter& p) {
   return e.program->voids && !e.program->voids(e.params, programs::key_of(p)).empty();
 }
 
 // Adds the program's parameters that are not listed yet. If the program does not show its
-// parameters, adds only axes and values that differ from the defaults.
+// parameters, adds only axes and values that differ from the default.
 void add_parameters(Facts& facts, const ExperimentFile& file) {
   const Experiment& e = file.points[0].experiment;
   for (const auto& p : e.program->parameters) {
@@ -90,7 +90,7 @@ std::string values_in(const Table& table, const std::string& column) {
   return join_texts(values, ", ");
 }
 
-// Describes the model, the network and the scene of the points, including defaults.
+// Describes model, network and scene of the points, including default values.
 Facts make_facts(const Simulation& s) {
   const ExperimentFile& file = s.file;
   const Experiment& e = file.points[0].experiment;
@@ -129,7 +129,7 @@ std::string spell(const programs::Parameter& p, const std::any& params) {
   return is_text ? spell_text(text) : text;
 }
 
-// Formats the experiment as TOML, with defaults as comments.
+// Formats the experiment as TOML, with default values as comments.
 std::string make_settings(const ExperimentFile& file) {
   std::vector<std::string> lines;
   const auto add = [&](const std::string& key, const std::string& value) {
@@ -157,8 +157,8 @@ std::string make_settings(const ExperimentFile& file) {
                        : fmt::format("{}\n\n# By default:\n{}", text, join_texts(lines, "\n"));
 }
 
-// Chooses the columns of a second table with the loads: the axes, and those that the program
-// declares. None if it declares none.
+// Chooses the columns of a second table, with loads: the axes, and the columns that the program
+// declares for it. Empty if it declares none.
 Texts load_columns(const ExperimentFile& file, const Table& table) {
   const auto& names = shows_of(file).loads;
   if (names.empty()) return {};
@@ -168,7 +168,7 @@ Texts load_columns(const ExperimentFile& file, const Table& table) {
   return chosen;
 }
 
-// Makes the default plots of an experiment that declares none.
+// Makes the plots for an experiment that declares none.
 std::vector<Plot> usual_plots(const ExperimentFile& file, const Table& table) {
   const auto& plots = shows_of(file).plots;
   return plots.empty() ? make_plots(table, first_result(file, table)) : make_plots(table, plots);
@@ -176,7 +176,8 @@ std::vector<Plot> usual_plots(const ExperimentFile& file, const Table& table) {
 
 // ---- Sections of the page ----
 
-// Lists all entries of the first model, and those of other models that differ from it.
+// Lists all entries of the first model, and the entries of the other models that differ from the
+// first.
 std::vector<Report::ModelRow> model_rows(const std::vector<machine::Model>& models) {
   std::vector<Report::ModelRow> rows;
   for (const auto& model : models)
@@ -205,7 +206,8 @@ void save_unless_empty(const fs::path& file, const Table& table) {
   if (!table.rows.empty()) base::save_whole(file, to_csv(guard_formulas(table)));
 }
 
-// Adds the declared plots and the answers to [[best]] if any point was completed.
+// If any point was completed, adds the answers to [[best]], and makes the plots that the file
+// declares.
 std::vector<Exhibit> add_figures(Report& report, const fs::path& folder, const Simulation& s) {
   const auto plan = plan_checks(s.file);
   if (std::ranges::none_of(s.table.rows,
@@ -230,8 +232,8 @@ std::vector<Exhibit> add_figures(Report& report, const fs::path& folder, const S
   return exhibits;
 }
 
-// Adds the findings of the plots and of the fits. Among the default plots, only the speed-up has
-// findings.
+// Adds the findings of the plots and of the fits. If the plots are the default ones, only the first
+// or that of the speed-up has findings.
 void add_findings(Report& report, const std::vector<Exhibit>& exhibits, bool are_declared) {
   std::vector<Plot> plots;
   for (const auto& exhibit : exhibits) plots.push_back(exhibit.plot);
@@ -245,8 +247,8 @@ void add_findings(Report& report, const std::vector<Exhibit>& exhibits, bool are
   for (const auto& exhibit : exhibits) append(report.findings, exhibit.findings);
 }
 
-// Draws the plots that have points into `folder`. Their rows are those of `table`. Adds failed
-// plots to `undrawn`.
+// Draws the plots that have points into `folder`. `table` is the table whose rows the plots refer
+// to. Adds plots that could not be drawn to `undrawn`.
 void add_plots(Report& report, Texts& undrawn, const fs::path& folder, const Table& table,
                std::vector<Exhibit> exhibits) {
   std::erase_if(exhibits, [](const Exhibit& exhibit) { return !has_points(exhibit.plot); });
@@ -267,7 +269,7 @@ void add_plots(Report& report, Texts& undrawn, const fs::path& folder, const Tab
       undrawn.push_back(failures[i]);
   }
   std::error_code ignored;
-  fs::remove(folder, ignored);  // fails harmlessly unless the folder is empty
+  fs::remove(folder, ignored);  // has no effect if the folder has files
 }
 
 void add_checks(Report& report, const Simulation& s) {
@@ -280,7 +282,7 @@ void add_checks(Report& report, const Simulation& s) {
   }
 }
 
-// The given columns of a table.
+// Keeps the rows of a table whose cell "column" is one of `columns`.
 Table choose_rows(Table table, const Texts& columns) {
   const auto name = *table.find("column");
   std::erase_if(table.rows, [&](const auto& row) {
@@ -289,8 +291,8 @@ Table choose_rows(Table table, const Texts& columns) {
   return table;
 }
 
-// Adds the uncertainty of the results, from randomly drawn machines, and a tornado chart of the
-// first result.
+// Adds the uncertainty of the results, from randomly drawn machines, and a tornado chart of what
+// influences the first result.
 void add_confidence(Report& report, Texts& undrawn, const fs::path& folder) {
   const auto found = load_confidence(folder);
   if (!found) return;

@@ -36,7 +36,7 @@ ordered_json models_json(const ExperimentFile& file) {
   return models;
 }
 
-// Hashes each scene, network, table of routes or other input file.
+// Hashes each file that the experiment reads, such as scenes, networks and routes.
 ordered_json inputs_json(const ExperimentFile& file) {
   std::map<std::string, std::string> hashes;
   for (const auto& point : file.points)
@@ -138,10 +138,10 @@ void save_run_json(const fs::path& folder, const RunOptions& options, const Simu
   run["threads"] = options.threads;
   if (!s.host_speeds.empty()) run["host_speed"] = speeds_json(s.host_speeds);
   auto text = run.dump(2);
-  text.resize(text.size() - 2);  // removes the final "\n}" of the JSON text
+  text.resize(text.size() - 2);  // removes "\n}" at the end of the JSON text
   base::save_whole(folder / "run.json", [&](std::ostream& out) {
     out << text << ",\n  \"points\": [";
-    // stops at a write error, so that errno is that of the first failure
+    // stops at the first write error, so that errno is that of this error
     for (std::size_t i = 0; i < s.results.size() && out; ++i)
       out << (i > 0 ? ",\n    " : "\n    ") << point_json(folder, s, i).dump();
     out << "\n  ]\n}\n";

@@ -1,4 +1,4 @@
-// Results of an experiment's points, and their storage in run.json.
+// Results of all points of an experiment, and their storage in run.json.
 #pragma once
 
 #include <filesystem>
@@ -13,35 +13,40 @@
 
 namespace laboratory {
 
-/// Results of a run. Members described by "each point" have one element for each of file.points.
+/// Results of a run. Members for "each point" have one element for each element of file.points.
 struct Simulation {
-  ExperimentFile file;     ///< the experiment, with only the points that were run
+  ExperimentFile file;     ///< the experiment; its points are only those that were simulated
   HostSpeeds host_speeds;  ///< measured speeds of the host for cost = "timed"
-  Results results;         ///< result of each point, without `use`, which only its record has
-  /// path of the record of each point, relative to the results
+  Results results;         ///< result of each point; its member `use` is empty, since only the
+                           ///< record has it
+  /// path of the record of each point, relative to the results folder
   std::vector<std::filesystem::path> records;
   Table table;
   std::vector<CheckResult> checks;
-  std::vector<std::string> undrawn;  ///< failed drawings with reasons
-  std::string ended;                 ///< the reason why the run ended, a sentence
-  bool complete = false;             ///< true if every point was completed
-  std::size_t there = 0;             ///< number of points that already had results
-  std::size_t asked = 0;             ///< number of points, also those of randomly drawn machines
-  std::size_t left_out = 0;          ///< number of randomly drawn machines with incomplete points
+  std::vector<std::string> undrawn;  ///< drawings that failed, with reasons
+  std::string ended;                 ///< a sentence that says why the run ended
+  bool complete = false;             ///< true if all points were completed
+  std::size_t there = 0;             ///< number of points whose results were recorded already
+  std::size_t asked = 0;             ///< number of points of the run, including those of randomly
+                                     ///< drawn machines
+  std::size_t left_out = 0;          ///< number of randomly drawn machines whose points are not all
+                                     ///< complete
   double wall_s = 0;
 };
 
-/// Writes `folder`/run.json. It has the origin (make_origin), versions, models with the provenance
-/// of their entries, hashes of the experiment's files, why the run ended, and the host's speed if
-/// measured. For each point it has the result files, seed, loads of processors and links, host
-/// times and events. Reads the points' records in `folder` one by one.
+/// Writes `folder`/run.json. For the run, it has the origin (make_origin), versions, models with
+/// the provenance of their entries, hashes of the experiment's files, the reason why the run ended,
+/// and the host's speed if it was measured. For each point, it has the result files, seed, loads of
+/// processors and links, host times and number of events. Reads the records of the points in
+/// `folder` one by one, to save memory.
 void save_run_json(const std::filesystem::path& folder, const RunOptions& options,
                    const Simulation& simulation);
 
 /// Reads `folder`/run.json and the records of its points. Makes the table and evaluates the checks
-/// anew. `file` is the experiment in run.json. The members `host_speeds`, `there` and `wall_s` keep
-/// their defaults. Throws nlohmann::json::exception for a damaged run.json. Throws base::BadInput
-/// if run.json has no points, or a record is damaged or from another experiment.
+/// again. `file` is the experiment that run.json contains. The members `host_speeds`, `there` and
+/// `wall_s` keep their defaults. Throws nlohmann::json::exception for a damaged run.json. Throws
+/// base::BadInput if run.json has no points, or if a record is damaged or belongs to another
+/// experiment.
 Simulation load_simulation(const std::filesystem::path& folder, const ExperimentFile& file);
 
 }  // namespace laboratory
