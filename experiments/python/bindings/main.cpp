@@ -3,7 +3,7 @@
 
 namespace py = pybind11;
 
-// Translates BadInput to the exception of the Python package that represents exit code 2.
+// Translates BadInput to the Python exception that stands for exit code 2 of tlab.
 void translate(std::exception_ptr thrown) {
   try {
     if (thrown) std::rethrow_exception(thrown);

@@ -65,7 +65,7 @@ base::Scalar from_python(const std::string& name, const py::handle& value) {
     if (py::isinstance<py::float_>(value)) return value.cast<double>();
     if (py::isinstance<py::str>(value)) return value.cast<std::string>();
     if (py::isinstance<py::sequence>(value)) return value.cast<std::vector<double>>();
-  } catch (const py::cast_error&) {  // an entry of the list is not a number, or is too large
+  } catch (const py::cast_error&) {  // an element of the list is not a number, or is too large
   }
   base::refuse(name, "found {}, expected a number, a text or numbers in a list",
                py::repr(value).cast<std::string>());

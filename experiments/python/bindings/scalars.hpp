@@ -1,22 +1,24 @@
 #pragma once
-// Conversion of field values to and from Python.
+// Converts field values to Python and back.
 #include <pybind11/pybind11.h>
 
 #include "base/fields.hpp"
 
 namespace bindings {
 
-/// Converts a value; None if no value was given. A source becomes its text, or None if it is empty.
+/// Converts a value to Python. A field without a value becomes None. A source becomes its text, or
+/// None if the text is empty.
 pybind11::object to_python(const base::Scalar& value);
 
-/// Converts a bool, int, float, str, or sequence of numbers. Throws BadInput with the prefix `name`
-/// for other values.
+/// Converts a Python bool, int, float, str, or sequence of numbers. Throws BadInput with the prefix
+/// `name` for other values.
 base::Scalar from_python(const std::string& name, const pybind11::handle& value);
 
-/// The name that a kind of values has in Python.
+/// The name of a kind of values in Python.
 const char* name_of(base::Domain::Kind kind);
 
-/// Lists a field's name, unit, help, kind ("whole", "choice", ...), range, choices and default.
+/// Describes a field: its name, unit, help, kind ("whole", "choice", ...), range, choices and
+/// default.
 template <class P>
 pybind11::dict describe(const base::Field<P>& field, const P& defaults) {
   const auto& domain = field.domain;

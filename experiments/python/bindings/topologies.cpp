@@ -23,15 +23,15 @@ namespace {
 using topologies::RoutingTable;
 using topologies::Topology;
 
-// Two processors and their ports.
+// A link: its two processors, then their ports.
 using Wire = std::tuple<int, int, int, int>;
 
-// Two vertices, by index into the list of names, and the texts of port_a, port_b, tailport and
-// headport; "" without one.
+// An edge of a graph: its two vertices, by index into the list of names, and the texts of its
+// attributes port_a, port_b, tailport and headport. "" stands for a missing attribute.
 using Edge = std::tuple<int, int, std::string, std::string, std::string, std::string>;
 
-// Makes the topology of a graph by the rules for files. `roots` has the text of each vertex's
-// attribute root, and `root` that of the graph.
+// Makes the topology of a graph by the same rules as for graph files. `roots` has the text of each
+// vertex's attribute "root", and `root` that of the graph's.
 Topology make_graph(const std::string& name, const std::vector<std::string>& names,
                     const std::vector<std::string>& roots, const std::string& root,
                     const std::vector<Edge>& edges, bool has_arrows) {
@@ -47,7 +47,7 @@ Topology make_graph(const std::string& name, const std::vector<std::string>& nam
   return topologies::make_topology(graph, name);
 }
 
-// Each link as its lower and higher processor, then the ports of both.
+// Lists the links: the lower and the higher processor, then their ports.
 std::vector<Wire> list_links(const Topology& topology) {
   std::vector<Wire> links;
   for (const auto& [a, b] : topology.links)
@@ -70,7 +70,7 @@ py::dict measure(const Topology& topology) {
                   "all_to_all_link"_a = find_link(m.all_to_all));
 }
 
-// Routes together with their topology.
+// A routing table, with the topology that it was made for.
 struct Routes {
   Topology topology;
   RoutingTable table;
@@ -83,7 +83,7 @@ struct Routes {
     check(from), check(to);
     return from == to ? 0 : table.distance(from, to);
   }
-  // The processors on the route, both ends included.
+  // The processors on the route from `from` to `to`, including both.
   std::vector<int> path(int from, int to) const {
     check(from), check(to);
     std::vector<int> processors{from};
