@@ -7,8 +7,8 @@
 //
 // The partner always waits already, so each way takes the instructions that start an output, and
 // the time on the wire: (operands + blocked) / clock + bytes / one-way rate. Outputs of one word
-// use outword, which takes 3 more cycles. For a word:
-//   (4 + 20 + 3) / 25 MHz + 4 / 1.778 MB/s = 1.08 us + 2.25 us = 3.33 us
+// use outword, which takes 2 more cycles. For a word:
+//   (28 + 2) / 25 MHz + 4 / 1.778 MB/s = 1.2 us + 2.25 us = 3.45 us
 #include <fmt/format.h>
 
 #include "simulator/occam/channel.hpp"

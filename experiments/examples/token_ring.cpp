@@ -7,9 +7,9 @@
 //   +---------------------------------------------------------------------------+
 //                                         each on its T805-25, at high priority: ticks of 1 us
 //
-// A station holds the token for 100 us + output 0.96 us + 12 bytes on the wire 6.75 us = 107 whole
-// ticks. The monitor's ALT takes longer, 110 ticks in all, so a round takes 3 x 107 + 110 = 431 us.
-// If TIMEOUT were shorter, two tokens would circulate: the monitor drops all but its latest.
+// A station holds the token for 100 us, and passes it on in 8.03 us: 108 ticks, since only whole
+// ticks count. The monitor's ALT takes longer, 109 ticks. A round is 3 x 108 + 109 = 433 us. If
+// TIMEOUT were shorter, two tokens would circulate: the monitor drops all but its latest.
 #include <fmt/format.h>
 
 #include <deque>
