@@ -1,4 +1,4 @@
-// experiments/cluster/Snakefile on this host. Its results equal those of `tlab run` byte for byte.
+// experiments/cluster/Snakefile, executed on this host, gives the same bytes as `tlab run`.
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -23,7 +23,7 @@ TEST(Cluster, ThroughSnakemakeTheResultsAreTheSame) {
       << "[image]\nwidth = 12\nheight = 8\n[sweep]\nobjects = [20, 9]\nworkers = [1, 3, 2]\n";
   const std::string program = ::test::in_build("tlab");
   ASSERT_EQ(shell(folder.path, program + " run e.toml -o direct --set image.height=9"), 0);
-  // One point already has a result.
+  // One of the points has its result before Snakemake starts.
   ASSERT_EQ(shell(folder.path, program + " run e.toml -o jobs --point 2 --set image.height=9"), 0);
   const std::string snakemake = "HOME=\"$PWD\" XDG_CACHE_HOME=\"$PWD\" snakemake -s " +
                                 ::test::in_sources("experiments/cluster/Snakefile") +
@@ -35,7 +35,7 @@ TEST(Cluster, ThroughSnakemakeTheResultsAreTheSame) {
        {"results.csv", "report.html", "image-spheres-9.png", "image-spheres-20.png"})
     EXPECT_EQ(read_file(folder.path / "direct" / name), read_file(folder.path / "jobs" / name))
         << name;
-  // The change affects no point's key, so only the merge runs again.
+  // This change affects no point's result, so Snakemake repeats only the merge.
   std::ofstream(folder.path / "e.toml", std::ios::app) << "[report]\nnetworks = \"all\"\n";
   ASSERT_EQ(shell(folder.path, program + " run e.toml -o direct --set image.height=9"), 0);
   ASSERT_EQ(shell(folder.path, snakemake), 0) << read_file(folder.path / "log");

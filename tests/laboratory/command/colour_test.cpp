@@ -8,7 +8,7 @@
 namespace laboratory {
 namespace {
 
-// The output of `tlab run e.toml` on a terminal, with these environment variables.
+// The output of `tlab run e.toml` on a terminal, with `settings` as environment variables.
 std::string run_on_terminal(const std::filesystem::path& folder,
                             const std::vector<std::pair<const char*, const char*>>& settings) {
   const auto program = ::test::in_build("tlab");
@@ -20,7 +20,7 @@ std::string run_on_terminal(const std::filesystem::path& folder,
   });
 }
 
-// True if the text has colours or bold letters. Progress bars do not count.
+// True if the text has colours or bold letters, which end with this escape sequence.
 bool has_colour(const std::string& text) { return contains(text, "\x1b[0m"); }
 
 TEST_F(Sweep, ColourIsForTerminalsThatWantIt) {

@@ -1,4 +1,4 @@
-// The command from a user's view: exit codes, files, and identical bytes in every run.
+// The command tlab as users see it: exit codes, files, and the same bytes in every run.
 #include "experiments/laboratory/command/commands.hpp"
 
 #include <gtest/gtest.h>
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The farm experiment at reduced size.
+// Arguments that run the experiment of the farm at reduced size.
 const std::vector<std::string> SMALL = {"run",   ::test::in_sources("experiments/farm.toml"),
                                         "--set", "image.width=16",
                                         "--set", "image.height=12",
@@ -39,7 +39,7 @@ TEST(ExperimentsCommand, RunWritesEverythingAndTheSameBytesForAnyJobs) {
     ASSERT_EQ(done.exit_code, 0) << done.err;
     EXPECT_NE(done.out.find("speedup"), std::string::npos);
     EXPECT_NE(done.out.find("report.html"), std::string::npos);
-    EXPECT_EQ(done.err, "");  // in a pipe there is no progress bar
+    EXPECT_EQ(done.err, "");  // a pipe gets no progress bar
   }
   for (const char* name :
        {"results.csv", "report.html", "image-spheres-20.png", "image-spheres-60.png"})
@@ -47,7 +47,7 @@ TEST(ExperimentsCommand, RunWritesEverythingAndTheSameBytesForAnyJobs) {
   for (const char* name : {"run.json", "plots/speedup.svg", "plots/speedup.png", "plots/time_s.svg",
                            "plots/efficiency.png"})
     EXPECT_TRUE(fs::exists(folder.path / "r1" / name)) << name;
-  // no other files remain in the folder
+  // no temporary files remain
   EXPECT_EQ(folder.names(), (std::vector<std::string>{"r1", "r3"}));
 
   const Table table = parse_csv(read_file(folder.path / "r1/results.csv"), "results.csv");
@@ -72,7 +72,7 @@ TEST(ExperimentsCommand, AsManyJobsAsTheHostHasProcessors) {
   EXPECT_EQ(options.jobs, std::max(1u, std::thread::hardware_concurrency()));
 }
 
-// Below its title, the profile has a line for each point.
+// The profile has a title and one line for each point.
 TEST(ExperimentsCommand, ProfileShowsTheHostsTimeOfEachPoint) {
   const TemporaryFolder folder;
   const auto done = tlab(folder.path, small({"-o", "r", "--profile"}));
@@ -109,7 +109,7 @@ TEST(ExperimentsCommand, PreviewsAreThereBeforeTheFirstRay) {
   const auto flat = stats("flat"), shadows = stats("shadows");
   EXPECT_EQ(flat["work"]["ray_intersected"], 0);
   EXPECT_GE(flat["preview"]["pixels_drawn"], 16 * 12 / 2);
-  // Each pixel with an object has one feeler to each of three lights.
+  // Each pixel that shows an object has one shadow feeler to each of three lights.
   EXPECT_EQ(shadows["work"]["ray_intersected"].get<int>() % 3, 0);
   EXPECT_GT(shadows["work"]["ray_intersected"], 0);
   EXPECT_NE(read_file(folder.path / "flat.png"), read_file(folder.path / "shadows.png"));
@@ -125,7 +125,7 @@ TEST(ExperimentsCommand, OlderResultsAreReplacedButNeverSomethingElse) {
   const auto refused = tlab(folder.path, small({"-o", "mine"}));
   EXPECT_EQ(refused.exit_code, 2);
   EXPECT_EQ(read_file(folder.path / "mine/thesis.txt"), "years of work");
-  // A foreign file inside a results folder is protected too.
+  // A file of the user inside a results folder is protected too.
   std::ofstream(folder.path / "r/thesis.txt") << "years of work";
   EXPECT_EQ(tlab(folder.path, run).exit_code, 2);
   EXPECT_EQ(read_file(folder.path / "r/thesis.txt"), "years of work");
@@ -188,8 +188,8 @@ TEST(ExperimentsCommand, OnlyOnePointOfCountedCostsIsShownLive) {
   for (const auto& [setting, message] :
        {std::pair("sweep.workers=[1, 2]", "the experiment has 2 points, expected one"),
         std::pair("run.cost=timed", "found cost = \"timed\", expected \"counted\"")}) {
-    // The command is refused before a page opens, and before the invalid name of the recording
-    // matters.
+    // The command is refused before a page opens. The recording has an invalid name, but the
+    // refusal of the setting comes first.
     const auto refused = tlab(
         folder.path, {"live", "e.toml", "--no-browser", "--record", "e.txt", "--set", setting});
     EXPECT_EQ(refused.exit_code, 2) << setting;

@@ -23,7 +23,7 @@ std::string script_for(const std::string& shell) {
   return made.out;
 }
 
-// Compares every option of every command with the command's help.
+// The scripts contain every option that the help of a command shows.
 TEST(Completion, KnowsAllCommandsAndOptions) {
   const TemporaryFolder folder;
   const auto script = script_for("bash"), zsh = script_for("zsh"), fish = script_for("fish");
@@ -47,7 +47,7 @@ TEST(Completion, KnowsAllCommandsAndOptions) {
   EXPECT_EQ(tlab(folder.path, {"completion", "tcsh"}).exit_code, 2);
 }
 
-// The completions that bash offers for the last, unfinished word of a line.
+// The words that bash offers for the last, unfinished word of a line.
 std::string complete(const std::filesystem::path& folder, const std::string& line) {
   std::ofstream(folder / "try.sh") << "source ./tlab.bash\nCOMP_WORDS=(" << line
                                    << ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_tlab\n"
@@ -67,7 +67,8 @@ TEST(Completion, BashOffersWhatBeginsSo) {
   EXPECT_EQ(complete(folder.path, "tlab merge a"), "a b.toml") << "one name";
 }
 
-// A name is text, even if it looks like a command. The names come from a stand-in for tlab.
+// A name is only text, even if it looks like a shell command. A substitute for tlab prints the
+// names.
 TEST(Completion, NoNameIsExecuted) {
   const TemporaryFolder folder;
   const auto names = folder.path / "names", owned = folder.path / "owned";

@@ -1,4 +1,4 @@
-// tlab convert: formats, content that is left out, and refused input.
+// tlab convert: formats, features that are left out, and refused input.
 #include "tests/laboratory/support/tlab.hpp"
 
 namespace laboratory {
@@ -70,7 +70,7 @@ TEST_F(Convert, ASceneInTheDarkStaysDarkAndProseStaysProse) {
   EXPECT_EQ(render("again.nff"), render("dark.nff"));
 }
 
-// The mesh has a triangle with coloured corners, and a line.
+// The mesh has a triangle with colours at its corners, and a line; both features are left out.
 TEST_F(Convert, WhatIsLeftOutOfAMeshIsNamed) {
   write_file(folder.path / "c.ply",
              "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
@@ -91,7 +91,7 @@ TEST_F(Convert, AMeshInCapitals) {
   EXPECT_EQ(render("t.obj").substr(1, 3), "PNG");
 }
 
-// A megabyte of nested brackets overflows Assimp's stack.
+// A megabyte of nested brackets overflows the stack of the library Assimp.
 TEST_F(Convert, AMeshHasTimeByItsSize) {
   write_file(folder.path / "deep.gltf", std::string(1 << 20, '['));
   const auto done = convert("deep.gltf", "deep.obj");

@@ -13,7 +13,7 @@ const std::string SCENE =
     "# shutter 0 0.5\n# lens 0.3 5\nv from 0 0 5 at 0 0 0 up 0 1 0 angle 40\nl 5 5 5\n"
     "f 1 0.5 0.2 0.8 0.2 9 0 0\n# path way.csv\ns 0 0 0 0.5\n# move 0 0 0\ns 1 1 0 0.4\n";
 
-// A folder with a scene of three frames, in which a sphere moves to the right.
+// A folder with an animated scene of three frames, in which a sphere moves to the right.
 struct SceneFolder : TemporaryFolder {
   SceneFolder() {
     write("s.nff", SCENE);
@@ -76,7 +76,7 @@ TEST(DistributedCommand, FramesAreImagesAndAnAnimation) {
   EXPECT_FALSE(folder.has("a-0004.png"));
   const auto animation = read_file(folder.path / "a.webp");
   EXPECT_EQ(animation.substr(0, 4), "RIFF");
-  // At 30 frames per second, durations in whole ms are rounded such that their sum is right.
+  // At 30 frames per second, the durations are rounded to whole ms, but their sum is exact.
   ASSERT_EQ(
       folder
           .render({"-o", "c.webp", "--frames", "1-3", "--frame-rate", "30", "--pixel-samples", "2"})
@@ -85,7 +85,7 @@ TEST(DistributedCommand, FramesAreImagesAndAnAnimation) {
   EXPECT_EQ(test::durations_of_webp(read_file(folder.path / "c.webp")), (std::vector{33, 34, 33}));
   EXPECT_NE(read_file(folder.path / "a-0001.png"), read_file(folder.path / "a-0002.png"));
 
-  // A frame does not depend on earlier frames, and frame 0 equals the image without --frames.
+  // A frame does not depend on earlier frames. Frame 0 equals the image rendered without --frames.
   ASSERT_EQ(folder.render({"-o", "b.png", "--frames", "0-2", "--pixel-samples", "2"}).exit_code, 0);
   EXPECT_EQ(read_file(folder.path / "b-0002.png"), read_file(folder.path / "a-0002.png"));
   ASSERT_EQ(folder.render({"-o", "c.png", "--pixel-samples", "2"}).exit_code, 0);
@@ -118,7 +118,7 @@ TEST(DistributedCommand, WrongFramesAreRefusedBeforeAnythingIsWritten) {
   expect({"-o", "a.png", "--adaptive", "0.1", "--preview", "flat"},
          "--adaptive excludes --preview");
   expect({"-o", "a.webp", "--frames", "0-1", "--size", "20000x1"}, "at most 16383 pixels");
-  // The view is impossible only in frame 2.
+  // Only in frame 2 is the view impossible.
   folder.write("way.csv", "0 0 0 5 0 0 0\n2 0 0 0 0 0 0\n4 0 0 5 0 0 0\n");
   folder.write("s.nff", "# camera way.csv\n" + SCENE.substr(0, SCENE.find("# path")));
   expect({"-o", "a.png", "--frames", "0-4"}, "s.nff:1: found a view from the point it looks at");

@@ -1,4 +1,4 @@
-// Results and drawings are the same in every environment.
+// Results and drawings do not depend on the user's environment.
 #include "tests/laboratory/support/sweep.hpp"
 
 namespace laboratory {
@@ -6,7 +6,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The bytes of all visible files, except those of the report, which names the command line.
+// The bytes of all visible files except the report, which contains the command line.
 std::map<std::string, std::string> results_of(const Sweep& sweep, const std::string& name) {
   auto files = sweep.visible(name);
   files.erase("report.html");
@@ -37,7 +37,7 @@ TEST_F(Sweep, ResultsAndDrawingsDoNotDependOnTheEnvironment) {
   }
 }
 
-// Too few descriptors, and a folder that has been removed, are named as such.
+// The message names the cause: too few file descriptors, or a current folder that was removed.
 TEST_F(Sweep, ErrorsOfTheHostAreNamed) {
   EXPECT_EQ(run_line(folder.path, "(ulimit -n 9; $TLAB run e.toml -o r) > out 2> told"), 2);
   EXPECT_TRUE(contains(read_file(folder.path / "told"), "Too many open files"))

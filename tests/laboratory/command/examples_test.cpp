@@ -1,4 +1,4 @@
-// The example programs print exactly the output in the manual, with the simulated times.
+// The example programs print exactly the output that the manual shows, including simulated times.
 #include <sys/wait.h>
 
 #include <boost/algorithm/string/replace.hpp>
@@ -24,7 +24,8 @@ std::string load_text(const fs::path& path) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// The output of a program such as "example_sort 32 4". Expects the exit code `expected_code`.
+// The output of an example program, such as "example_sort 32 4". Expects `expected_code` as its
+// exit code.
 std::string output_of(const std::string& command, int expected_code = 0) {
   std::FILE* pipe = popen(::test::in_build(command).c_str(), "r");
   std::string text;
@@ -42,7 +43,7 @@ std::vector<double> numbers_in(const std::string& text) {
   return found;
 }
 
-// The blocks of a manual page between ```NAME fences.
+// The code blocks of a manual page that begin with ```NAME.
 std::vector<std::string> fenced(const std::string& guide, const std::string& name) {
   const std::string begin = "\n```" + name + "\n";
   std::vector<std::string> blocks;
@@ -105,8 +106,8 @@ TEST(Examples, HaveAtMost100Lines) {
   EXPECT_GE(examples, 5);
 }
 
-// The time is the sum of: `out` and `in` of a word on four soft channels, a PAR of two branches,
-// four loop ends, and one `adc`.
+// The time of a loop is the sum of `out` and `in` of a word on four channels in memory, a PAR of
+// two branches, the ends of four loops, and one `adc`.
 TEST(Examples, CommstimeIsTheSumOfItsInstructions) {
   const auto model = machine::override_model(
       "t800-20",
@@ -145,8 +146,9 @@ TEST(Examples, SortSortsOnAnyNumberOfProcessors) {
   output_of("example_sort 3 4 2>&1", 2);
 }
 
-// A station holds the token for 100 ticks of 1 us. Its processes and its link add 8.03 us. Since
-// only whole ticks count, a station takes 108 ticks, and the monitor 109 because of its ALT.
+// A station holds the token for 100 ticks of 1 us. Its instructions and the transfer take 8.03 us
+// more. Only whole ticks count, so a station takes 108 ticks, and the monitor 109, because it
+// executes an ALT.
 TEST(Examples, TokenRingTurnsAtItsFormulaAndMissesTheTokenAfterItsTimeout) {
   std::istringstream lines(output_of("example_token_ring"));
   std::vector<double> back;
@@ -165,7 +167,7 @@ TEST(Examples, TokenRingTurnsAtItsFormulaAndMissesTheTokenAfterItsTimeout) {
 
 TEST(Examples, FarmReturnsEachTaskOnceOnAnyTopology) {
   for (const char* spec : {"line:2", "ring:5", "star:5", "torus:3x3", "hypercube:4", "tree:13:2"}) {
-    // output_of() fails for other exit codes
+    // output_of() fails unless the exit code is 0
     const auto text = output_of(std::string("example_farm ") + spec);
     const double speed_up = numbers_in(text).back();
     EXPECT_GT(speed_up, 1) << text;
@@ -175,7 +177,8 @@ TEST(Examples, FarmReturnsEachTaskOnceOnAnyTopology) {
 
 using Body =
     std::function<void(occam::Channel<occam::Words>& there, occam::Channel<occam::Words>& back)>;
-// The machine's error message if the processes ada, on processor left, and bob run these bodies.
+// The message of the error that ends the machine if the process ada, on the processor left, and the
+// process bob execute these bodies.
 std::string failure_of(bool bob_is_right, const Body& ada, const Body& bob) {
   using namespace occam;
   return laboratory::message_of<test::ChildThrew>([&] {

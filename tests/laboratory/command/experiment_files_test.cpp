@@ -1,4 +1,4 @@
-// Every experiment below experiments/, at reduced size: its checks hold, and the engines agree.
+// Every experiment below experiments/, at reduced size: its checks hold, and both engines agree.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Names such as "formulas/soft" of files with checks; excludes the machine models beside them.
+// Finds experiments with checks, by names such as "formulas/soft". Excludes the models beside them.
 std::vector<std::string> find_experiments() {
   const fs::path root = ::test::in_sources("experiments");
   std::vector<std::string> found;
@@ -57,7 +57,7 @@ class Experiments : public testing::TestWithParam<std::string> {};
 
 constexpr double ROUNDING = 1e-9;
 
-// Numbers may differ by the rounding of simulated times; all else must be equal.
+// Numbers may differ by the rounding of simulated times. Everything else must be equal.
 void expect_near(const Table& table, const Table& expected) {
   ASSERT_EQ(table.columns, expected.columns);
   ASSERT_EQ(table.rows.size(), expected.rows.size());
@@ -71,8 +71,8 @@ void expect_near(const Table& table, const Table& expected) {
     }
 }
 
-// True for experiments that take long on SimGrid's engine. Similar ones run on both engines: figure
-// 4.19 and table 4.2.
+// True for experiments that take long on SimGrid's engine. The similar figure 4.19 and table 4.2
+// run on both engines.
 bool is_on_one_engine(const std::string& experiment) {
   return experiment == "thesis/figure-4.18" || experiment == "thesis/figure-4.20";
 }

@@ -1,4 +1,4 @@
-// No command writes to a file that it reads, and special files do not stop one.
+// No command overwrites a file that it reads, and no special file makes a command wait forever.
 #include <sys/stat.h>
 
 #include "tests/laboratory/support/tlab.hpp"
@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder with one file of each kind, and other names for them.
+// A folder with a file of each kind, and with links to these files.
 struct Inputs : testing::Test {
   Inputs() {
     for (const char* name : {"still-life.nff", "tiles.png", "globe.png", "window.room"})
@@ -36,7 +36,7 @@ struct Inputs : testing::Test {
 
 TEST_F(Inputs, AreNeverOverwritten) {
   const auto before = contents();
-  // {} is the name of the file that is both read and written.
+  // {} stands for the name of a file that the command both reads and writes.
   const std::pair<const char*, const char*> commands[] = {
       {"render still-life.nff --size 4x4 -o x.png --state {}", "still-life.nff"},
       {"render still-life.nff --size 4x4 -o x.png --stats {}", "still-life.nff"},
@@ -62,7 +62,7 @@ TEST_F(Inputs, AreNeverOverwritten) {
     }
 }
 
-// Assimp alone knows the files of which a mesh consists.
+// Only the library Assimp knows which files a mesh consists of.
 TEST_F(Inputs, AreNotOverwrittenEvenIfALibraryReadsThem) {
   const std::string buffer(36, '\0');
   const char corner[] = {0, 0, char(0x80), 0x3f};  // 1.0 as a little-endian float
@@ -91,7 +91,7 @@ TEST_F(Inputs, AreNotOverwrittenEvenIfALibraryReadsThem) {
       << read_file(folder.path / "out");
 }
 
-// The results folder holds an input whose name is that of a result.
+// The results folder contains an input that has the name of a result.
 TEST_F(Inputs, InAResultsFolderAreNotReplaced) {
   const std::string text = "[image]\nwidth = 8\nheight = 6\n[scene]\nobjects = 3\n";
   write_file(folder.path / "e.toml", text);
@@ -118,7 +118,7 @@ TEST_F(Inputs, InAResultsFolderAreNotReplaced) {
   }
 }
 
-// Two outputs of a command are two files.
+// A command refuses the same file for two of its outputs.
 TEST_F(Inputs, OutputsAreApart) {
   for (const char* line : {"render still-life.nff --size 4x4 -o x.png --stats new --state ./new",
                            "render still-life.nff --size 4x4 -o x.png --stats ./x.png",
@@ -128,7 +128,7 @@ TEST_F(Inputs, OutputsAreApart) {
   }
 }
 
-// --fit replaces only what it has written.
+// --fit replaces only model files that it has written itself.
 TEST_F(Inputs, AModelThatFitHasNotWrittenIsNotReplaced) {
   const std::string line = "$TLAB model t805-25 --fit l.csv --entries link.one_way_20 -o ";
   const auto before = contents();
@@ -157,7 +157,7 @@ TEST_F(Inputs, ThatAreSpecialFilesAreRefusedOrRead) {
         run_line(folder.path, "timeout 30 $TLAB " + std::string(line) + " > out 2>&1 < /dev/null");
     EXPECT_EQ(code, 2) << line << ": " << read_file(folder.path / "out");
   }
-  // A pipe with a writer is read to its end.
+  // A pipe that somebody writes to is read to its end.
   EXPECT_EQ(run_line(folder.path,
                      "printf '[image]\\nwidth = 8\\nheight = 6\\n[scene]\\nobjects = "
                      "3\\n' | $TLAB run /dev/stdin -o r > out 2>&1"),

@@ -1,5 +1,5 @@
-// Signals outside a simulation. The program ends with one sentence, and leaves neither files nor
-// running programs behind.
+// Signals while nothing is being simulated. The program ends with one sentence, and leaves neither
+// files nor running programs behind.
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <pty.h>
@@ -26,9 +26,9 @@ bool comes_true(const Holds& holds) {
   return holds();
 }
 
-// A folder that is first on PATH, with programs that write their process id into the file named by
-// STARTED, then sleep. Each run of tlab has its own such file, because a program of an earlier run
-// may write its id late.
+// A folder whose programs gnuplot, neato and dot come first on PATH. They write their process id
+// into the file named by STARTED, and then sleep. Each run of tlab gets its own file, because a
+// program of an earlier run may write its id late.
 struct Interrupt : Sweep {
   Interrupt() {
     fs::create_directory(bin);
@@ -50,7 +50,7 @@ struct Interrupt : Sweep {
     setenv("STARTED", started.c_str(), 1);
   }
 
-  // Starts tlab, and sends it the signal while it waits for one of the sleeping programs.
+  // Starts tlab, and sends it the signal while it waits for a sleeping program.
   Outcome interrupt_drawing(int signal, const Arguments& arguments) {
     next_tlab();
     const pid_t tlab = start_tlab(folder.path, arguments);
@@ -98,7 +98,8 @@ TEST_F(Interrupt, OlderResultsStay) {
   EXPECT_EQ(folder.names(), (Arguments{"bin", "e.toml", "r"}));
 }
 
-// A killed tlab cannot report or clean up. But its programs end, and the next run cleans up.
+// A killed tlab cannot report or clean up. But the programs that it has started end, and the next
+// run cleans up.
 TEST_F(Interrupt, AKilledRunLeavesNoProgramAndTheNextOneTidies) {
   EXPECT_EQ(interrupt_drawing(SIGKILL, {"run", "e.toml", "-o", "r"}).exit_code, -1);
   EXPECT_EQ(folder.names().size(), 4u);
@@ -117,7 +118,7 @@ TEST_F(Interrupt, DrawingsOfTopologiesAreNotWaitedFor) {
   }
 }
 
-// The scene comes through a pipe, so tlab is reading once the pipe is open.
+// The scene comes through a pipe. When tlab has opened the pipe, it is waiting for the scene.
 TEST_F(Sweep, ReadingIsInterrupted) {
   const auto pipe = folder.path / "scene.nff";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -132,7 +133,7 @@ TEST_F(Sweep, ReadingIsInterrupted) {
   }
 }
 
-// Signals are ignored from the start under nohup, and in background jobs of scripts.
+// Signals may be ignored from the start: under nohup, and in background jobs of scripts.
 TEST_F(Sweep, SignalsThatAreIgnoredFromTheStartStayIgnored) {
   const auto pipe = folder.path / "scene.nff";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -149,7 +150,7 @@ TEST_F(Sweep, SignalsThatAreIgnoredFromTheStartStayIgnored) {
   EXPECT_TRUE(fs::exists(folder.path / "x.png"));
 }
 
-// Standard error is a full pipe that nobody reads.
+// Standard error is a pipe that is full and that nobody reads. tlab does not wait for it.
 TEST_F(Sweep, NobodyIsWaitedForWhoDoesNotReadTheLastSentence) {
   const auto pipe = folder.path / "scene.nff", err = folder.path / ".err";
   for (const auto& path : {pipe, err}) ASSERT_EQ(mkfifo(path.c_str(), 0600), 0);
@@ -169,13 +170,13 @@ TEST_F(Sweep, NobodyIsWaitedForWhoDoesNotReadTheLastSentence) {
   };
   std::ofstream scene;
   EXPECT_EQ(end_of({"render", "scene.nff", "-o", "x.png"}, [&] { scene.open(pipe); }), 130);
-  // tlab waits to write an error message.
+  // Here tlab waits to write an error message, until the signal comes.
   EXPECT_EQ(end_of({"render", "none.nff", "-o", "x.png"}, [] { usleep(200'000); }), 130);
   close(full);
 }
 
-// Rendering is slow here. A signal before the first ray finds no picture to save; the test then
-// retries later.
+// The picture takes long. If the signal comes before the first ray, there is no picture to save,
+// and the test repeats with a later signal.
 TEST_F(Sweep, RenderingIsInterruptedWithThePictureSoFar) {
   for (const auto& [more, told] : std::vector<std::pair<Arguments, std::string>>{
            {{"--pixel-samples", "64"}, "x.png has the picture after "},
@@ -200,7 +201,7 @@ TEST_F(Sweep, RenderingIsInterruptedWithThePictureSoFar) {
   }
 }
 
-// A second signal ends the program without waiting for the output that the first one started.
+// After a second signal, the program does not finish the output that follows the first one.
 TEST_F(Interrupt, TheSecondOneEndsAtOnce) {
   write_file(folder.path / "e.toml",
              "[image]\nwidth = 12\n[sweep]\n\"image.height\" = [8, 50000]\n"
@@ -208,10 +209,10 @@ TEST_F(Interrupt, TheSecondOneEndsAtOnce) {
   next_tlab();
   const pid_t tlab = start_tlab(folder.path, {"run", "e.toml", "-o", "r", "--jobs", "2"});
   EXPECT_TRUE(comes_true([&] { return records("r").size() == 1; }));
-  usleep(300'000);  // waits until the other point has begun
+  usleep(300'000);  // until the other point has begun
   kill(tlab, SIGINT);
   EXPECT_TRUE(comes_true([&] { return fs::exists(started); }));
-  usleep(150'000);  // a signal that follows at once would count once
+  usleep(150'000);  // a signal that follows at once would not count as a second one
   kill(tlab, SIGINT);
   const auto ended = wait_for_tlab(folder.path, tlab);
   EXPECT_EQ(ended.exit_code, 130);
@@ -221,7 +222,7 @@ TEST_F(Interrupt, TheSecondOneEndsAtOnce) {
   EXPECT_EQ(folder.names(), (Arguments{"bin", "e.toml", "r"}));
 }
 
-// `timeout` sends its signal to tlab and to tlab's group.
+// The command `timeout` sends its signal twice: to tlab, and to tlab's process group.
 TEST_F(Sweep, ASignalThatComesTwiceAtOnceCountsOnce) {
   write_file(folder.path / "e.toml",
              "[image]\nwidth = 12\n[sweep]\n\"image.height\" = [8, 50000]\n"
@@ -240,7 +241,7 @@ TEST_F(Sweep, ASignalThatComesTwiceAtOnceCountsOnce) {
   }
 }
 
-// The terminal of a live session closes.
+// The terminal in which a live session runs is closed.
 TEST_F(Sweep, AClosedTerminalKeepsTheRecordingOfASession) {
   write_file(folder.path / "l.toml", "[image]\nwidth = 12\nheight = 8\n[scene]\nobjects = 5\n");
   std::fflush(nullptr);
@@ -269,7 +270,7 @@ TEST_F(Sweep, AClosedTerminalKeepsTheRecordingOfASession) {
   EXPECT_TRUE(fs::exists(folder.path / "results/l-live.toml"));
 }
 
-// Signals that the program handles according to the system.
+// True if the program handles this signal, as /proc shows it.
 bool handles(pid_t process, int signal) {
   const auto text = read_file("/proc/" + std::to_string(process) + "/status");
   const auto at = text.find("SigCgt:");
@@ -277,7 +278,7 @@ bool handles(pid_t process, int signal) {
   return (std::stoull(text.substr(at + 7), nullptr, 16) >> (signal - 1) & 1) != 0;
 }
 
-// Ticks of 10 ms of the CPU that a process has used.
+// CPU time that a process has used, in ticks of 10 ms.
 long used_ticks(pid_t process) {
   const auto text = read_file("/proc/" + std::to_string(process) + "/stat");
   std::istringstream fields(text.substr(text.rfind(')') + 2));
@@ -288,8 +289,8 @@ long used_ticks(pid_t process) {
   return user + system;
 }
 
-// Starts a run, sends the signal as soon as the program handles it, and checks the end. Returns the
-// ticks of CPU time that the program had used when the signal was sent.
+// Starts a run, sends the signal as soon as the program handles it, and checks how the program
+// ends. Returns the CPU time, in ticks, that the program had used when it got the signal.
 long end_a_new_run(const fs::path& folder, int signal) {
   const pid_t pid = fork();
   if (pid == 0) {
@@ -312,8 +313,8 @@ long end_a_new_run(const fs::path& folder, int signal) {
   return ticks;
 }
 
-// The bound is that of promises.md. On a loaded host the test may see late that the program handles
-// the signal, so the least of several times counts.
+// The manual (promises.md) states the bound. On a busy host, the test may notice late that the
+// program handles the signal, so the least of several measurements counts.
 TEST_F(Sweep, SignalsAreHandledFromTheStart) {
   for (const int signal : {SIGTERM, SIGINT, SIGHUP}) {
     long ticks = end_a_new_run(folder.path, signal);
@@ -323,7 +324,7 @@ TEST_F(Sweep, SignalsAreHandledFromTheStart) {
   }
 }
 
-// A signal to the process of a simulation alone is not the user's request to end the run.
+// A signal that only the process of a simulation gets is no request of the user to end the run.
 TEST_F(Sweep, ASimulationThatIsEndedAloneIsAFailure) {
   write_file(folder.path / "e.toml",
              "[image]\nwidth = 4000\nheight = 200\n[sweep]\nworkers = [1]\n"

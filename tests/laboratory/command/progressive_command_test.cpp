@@ -1,4 +1,4 @@
-// The command tlab render --progressive.
+// The command `tlab render --progressive`.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -46,7 +46,7 @@ TEST(ProgressiveCommand, StatsCountEachStep) {
                 .exit_code,
             0);
   const auto stats = load_stats(folder);
-  ASSERT_EQ(stats["steps"].size(), 3u);  // one step each for cells of 8, 4 and 2 pixels
+  ASSERT_EQ(stats["steps"].size(), 3u);  // one step for each of the cell sizes 8, 4 and 2 pixels
   std::uint64_t samples = 0, rays = 0;
   for (const auto& step : stats["steps"]) {
     samples += step["samples"].get<std::uint64_t>();
@@ -63,7 +63,7 @@ TEST(ProgressiveCommand, StepsInDepthEndWithTheTreesAndRepeatRays) {
   const TemporaryFolder folder;
   const auto asked = render("room:2", {"--progressive", "--steps", "depth", "--influence", "0.05",
                                        "--depth", "1000", "--stats", "s.json"});
-  ASSERT_EQ(tlab(folder.path, asked).exit_code, 2);  // refused, since --depth is given twice
+  ASSERT_EQ(tlab(folder.path, asked).exit_code, 2);  // refused, because --depth is given twice
   ASSERT_EQ(tlab(folder.path,
                  {"render", "room:2", "-o", "i.png", "--size", "40x30", "--depth", "1000",
                   "--influence", "0.05", "--progressive", "--steps", "depth", "--stats", "s.json"})

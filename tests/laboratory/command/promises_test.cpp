@@ -1,5 +1,5 @@
-// The promises in docs/manual/promises.md: messages in tlab's words, commands that can be repeated,
-// lack of memory, and the tests that the page names.
+// The promises in docs/manual/promises.md: readable messages, commands that can be repeated, errors
+// for lack of memory, and the names of tests that the page refers to.
 #include <regex>
 
 #include "base/text.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The suites and names of all tests in the sources.
+// The suites and names of all tests in the source files.
 std::set<std::string> find_tests() {
   std::set<std::string> tests;
   const std::regex declared(R"(TEST(?:_F|_P)?\((\w+),\s*(\w+)\))");
@@ -56,7 +56,7 @@ TEST_F(Sweep, MessagesAreInOurWords) {
         EXPECT_FALSE(contains(told.err, foreign)) << told.err;
     }
   }
-  // A zero byte does not cut a message.
+  // A zero byte in a name does not cut a message short.
   write_file(folder.path / "z.toml",
              "title = \"a\"\n[sweep]\nworkers = [1]\n[scene]\nsource = "
              "\"a\\u0000b.nff\"\n");
@@ -65,7 +65,7 @@ TEST_F(Sweep, MessagesAreInOurWords) {
   EXPECT_TRUE(contains(told.err, "\\x00b.nff")) << told.err;
 }
 
-// Errors while hidden folders are filled name the final files.
+// While a hidden folder is being filled, error messages name the final file.
 TEST_F(Sweep, MessagesContainNoHiddenNames) {
   for (const char* arguments :
        {"init q", "run e.toml -o r", "topology ring:9 -o t.svg", "model m --new"})
@@ -78,7 +78,7 @@ TEST_F(Sweep, MessagesContainNoHiddenNames) {
     }
 }
 
-// Starts a live run, ends it after a while, and repeats it with the printed command.
+// Starts a live run, ends it after a while, and repeats it with the command that it printed.
 TEST_F(Sweep, TheCommandThatRepeatsASessionWorks) {
   write_file(folder.path / "a 'b'.toml", "[image]\nwidth = 12\nheight = 8\n[scene]\nobjects = 5\n");
   for (const char* speed : {"1e-9", "max"}) {
@@ -99,7 +99,7 @@ TEST_F(Sweep, TheCommandThatRepeatsASessionWorks) {
   }
 }
 
-// The limit on memory grows from the least with which the program starts.
+// Increases the limit on memory, beginning with the least with which the program starts.
 TEST_F(Sweep, LackOfMemoryIsAnErrorAndLeavesNothingBehind) {
   const auto with_limit = [&](int kb, const char* arguments) {
     return run_line(folder.path,

@@ -1,4 +1,4 @@
-// tlab radiosity from a user's view.
+// The command `tlab radiosity` as users see it.
 #include <gtest/gtest.h>
 
 #include <fmt/format.h>
@@ -12,7 +12,7 @@
 namespace laboratory {
 namespace {
 
-// A room with a lamp in its ceiling, and a mirror as one wall.
+// A room with a lamp in its ceiling, whose one wall is a mirror.
 const char* const ROOM = R"(material wall reflect 0.5 0.6 0.7
 material lamp reflect 0 0 0 emit 9 9 9
 mirror glass reflect 0.9 0.9 0.9
@@ -60,7 +60,7 @@ TEST_F(RadiosityCommand, WritesTheSameBytesEveryTimeAndSaysHow) {
             (std::vector<std::string>{"a.exr", "a.png", "a.room", "b.exr", "b.png"}));
 }
 
-// Each option has its effect.
+// Each option changes the statistics.
 TEST_F(RadiosityCommand, OptionsChangeWhatTheySay) {
   const auto plain = stats({});
   EXPECT_EQ(plain["patches"], 21);
@@ -74,7 +74,7 @@ TEST_F(RadiosityCommand, OptionsChangeWhatTheySay) {
   const std::string picture = read("i.png");
 
   const auto refined = stats({"--refine", "2"});
-  EXPECT_GT(refined["patches"], 4 * 21);  // includes strips of the ceiling along the lamp's edges
+  EXPECT_GT(refined["patches"], 4 * 21);  // includes the strips of the ceiling beside the lamp
   const auto substructured = stats({"--refine", "2", "--senders", "1"});
   EXPECT_EQ(substructured["patches"], refined["patches"]);
   EXPECT_EQ(substructured["shots"], plain["shots"]);
@@ -160,7 +160,7 @@ TEST_F(RadiosityCommand, CreasesOfManyLampsAreLeftOutAndCounted) {
       << done.out;
 }
 
-// Two patches per side of a box are too few for the light of a lamp inside it.
+// With two patches on each side, a box is too coarse for the light of a lamp inside it.
 TEST_F(RadiosityCommand, ABalanceThatIsOffIsAWarning) {
   std::ofstream(folder_.path / "a.room") << R"(material wall reflect 0.5 0.6 0.7
 material lamp reflect 0 0 0 emit 9 9 9

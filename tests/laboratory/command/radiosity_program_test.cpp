@@ -1,4 +1,4 @@
-// The programs radiosity and scan_line in experiment files: paths, images, costs, speed-ups.
+// The programs radiosity and scan_line in experiment files: paths, images, costs and speed-ups.
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/table/table.hpp"
 #include "simulator/machine/faults.hpp"
@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A box of 24 patches with a lit ceiling, and a mirror on one side.
+// A box of 24 patches, whose ceiling is a lamp and one side of which is a mirror.
 const std::string ROOM_TEXT =
     "material wall reflect 0.5 0.4 0.3\nmaterial lamp reflect 0 0 0 emit 4 5 6\n"
     "mirror glass reflect 0.9 0.9 0.9\n"
@@ -148,7 +148,7 @@ TEST_F(Radiosity, CreasesAreThoseThatAreAskedFor) {
   EXPECT_GT(patches("file"), patches("none"));
 }
 
-// The top line shows the ceiling, which is a lamp.
+// The top line of the picture shows the ceiling, which is a lamp.
 TEST_F(Radiosity, AScanLineSaysWhereALampIs) {
   auto room = ROOM_TEXT;
   room.replace(room.find("angle 70"), 8, "angle 110");

@@ -1,4 +1,4 @@
-// tlab render with an order of pixels: stopping, resuming and refusals.
+// `tlab render` with options for interrupted renderings: stopping, resuming and refusals.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -23,7 +23,7 @@ Arguments join(Arguments all, const Arguments& more) {
   return all;
 }
 
-// Arguments for a rendering of 9600 samples, slow enough for a signal to arrive before its end.
+// Arguments for a rendering of 9600 samples, slow enough for a signal to arrive before it ends.
 Arguments slow(const Arguments& more) {
   return join({"render", "spheres:300", "-o", "i.png", "--size", "40x30", "--traversal", "linear",
                "--pixel-samples", "8"},
@@ -64,7 +64,7 @@ TEST(RefinedCommand, StoppedByABudgetItGoesOnToTheSameImage) {
       const auto ask = [&](const Arguments& more) { return quick(join(sampling, more)); };
       const auto one = render(folder, ask({"--budget", percent, "--state", "s"}));
       EXPECT_EQ(render(folder, ask({"--budget", percent, "--threads", "3"})), one);
-      // The state already has all requested samples.
+      // The state already contains all samples that the budget allows.
       EXPECT_EQ(render(folder, ask({"--budget", percent, "--resume", "s"})), one);
       EXPECT_EQ(render(folder, ask({"--resume", "s", "--threads", "2"})), plain);
       EXPECT_EQ(render(folder, ask({"--resume", "s"})), plain);
@@ -82,15 +82,15 @@ TEST(RefinedCommand, StoppedByItsTimeItGoesOnToTheSameImage) {
   EXPECT_EQ(render(folder, quick({"--pixel-samples", "3", "--budget", "1000s"})), plain);
 }
 
-// Identity of a file, which changes when another file replaces it.
+// The identity of a file's content on disk, which changes when another file replaces it.
 std::pair<ino_t, std::int64_t> identity_of(const fs::path& path) {
   struct stat found {};
   if (stat(path.c_str(), &found) != 0) return {};
   return {found.st_ino, found.st_mtim.tv_nsec};
 }
 
-// Starts tlab. Sends a signal once tlab has written `states` more states, unless it has ended
-// before.
+// Starts tlab, and sends it a signal after it has written its state `states` more times, unless it
+// has ended before.
 Outcome stop_after(const TemporaryFolder& folder, const Arguments& arguments, int states,
                    int signal) {
   auto before = identity_of(folder.path / "s");
@@ -109,8 +109,8 @@ Outcome stop_after(const TemporaryFolder& folder, const Arguments& arguments, in
   return wait_for_tlab(folder.path, pid);
 }
 
-// Stops and resumes renderings until 25 signals have come before a rendering's end. The picture
-// must not change.
+// Stops and resumes renderings until 25 signals have arrived before the end of a rendering. The
+// final picture must be the same as without stops.
 void expect_same_after_stops(int signal, std::uint64_t seed) {
   const TemporaryFolder folder;
   const auto plain = render(folder, slow({}));
@@ -122,9 +122,9 @@ void expect_same_after_stops(int signal, std::uint64_t seed) {
     for (Arguments more = {"--state", "s"};; more = {"--resume", "s"}) {
       more = join(more, {"--threads", random.below(2) ? "1" : "2"});
       const auto stopped = stop_after(folder, slow(more), 1 + random.below(6), signal);
-      if (stopped.exit_code == 0) break;  // the rendering ended before the signal
+      if (stopped.exit_code == 0) break;  // the rendering ended before the signal came
       if (stopped.err == fmt::format("tlab: {}\n", INTERRUPTED))
-        break;  // the signal came after the output, before the exit
+        break;  // the signal came after the output was written, but before the program's exit
       ++stops;
       if (signal == SIGKILL) continue;
       ASSERT_EQ(stopped.exit_code, 130) << stopped.err;
@@ -153,7 +153,8 @@ TEST(RefinedCommand, KeyImagesShowHowItGrows) {
     EXPECT_EQ(
         render(folder, quick({"--pixel-samples", "4", "--budget", std::string(percent) + "%"})),
         key(percent));
-  // Renders in two runs. Each run writes only the key images of the percentages that it reaches.
+  // Renders in two runs. Each run writes only the intermediate pictures for the percentages that it
+  // reaches.
   fs::remove_all(folder.path / "k");
   render(folder, quick(join(sampling, {"--budget", "5%", "--state", "s"})));
   EXPECT_TRUE(fs::exists(folder.path / "k/percent-5.png"));
@@ -183,8 +184,8 @@ TEST(RefinedCommand, StatsSayHowFarItIs) {
   EXPECT_LE(resumed["queue_peak"], 15 * 11 / 2);
 }
 
-// Expects resuming from the file "s" to fail with a message that begins with `message`, and to
-// write nothing.
+// Expects resuming from the state file "s" to fail with a message that begins with `message`, and
+// to write no picture.
 void expect_refused(const TemporaryFolder& folder, const Arguments& arguments,
                     const std::string& message) {
   fs::remove(folder.path / "i.png");
@@ -235,7 +236,7 @@ TEST(RefinedCommand, AStateOfAChangedSceneIsRefused) {
   write("way.csv", "0 0 0 0\n1 1 0 0\n");
   write("a.nff", scene + "s 1 1 1 1\n");
   expect_refused(folder, arguments, "the state of another rendering: found hash of the scene");
-  // The scene's file name does not matter.
+  // The name of the scene's file does not matter, only its content.
   write("a.nff", scene);
   fs::rename(folder.path / "a.nff", folder.path / "b.nff");
   auto renamed = arguments;
@@ -247,7 +248,7 @@ TEST(RefinedCommand, AStateOfAnotherVersionIsRefused) {
   const TemporaryFolder folder;
   render(folder, quick({"--budget", "30%", "--state", "s"}));
   auto bytes = read_file(folder.path / "s");
-  bytes.resize(bytes.size() - 32);  // removes the hash
+  bytes.resize(bytes.size() - 32);  // removes the hash at the end
   const std::string version = fmt::format("version: {}\n", VERSION);
   const auto at = bytes.find(version);
   ASSERT_NE(at, std::string::npos);

@@ -1,4 +1,5 @@
-// Warnings of the commands about OBJ files: one line for each kind of loss, with its first place.
+// Warnings about OBJ files: one line for each kind of feature that is left out, with its first
+// place.
 #include <algorithm>
 
 #include "tests/laboratory/support/tlab.hpp"
@@ -22,7 +23,7 @@ struct SceneWarnings : testing::Test {
     write_file(folder.path / "m.mtl", "newmtl red\nKd 0.9 0 0\nKe 1 1 1\n");
   }
 
-  // The text on standard error of a command that must succeed.
+  // Runs a command, which must succeed, and returns what it writes to standard error.
   std::string warnings_of(const std::vector<std::string>& arguments) {
     const auto done = tlab(folder.path, arguments);
     EXPECT_EQ(done.exit_code, 0) << done.err;
@@ -43,7 +44,7 @@ TEST_F(SceneWarnings, OneLineForEachKind) {
             all);
   EXPECT_EQ(warnings_of({"render", "s.obj", "-o", "a.png", "--size", "8x8", "--frames", "0-1"}),
             all);
-  // Radiosity also warns of the light that leaves this open room.
+  // Radiosity warns also of the light that leaves the room, because the room is open.
   EXPECT_TRUE(warnings_of({"radiosity", "s.obj", "-o", "a.png", "--size", "8x8"}).starts_with(all));
   EXPECT_EQ(warnings_of({"convert", "s.obj", "-o", "a.nff"}), of_files);
   EXPECT_EQ(out, "scene    a.nff\nleft out faces (2), lines (1)\n");

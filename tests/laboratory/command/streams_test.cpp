@@ -1,4 +1,4 @@
-// The command when standard output or error cannot be written, and under a quota.
+// The command if standard output or standard error cannot be written, and under a disk quota.
 #include "tests/laboratory/support/sweep.hpp"
 #include "tests/support/places.hpp"
 
@@ -32,7 +32,7 @@ TEST_F(Sweep, ErrorsThatNobodyCanReadHaveTheirExitCodes) {
   EXPECT_EQ(folder.names(), (Arguments{"e.toml", "fails.toml", "out", "s"}));
 }
 
-// The reader has closed the pipe, as in `tlab ... | head -1`: the exit code 141 is 128 + SIGPIPE.
+// The reader closes the pipe early, as in `tlab ... | head -1`. The exit code 141 is 128 + SIGPIPE.
 TEST_F(Sweep, AReaderWhoHasReadEnoughIsToldNothing) {
   EXPECT_EQ(run_line(folder.path,
                      "mkfifo p && { : < p & } && exec 4> p && wait && $TLAB columns >&4 2> told"),

@@ -1,4 +1,4 @@
-// The option --threads of tlab run.
+// The option --threads of `tlab run`.
 #include "tests/laboratory/support/one_point.hpp"
 #include "tests/laboratory/support/tlab.hpp"
 

@@ -1,4 +1,4 @@
-// Runs that are cut short, and live runs.
+// Runs that are ended early, and live runs.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -39,7 +39,8 @@ TEST(ExperimentsUntil, TheLimitIsInSimulatedSecondsAndTheResultsSayThatTheyAreIn
     if (until == std::string("0.1")) {
       const double setup = *as_number(table.rows[0][*table.find("setup_s")]);
       const double time = *as_number(table.rows[0][*table.find("time_s")]);
-      EXPECT_NEAR(setup + time, 0.1, 1e-9);  // the point was measured up to the limit of 0.1 s
+      EXPECT_NEAR(setup + time, 0.1, 1e-9);  // the point has results up to the limit on simulated
+                                             // time, 0.1 s
       EXPECT_GT(*as_number(table.rows[0][*table.find("rays")]), 0);
     }
   }
@@ -62,7 +63,7 @@ TEST(ExperimentsUntil, AProgramThatIsCutShortHasNoNumbersAndChecksPassItOver) {
 // Starts tlab and interrupts it.
 Outcome interrupt(const fs::path& folder, const std::vector<std::string>& arguments) {
   const pid_t pid = start_tlab(folder, arguments);
-  // Waits until the first point has begun: its folder exists, and some time has passed.
+  // Waits until the first point has begun: until its folder exists, and some time longer.
   for (int i = 0; i < 500 && !fs::exists(folder / (".r.partial-" + std::to_string(pid))); ++i)
     usleep(10'000);
   usleep(300'000);
@@ -70,7 +71,8 @@ Outcome interrupt(const fs::path& folder, const std::vector<std::string>& argume
   return wait_for_tlab(folder, pid);
 }
 
-// Points would take hours. Those that have begun are kept and marked; the third does not begin.
+// The points would take hours. Those that have begun are kept and marked as interrupted. The third
+// point does not begin.
 TEST(ExperimentsInterrupt, WhatWasMeasuredIsKeptAndMarked) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "e.toml")
@@ -175,7 +177,7 @@ TEST(ExperimentsTimed, TheHostsSpeedIsRecorded) {
   EXPECT_NE(done.out.find("cycles a second of host CPU"), std::string::npos);
 }
 
-// Runs only on request, since it depends on the host's speed.
+// Runs only on request, because its result depends on the host's speed.
 TEST(ExperimentsTimed, BothCostsGiveTheSameImageTimeOnAnIdleHost) {
   if (!std::getenv("TLAB_IDLE_HOST")) GTEST_SKIP() << "set TLAB_IDLE_HOST=1 on an idle host";
   const TemporaryFolder folder;

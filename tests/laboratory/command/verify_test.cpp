@@ -1,4 +1,5 @@
-// tlab verify, and the checks of tlab run: exit codes, output, and points that run again.
+// `tlab verify`, and the checks of `tlab run`: exit codes, output, and which points are simulated
+// again.
 #include <fstream>
 
 #include "experiments/laboratory/table/table.hpp"
@@ -67,16 +68,16 @@ TEST(ExperimentsVerify, RunsOnlyWhatIsMissing) {
   EXPECT_FALSE(verify());
   EXPECT_TRUE(verify());
   write(MESSAGES + HOLDS + "where = \"bytes > 1\"\n");
-  EXPECT_TRUE(verify());  // another check needs no new simulation
+  EXPECT_TRUE(verify());  // another check needs no simulation
   EXPECT_FALSE(verify({"--set", "sweep.bytes=[2, 3]"}));
   EXPECT_FALSE(verify({"--set", "model.cpu.clock=20e6"}));
   EXPECT_TRUE(verify({"--set", "model.cpu.clock=20e6"}));
-  EXPECT_TRUE(verify());  // the first results are used again
-  // one point is missing and has to run
+  EXPECT_TRUE(verify());  // the results of the first run are used again
+  // one of these points has no result yet
   EXPECT_FALSE(verify({"--set", "sweep.bytes=[1, 100, 10001]"}));
   std::ofstream(folder.path / "results/e/results.csv") << "bytes,latency_s\n1,1.0\n";
   std::ofstream(folder.path / "results/e/run.json") << "{";
-  EXPECT_TRUE(verify());  // verify writes the damaged files again
+  EXPECT_TRUE(verify());  // writes the damaged files again, without a simulation
   EXPECT_EQ(parse_csv(read_file(folder.path / "results/e/results.csv"), "csv").rows.size(), 3u);
 }
 
@@ -124,11 +125,12 @@ TEST(ExperimentsVerify, OfManyPointsTheWorstAreShown) {
     const auto out = tlab(folder.path, more).out;
     return std::ranges::count(out, '\n');
   };
-  // without --all, 10 of 25 rows are shown, and a line that mentions the others
+  // without --all, 10 of the 25 rows are shown, and one line mentions the rest
   EXPECT_EQ(lines({"--all"}) - lines({}), 25 - 10 - 1);
 }
 
-// Columns are known only from results, so the first point runs and keeps its record.
+// The columns are not known before there are results. So the first point is simulated, and its
+// record is kept.
 TEST(ExperimentsVerify, MistakesAreFoundBeforeResultsAreWritten) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "name.toml")
