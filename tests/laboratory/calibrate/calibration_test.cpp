@@ -26,8 +26,9 @@ double value_of(const machine::Model& model, const std::string& key) {
   return std::ranges::find(model.entries, key, &machine::Entry::key)->value;
 }
 
-// Makes twenty measurements of messages over a link of 1.7 MB/s, with 254 cycles at each end and 1
-// % noise. They follow the closed form of a message, without simulation.
+// Makes twenty measurements of messages over a link of 1.7 MB/s, where the two ends take 254 cycles
+// in addition to channel.blocked. Each has 1 % noise. The times follow from a formula, not from a
+// simulation.
 std::string make_measurements(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   std::normal_distribution<double> noise(0, 0.01);
@@ -44,7 +45,7 @@ std::string make_measurements(std::uint64_t seed) {
 }
 
 // The rate depends on the mean of sixteen measurements with 1 % noise, so its standard error is
-// 0.25 %. The set-up depends on four measurements: 0.5 %.
+// 0.25 %. The set-up time depends on four measurements, so its standard error is 0.5 %.
 TEST(Calibration, TwentyNoisyMeasurementsGiveLinkRateAndSetUpBack) {
   constexpr int SEEDS = 4;
   const TemporaryFolder folder;
@@ -68,7 +69,7 @@ TEST(Calibration, TwentyNoisyMeasurementsGiveLinkRateAndSetUpBack) {
   EXPECT_LT(std::sqrt(squares[1]), 0.03);
 }
 
-// No files remain in the folder for temporary files.
+// The fit leaves no files in the system's folder for temporary files.
 TEST(Calibration, LeavesNothingBehind) {
   const TemporaryFolder folder;
   const auto file = (folder.path / "m.csv").string();
@@ -86,8 +87,8 @@ TEST(Calibration, LeavesNothingBehind) {
     unsetenv("TMPDIR");
 }
 
-// The written file loads as a model. Its fitted entries are marked as calibrated, and have
-// intervals.
+// The written model file can be loaded. Its fitted entries are marked as calibrated, and have
+// ranges.
 TEST(Calibration, TheFittedModelIsRead) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "m.csv") << make_measurements(1);
@@ -145,7 +146,7 @@ TEST(Calibration, AnEntryThatIsNothingCannotBeFitted) {
       << run.err;
 }
 
-// Entries of one section stand together, in whatever order the command names them.
+// Entries of one section are written below one heading, whatever their order in the command.
 TEST(Calibration, AModelFileHasEachSectionOnceAndSaysHowWellItFits) {
   Calibration fitted;
   fitted.column = "latency_s";
@@ -159,8 +160,8 @@ TEST(Calibration, AModelFileHasEachSectionOnceAndSaysHowWellItFits) {
   for (const auto& entry : fitted.entries) EXPECT_EQ(value_of(model, entry.key), entry.value);
 }
 
-// From any start and with any measurements, entries stay positive and the written file is a valid
-// model.
+// Whatever the measurements and the values at the start, entries stay positive, and a written file
+// is a valid model.
 TEST(Calibration, FarStartsAndBadMeasurements) {
   const TemporaryFolder folder;
   const auto fit = [&](const std::string& csv, const std::string& entries) {
@@ -180,7 +181,7 @@ TEST(Calibration, FarStartsAndBadMeasurements) {
   EXPECT_FALSE(std::filesystem::exists(folder.path / "mine.toml"));
 }
 
-// A new model equals its base. It still does if every entry in its comments is uncommented.
+// A new model equals its base, also if all entries in its comments are uncommented.
 TEST(Calibration, AModelOfOnesOwnBeginsAsItsBase) {
   const TemporaryFolder folder;
   const auto begun = tlab(folder.path, {"model", "mine", "--new", "--base", "t800-20"});
@@ -200,7 +201,7 @@ TEST(Calibration, AModelOfOnesOwnBeginsAsItsBase) {
   EXPECT_EQ(tlab(folder.path, {"model", "mine", "--new"}).exit_code, 2) << "it is there";
   for (const std::string name : {"", "t805-25", "a\nb", "a b"})
     EXPECT_EQ(tlab(folder.path, {"model", name, "--new"}).exit_code, 2) << name;
-  // Repeats the test with a base in another folder.
+  // The same for a base in another folder.
   std::filesystem::create_directory(folder.path / "sub");
   ASSERT_EQ(tlab(folder.path, {"model", "sub/ours", "--new", "--base", "mine.toml"}).exit_code, 0);
   const auto read = tlab(folder.path, {"model", "sub/ours.toml"});

@@ -1,4 +1,4 @@
-// tlab compare: its findings on results, and its refusals.
+// `tlab compare`: its findings about results, and its refusals.
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -58,8 +58,8 @@ TEST_F(Compare, SeedsAreSamples) {
   const auto table = parse_csv(read_file(folder.path / "c.csv"), "c.csv");
   EXPECT_EQ(table.columns, (std::vector<std::string>{"result", "workers", "run", "value", "first",
                                                      "ratio", "low", "high"}));
-  ASSERT_EQ(table.rows.size(), 4u);  // rows for two results at two points
-  // One worker has no network, so times are equal for all seeds, and the interval is a point.
+  ASSERT_EQ(table.rows.size(), 4u);  // two results at two points
+  // With one worker, times are the same for all seeds and networks, so the interval has no width.
   for (std::size_t column = 5; column < 8; ++column)
     EXPECT_EQ(as_number(table.rows[0][column]), 1.0);
 }
@@ -74,7 +74,7 @@ TEST_F(Compare, RunsThatAreTheSameAreSaidToBe) {
   EXPECT_FALSE(contains(outcome.out, "differ")) << outcome.out;
 }
 
-// A program's parameters are settings, not results, even if [report] shows them.
+// Parameters of a program are settings, not results, even if [report] shows them.
 TEST_F(Compare, SettingsAreNoResults) {
   write_file(folder.path / "e.toml",
              "[program]\nname = \"message\"\n[report]\ncolumns = [\"bytes\", \"latency_s\"]\n");
@@ -97,12 +97,12 @@ TEST_F(Compare, SettingsAreNoResults) {
   EXPECT_TRUE(contains(refused.err, "found the setting bytes")) << refused.err;
 }
 
-// Points that were cut short are not results.
+// Points that were ended early are not compared.
 TEST_F(Compare, LeavesOutWhatDidNotComeToItsEnd) {
   ASSERT_EQ(run({"-o", "a"}).exit_code, 0);
   const auto table = parse_csv(read_file(folder.path / "a/results.csv"), "a");
   const auto time = *as_number(table.rows[1][*table.find("time_s")]);
-  // the time limit is enough only for three workers
+  // the time limit suffices only for the point with three workers
   run({"-o", "b", "--until", fmt::format("{}", 1.5 * time)});
   const auto outcome = compare({"a", "b"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -110,8 +110,8 @@ TEST_F(Compare, LeavesOutWhatDidNotComeToItsEnd) {
   EXPECT_TRUE(contains(outcome.out, "the same in all runs: time_s")) << outcome.out;
 }
 
-// The model is an axis of one run and a setting of the other. The sweep contains the point of the
-// other run.
+// The model is an axis in one run and a setting in the other. The axis has the value of the
+// setting.
 TEST_F(Compare, AnAxisOfOneRunIsASettingOfAnother) {
   ASSERT_EQ(run({"-o", "one"}).exit_code, 0);
   ASSERT_EQ(run({"-o", "two", "--set", "sweep.model=[\"t805-25\",\"t805-30\"]"}).exit_code, 0);

@@ -10,8 +10,8 @@
 namespace laboratory {
 namespace {
 
-// Makes a run with a value of t for each number of workers up to `workers`, and for each of `seeds`
-// seeds from `first` on.
+// Makes a run with a result t for each number of workers up to `workers`, and for each of `seeds`
+// consecutive seeds, beginning with `first`.
 NamedTable make_run(const std::string& name, int workers, int seeds, int first,
                     const std::function<double(int worker, int seed)>& t) {
   NamedTable run{name, {.columns = {"workers", "farm_seed", "t"}, .axes = 2, .rows = {}}};
@@ -21,7 +21,7 @@ NamedTable make_run(const std::string& name, int workers, int seeds, int first,
   return run;
 }
 
-// The share of trials whose interval contains the true ratio of the distributions, 1.3.
+// The share of trials in which the interval contains the true ratio of the two distributions, 1.3.
 double find_coverage(int first_seed_of_b, double common_noise) {
   constexpr int TRIALS = 3000;
   std::mt19937_64 random(7);
@@ -75,7 +75,7 @@ TEST(Ratios, PointsOfOneRunAloneAreLeftOut) {
   EXPECT_TRUE(find_spread(matched, 1, "t").is_same());
 }
 
-// A seed with an empty cell in one run counts in neither run.
+// If the cell of a seed is empty in one run, the seed does not count in either run.
 TEST(Ratios, EmptyCellsLeaveTheirSeedOut) {
   const auto run = [](const std::string& name, double factor, std::vector<int> empty) {
     auto made = make_run(name, 1, 5, 1, [&](int, int s) { return factor * std::exp(s) + s; });
@@ -100,7 +100,7 @@ TEST(Ratios, EmptyCellsLeaveTheirSeedOut) {
   expect({1, 2, 3, 4, 5}, {1}, {});
 }
 
-// Values without a ratio are reported, never called equal.
+// Results without a ratio are reported. They are never called equal.
 TEST(Ratios, NothingIsDividedByNothing) {
   for (const double nothing : {0.0, -1.0, double(NAN), double(INFINITY)}) {
     const auto matched =
@@ -118,7 +118,7 @@ TEST(Ratios, NothingIsDividedByNothing) {
   EXPECT_TRUE(find_spread(matched, 1, "t").is_same());
 }
 
-// Each number stands under its own heading, whichever results have intervals.
+// Each number is in the column of its heading, also if only some results have intervals.
 TEST(Ratios, AreListedAsNumbers) {
   auto a = make_run("a", 1, 3, 1, [](int, int s) { return double(s); });
   auto b = make_run("b", 1, 3, 1, [](int, int s) { return 2.0 * s; });
@@ -138,7 +138,8 @@ TEST(Ratios, AreListedAsNumbers) {
     if (i < 2) {
       for (std::size_t column = 4; column < 7; ++column) EXPECT_EQ(to_string(row[column]), "");
     } else {
-      const double ratio = i == 2 ? 2 : 3;  // equal for all pairs, so the interval has no width
+      const double ratio = i == 2 ? 2 : 3;  // the ratio is equal for all pairs of samples, so the
+                                            // interval has no width
       EXPECT_NEAR(*as_number(row[2]), ratio * std::cbrt(6), 1e-12);
       EXPECT_NEAR(*as_number(row[3]), std::cbrt(6), 1e-12);
       for (std::size_t column = 4; column < 7; ++column)
@@ -147,7 +148,7 @@ TEST(Ratios, AreListedAsNumbers) {
   }
 }
 
-// The comparison of two runs does not depend on a third one.
+// The comparison of two runs does not depend on a third run.
 TEST(Ratios, AreThoseOfTwoRuns) {
   std::mt19937_64 random(3);
   std::normal_distribution<double> noise(0, 0.1);
@@ -163,7 +164,8 @@ TEST(Ratios, AreThoseOfTwoRuns) {
   }
 }
 
-// An axis with a single value in each run tells no points apart, even if the runs' values differ.
+// An axis that has one value in each run does not distinguish points, even if the runs have
+// different values.
 TEST(Matching, AnAxisWithOneValueIsNoPoint) {
   auto a = make_run("a", 2, 1, 1, [](int, int) { return 1.0; });
   auto b = a;
@@ -201,8 +203,8 @@ TEST(Matching, RunsOverOtherAxesAreRefused) {
             "expected at least one");
 }
 
-// Two seeds with all combinations of their values would count a sample several times, and are
-// refused. Two coupled seeds are accepted like one.
+// If two seeds are combined in all ways, samples share seeds and are not independent: refused. Two
+// seeds that change together are accepted like one.
 TEST(Matching, OneSeedTellsSamplesApart) {
   auto run = make_run("a", 1, 2, 1, [](int, int) { return 1.0; });
   run.table.columns.insert(run.table.columns.begin(), "seed");

@@ -1,4 +1,4 @@
-// The section [data]: its keys, its refusals, and the columns that it adds.
+// The section [data]: its keys, refusals, and the columns that it adds.
 #include "tests/laboratory/support/sweep.hpp"
 
 namespace laboratory {
@@ -43,8 +43,8 @@ TEST_F(DataKeys, AreRefusedWithWhatIsExpected) {
   }
 }
 
-// The image is the same whichever processors hold the scene. Otherwise the sweep would fail, since
-// it refuses different images of one scene.
+// The image does not depend on which processors hold which part of the scene. (If it did, the sweep
+// would fail, because it refuses different images of one scene.)
 TEST_F(DataKeys, AddColumnsWhereWorkersShareTheScene) {
   const std::string blocks = BLOCKS;
   ASSERT_EQ(run(blocks).exit_code, 0);
@@ -62,7 +62,7 @@ TEST_F(DataKeys, MayBeTimed) {
   EXPECT_TRUE(contains(done.out, "timed: ")) << done.out;
 }
 
-// Workers have memory for only a part of the scene.
+// Each worker has memory for only a part of the scene.
 TEST_F(DataKeys, RenderAScenesThatNoWorkerHolds) {
   const std::string more =
       std::string("[machine]\nworker_memory_bytes = 134200\n") + BLOCKS + "[data]\n";

@@ -1,4 +1,4 @@
-// Experiment files: their contents, and error messages for mistakes in them.
+// Experiment files: what they contain, and the error messages for mistakes in them.
 #include "experiments/laboratory/file/experiment.hpp"
 
 #include <fmt/format.h>
@@ -103,7 +103,7 @@ TEST(ExperimentsFile, SetTakesKeysOfAsManyPartsAsAFile) {
   EXPECT_NE(told(16).find("unknown key"), std::string::npos) << told(16);
 }
 
-// A program whose costs cannot be timed still accepts "counted".
+// "counted" is valid for every program, also for those whose costs cannot be timed.
 TEST(ExperimentsFile, CostsOfAnyProgramMayBeCounted) {
   const auto file =
       load("title = \"timed\"\n[program]\nname = \"message\"\n[run]\ncost = \"counted\"\n");
@@ -247,7 +247,8 @@ TEST(ExperimentsFile, TooManyPointsAreRefusedBeforeTheyAreMade) {
               std::string::npos);
 }
 
-// The resolved text yields the same experiment: points in the same order, exact numbers.
+// The text written by resolve() gives the same experiment: the points in the same order, with exact
+// numbers.
 TEST(ExperimentsFile, WhatIsResolvedCanBeReadAgain) {
   const auto file = load(
       "title = \"a \\\"b\\\"\"\n[sweep]\n\"model.link.one_way_rate\" = [1.7e6, 1e6]\n"
@@ -262,7 +263,8 @@ TEST(ExperimentsFile, WhatIsResolvedCanBeReadAgain) {
     EXPECT_EQ(name_of(again.points[i]), name_of(file.points[i]));
 }
 
-// Values of every kind, with texts that hold quotes, escapes, line ends and TOML of their own.
+// Overrides with values of every kind. Their texts contain quotes, escapes, line ends, and text
+// that looks like TOML.
 TEST(ExperimentsFile, TheTextOfAnOverrideIsReadAgain) {
   constexpr std::string_view LETTERS = "ab1.= \"'\\\n\t[]{}#,";
   for (std::uint64_t i = 0; i < 300; ++i) {

@@ -1,4 +1,4 @@
-// Routes, trees and faults of an experiment file.
+// Routes, trees and faults in experiment files.
 #include <limits>
 
 #include "base/errors.hpp"
@@ -25,7 +25,7 @@ std::optional<topologies::TreeLinks> tree_of(const std::string& keys) {
   return find_tree(e, topologies::make_topology("ring:4"));
 }
 
-// The faults of a file with only [[fault]] tables, on a ring of four.
+// Reads the faults of a file that has only tables [[fault]], for a ring of four processors.
 std::vector<programs::PlannedFault> faults_of(const std::string& text) {
   const auto file = toml::parse(text, std::string_view("e.toml"));
   Experiment experiment;
@@ -72,7 +72,7 @@ TEST(ExperimentsNetworkKeys, XyIsDimensionOrder) {
             std::string::npos);
 }
 
-// Some processors have other models, with their own clocks. Errors name file and line.
+// Some processors have models of their own, with other clocks. Errors give the file and the line.
 TEST(ExperimentsNetworkKeys, ProcessorsMayBeOfOtherModels) {
   const std::string farm = "[network]\nworkers = 3\n";
   const auto others_of = [](const std::string& text) {
@@ -107,7 +107,7 @@ TEST(ExperimentsNetworkKeys, ProcessorsMayBeOfOtherModels) {
             std::string::npos);
 }
 
-// Tables, drawings, records and sentences name each vertex as the DOT file does.
+// Tables, drawings, records and sentences call each processor by its name in the DOT file.
 TEST(ExperimentsNetworkKeys, NamesOfADotFileAreKept) {
   const TemporaryFolder folder;
   write_file(folder.path / "board.dot",
@@ -175,7 +175,7 @@ TEST(ExperimentsFaults, AreOfLinksOrProcessors) {
             (std::vector<Fault>{{0.5, 3, 0}, {0, 2, -1}}));
 }
 
-// The listed values are part of the point's key.
+// The values of a fault are part of the point's key.
 TEST(ExperimentsFaults, BelongToThePoint) {
   const auto file =
       std::make_shared<const toml::table>(toml::parse("[[fault]]\nprocessor = 1\nat_s = 0.25\n"));
@@ -187,7 +187,7 @@ TEST(ExperimentsFaults, BelongToThePoint) {
 }
 
 TEST(ExperimentsFaults, MistakesAreNamed) {
-  // the text has four lines
+  // the text has four lines, and the second [[fault]] is in line 4
   const std::string good = "[[fault]]\nprocessor = 0\nat_s = 1\n[[fault]]\n";
   for (const auto& [keys, message] : std::vector<std::pair<std::string, std::string>>{
            {"processor = 4\nat_s = 1\n",

@@ -1,4 +1,4 @@
-// Experiments with programs other than the farm, and with changed machine constants.
+// Experiments with programs other than the farm, and with changed entries of the machine model.
 #include <fstream>
 
 #include "base/errors.hpp"

@@ -39,7 +39,7 @@ TEST(Reduced, ComesBeforeSet) {
   EXPECT_EQ(file.points[0].numbers.at("image.width"), 30);
 }
 
-// The text of a run has the values that were used, and no [reduced].
+// The resolved text of a run has the values that were used, and no section [reduced].
 TEST(Reduced, IsResolved) {
   for (const bool is_reduced : {false, true}) {
     const auto file = read_reduced(WITH_REDUCED, {}, is_reduced);

@@ -18,7 +18,8 @@ TEST(ExperimentsRepetitions, AreConsecutiveSeeds) {
   EXPECT_EQ(name_of(file.points[5]), "load = 0.2, seed = 9");
 }
 
-// A file that resolve() wrote has the axis, not the key, and gives the same points.
+// The text written by resolve() has the axis of seeds instead of the key, and gives the same
+// points.
 TEST(ExperimentsRepetitions, AreResolvedToTheAxis) {
   const auto text = resolve(load(LOADED + "[run]\nrepetitions = 3\n"));
   EXPECT_FALSE(contains(text, "repetitions")) << text;

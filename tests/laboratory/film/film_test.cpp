@@ -1,4 +1,4 @@
-// Films of runs, decoded again.
+// Films of runs, decoded and compared with what the machine did.
 #include "experiments/laboratory/film/film.hpp"
 
 #include <fmt/format.h>
@@ -29,19 +29,19 @@ void expect_near(const Pixel& found, const Pixel& expected, const std::string& w
   for (int i = 0; i < 3; ++i) EXPECT_NEAR(found[i], expected[i], 2) << what << ", colour " << i;
 }
 
-// The pixel left of a processor's middle, outside any letter.
+// The pixel at a place inside a processor's circle that no letter covers.
 Pixel pixel_of_processor(const test::WebpFrame& frame, const MachineDrawing& drawing, int id) {
   const auto& place = drawing.nodes().at(static_cast<std::size_t>(id)).place;
   return frame.pixel(place.x, place.y + 0.75 * drawing.radius());
 }
 
-// The pixel near the middle of the link, on the sender's side.
+// The pixel of a link near its middle, on the sender's half.
 Pixel pixel_of_link(const test::WebpFrame& frame, const MachineDrawing& drawing, std::size_t i) {
   const auto& [p0, p1, p2, p3] = drawing.halves().at(i);
   return frame.pixel(0.3 * p2.x + 0.7 * p3.x, p3.y);
 }
 
-// A film of three frames, each a third of the run. The busy shares in the frames are:
+// A film of three frames, each for a third of the run. The busy shares in the frames are:
 //   first processor   3/4  0    0
 //   link              1/4  1/2  0
 //   second processor  0    1/2  1
@@ -178,7 +178,7 @@ TEST(Film, ProcessorsAreCalledByTheirNumbers) {
   EXPECT_EQ(labels, (std::vector<std::string>{"12", "root", "node2.1"}));
 }
 
-// A host processor is linked to the root, and another processor to the host.
+// A host processor is linked to the root of the network, and another processor to the host.
 TEST(Film, WhatHangsOnTheRootIsInRowsAboveTheNetwork) {
   occam::Lab lab(occam::make_exact_model(), machine::Code::bare, {.links = machine::Links::direct});
   auto& root = lab.cpu();
@@ -209,7 +209,7 @@ TEST(Canvas, AnOutlineHasItsColourAndItsWidth) {
   for (const int x : {2, 7}) EXPECT_EQ(pixel(x, 10), (Pixel{255, 255, 255})) << x;
 }
 
-// Films of runs that are cut short, that fail, or that deadlock.
+// Films of runs that are ended early, fail or deadlock.
 TEST(ExperimentsFilm, ARunThatDoesNotEndHasItsFilmSoFar) {
   const std::vector<std::pair<int, std::vector<std::string>>> cases{
       {0, {"--until", "0.2"}},

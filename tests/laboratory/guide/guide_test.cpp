@@ -1,5 +1,5 @@
-// `tlab list`, `help` and `init`. All names that they print exist, and all files that they write
-// work.
+// `tlab list`, `tlab help` and `tlab init`: the names that they print exist, and the files that
+// they write work.
 
 #include "base/text.hpp"
 #include "experiments/laboratory/guide/catalogue.hpp"
@@ -74,7 +74,7 @@ TEST(Guide, HelpOnAProgramIsOfThatAlone) {
     EXPECT_FALSE(contains(farm.out, text)) << text;
   EXPECT_TRUE(contains(tlab(folder.path, {"help", "run", "farm"}).out, "network.topology"));
   EXPECT_TRUE(contains(tlab(folder.path, {"help", "merge"}).out, "Usage: tlab merge "));
-  // "radiosity" is a command and a program
+  // "radiosity" is the name of a command and of a program
   const auto both = tlab(folder.path, {"help", "radiosity"}).out;
   for (const auto* text : {"Usage: tlab radiosity", "program.max_shots"})
     EXPECT_TRUE(contains(both, text)) << text;
@@ -95,7 +95,7 @@ struct PainterParams {
   base::Source wall;
 };
 
-// Help lists the permitted values of a key according to its kind.
+// For each kind of key, the help lists the values that are permitted.
 TEST(Guide, HelpOnAKeySaysWhatItMayBe) {
   using D = base::Declare<PainterParams>;
   using P = PainterParams;
@@ -125,7 +125,7 @@ TEST(Guide, HelpOnAKeySaysWhatItMayBe) {
                 line("program.wall", "what is painted; a file"));
 }
 
-// The commands in the help's footer after "Examples:".
+// The help ends with example commands after "Examples:".
 TEST(Guide, EveryCommandHasExamples) {
   const TemporaryFolder folder;
   const auto help = tlab(folder.path, {"--help"}).out;
@@ -153,7 +153,7 @@ TEST_P(InitFrom, MakesAnExperimentThatRuns) {
     const auto text = read_file(folder.path / file);
     EXPECT_FALSE(contains(text, "MINE")) << file;
   }
-  if (GetParam() == "program") return;  // tests/consumer/run builds this template
+  if (GetParam() == "program") return;  // tests/consumer/run builds the template "program"
   const auto outcome = tlab(folder.path, {"run", "my-own/my-own.toml"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   EXPECT_TRUE(std::filesystem::exists(folder.path / "results/my-own/report.html"));

@@ -1,4 +1,4 @@
-// Progress display on a terminal.
+// The display of elapsed time on a terminal.
 #include "experiments/laboratory/host/elapsed_time.hpp"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ class Terminal {
     close(stderr_);
     close(master_);
   }
-  // Reads until a text has arrived.
+  // Reads from the terminal until a text has appeared.
   std::string read_until(const std::string& text) const {
     std::string found;
     char part[256];
@@ -61,8 +61,7 @@ TEST(Streams, ALineOnATerminalTakesThePlaceOfAProgressBar) {
   EXPECT_NE(shown.find("\r\x1b[Ktlab: interrupted"), std::string::npos) << shown;
 }
 
-// A write has failed earlier. Its error code is lost by now, and the stream has nothing left to
-// write.
+// An earlier write has failed. Its error code is lost, and the stream has nothing more to write.
 TEST(Streams, AnEarlierErrorOfStandardOutputIsTold) {
   if (access("/dev/full", W_OK) != 0) GTEST_SKIP() << "no /dev/full";
   EXPECT_EQ(test::isolated([]() -> std::string {

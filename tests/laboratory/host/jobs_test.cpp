@@ -1,4 +1,4 @@
-// Tasks in child processes: their results, failures, and killed processes.
+// Tasks in child processes: their results and failures, and killed processes.
 #include "experiments/laboratory/host/jobs.hpp"
 
 #include <gtest/gtest.h>
@@ -54,8 +54,8 @@ TEST(ExperimentsJobs, AnExceptionEndsTheOthers) {
   }
 }
 
-// The main thread counts an interrupt before it reads a child's message. No other thread may
-// receive the signal, since it would be counted too late.
+// The main thread counts an interrupt before it reads a message of a child. If another thread got
+// the signal, it would be counted too late.
 TEST(ExperimentsJobs, AnInterruptIsCountedByTheMainThread) {
   test::run_isolated([] {
     std::signal(SIGINT, SIG_DFL);  // the tests may have started with SIGINT ignored

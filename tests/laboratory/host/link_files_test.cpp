@@ -1,4 +1,4 @@
-// Copies of files from older results.
+// Hard links and copies of files from older results.
 #include "experiments/laboratory/host/link_files.hpp"
 
 #include <sys/stat.h>
@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Pictures may be large, so they are hard-linked instead of copied.
+// Pictures may be large, so they get a hard link instead of a copy.
 TEST(Carry, AFileGetsASecondName) {
   const TemporaryFolder folder;
   write_file(folder.path / "a", "new");

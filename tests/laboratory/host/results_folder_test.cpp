@@ -28,7 +28,7 @@ pid_t dead_process() {
   return child;
 }
 
-// The prefix of a process's hidden folders: ".out.partial-HOST-" for "out.partial".
+// The beginning of the name of a process's hidden folder: ".out.partial-HOST-" for "out.partial".
 std::string hidden(const std::string& what) {
   const auto dot = what.find('.');
   auto name = base::make_partial_name(what.substr(0, dot), what.substr(dot + 1), 0);
@@ -147,7 +147,7 @@ TEST(ExperimentsResultsFolder, LooksAgainBeforeItCommits) {
   EXPECT_EQ(folder.names(), Names{"out"});
 }
 
-// Another process stores its results between the first check and the exchange.
+// Another process stores its results after the first check and before the exchange of the folders.
 TEST(ExperimentsResultsFolder, LooksOnceMoreAtWhatItHasReplaced) {
   const TemporaryFolder folder;
   const auto out = folder.path / "out";
@@ -158,7 +158,7 @@ TEST(ExperimentsResultsFolder, LooksOnceMoreAtWhatItHasReplaced) {
     int looks = 0;
     const auto told = message_of<base::BadInput>([&] {
       results.commit([&](const fs::path& replaced) {
-        if (++looks == 1) {  // another process writes its results at this moment
+        if (++looks == 1) {  // at this moment, another process writes its results
           fs::create_directories(out);
           write_file(out / "run.json", "another's");
         } else if (read_file(replaced / "run.json") == "another's") {
@@ -172,7 +172,7 @@ TEST(ExperimentsResultsFolder, LooksOnceMoreAtWhatItHasReplaced) {
   EXPECT_EQ(folder.names(), Names{"out"});
 }
 
-// A check of results that fails the second time, after the exchange.
+// A check of older results that fails when it is called for the second time, after the exchange.
 class CountedCheck {
  public:
   explicit CountedCheck(std::function<void()> before_failing = [] {})
@@ -220,7 +220,7 @@ TEST(ExperimentsResultsFolder, OlderRecordsThatCannotBePutBackAreKept) {
   EXPECT_EQ(folder.names(), (Names{"elsewhere", "out"}));
 }
 
-// A link to itself stands for a record that cannot be copied, as on a full disk.
+// A symbolic link to itself cannot be copied, like a record on a full disk.
 TEST(ExperimentsResultsFolder, OlderRecordsThatCannotBeCarriedOverAreKept) {
   const TemporaryFolder folder;
   const auto out = folder.path / "out", points = fs::path("points/0123");
@@ -261,7 +261,7 @@ TEST(ExperimentsResultsFolder, RemovesWhatDeadProcessesLeft) {
                    ".out.partial-of-another-host-" + dead};
   fs::create_directories(folder.path / (partial + dead) / "plots");
   for (const auto& name : kept) fs::create_directories(folder.path / name / "plots");
-  // processes leave only folders of such a name, never files
+  // dead processes leave folders with such names, but no files
   const auto dead_too = hidden("out.old") + dead;
   write_file(folder.path / dead_too, "x");
   { ResultsFolder results(folder.path / "out"); }
@@ -271,7 +271,7 @@ TEST(ExperimentsResultsFolder, RemovesWhatDeadProcessesLeft) {
   EXPECT_EQ(folder.names(), expected);
 }
 
-// Records of points survive any change of the folder around them.
+// Records of points are kept, whatever happens to the folder that contains them.
 TEST(ExperimentsResultsFolder, RecordsAreKept) {
   const TemporaryFolder folder;
   const auto out = folder.path / "out", working = folder.path / hidden("out.partial");
@@ -284,7 +284,7 @@ TEST(ExperimentsResultsFolder, RecordsAreKept) {
     return fs::exists(out / "points/0123" / record) &&
            read_file(out / "points/0123" / record) == record;
   };
-  // One process was killed after it put its results in place, another process before.
+  // One process was killed after it had put its results in place, and another one before.
   put(working.string() + dead, "a.json");
   fs::create_directories(working.string() + dead + "/points/lone");
   write_file(working.string() + dead + "/points/lone/x.json", "x");
@@ -295,12 +295,12 @@ TEST(ExperimentsResultsFolder, RecordsAreKept) {
     EXPECT_FALSE(fs::exists(out / "points/lone"));
     write_file(results.working() / "run.json", "{}");
     put(results.working(), "b.json");
-    put(out, "late.json");  // written by another process
+    put(out, "late.json");  // as another process may do in the meantime
     results.commit();
   }
   EXPECT_TRUE(has("b.json") && has("late.json"));
   EXPECT_EQ(folder.names(), Names{"out"});
-  // A folder of points that belongs to no run is removed with the older results.
+  // A folder of points without run.json is removed with the older results.
   put(out, "old.json");
   ResultsFolder(out).commit();
   EXPECT_FALSE(fs::exists(out / "points"));
@@ -308,7 +308,7 @@ TEST(ExperimentsResultsFolder, RecordsAreKept) {
 
 TEST(ExperimentsResultsFolder, LeavesNoParentsWhereItCannotBeMade) {
   const TemporaryFolder folder;
-  const std::string name(250, 'x');  // a valid name, but that of the hidden folder is too long
+  const std::string name(250, 'x');  // valid, but the name of the hidden folder would be too long
   EXPECT_THROW(ResultsFolder(folder.path / "a/b" / name), std::system_error);
   EXPECT_EQ(folder.names(), Names{});
 }
@@ -334,7 +334,8 @@ TEST(ExperimentsResultsFolder, ErrorsOfTheHostNameTheUsersPath) {
             "/dev/full: cannot be written: No space left on device");
 }
 
-// On file systems without an atomic exchange, a crash may leave the old results moved aside.
+// If the file system has no atomic exchange, a crash may leave the older results under a hidden
+// name.
 TEST(ExperimentsResultsFolder, FindsOlderResultsThatWereMovedAside) {
   const TemporaryFolder folder;
   const auto aside = folder.path / (hidden("out.old") + std::to_string(dead_process()));
@@ -345,13 +346,13 @@ TEST(ExperimentsResultsFolder, FindsOlderResultsThatWereMovedAside) {
   EXPECT_EQ(folder.names(), Names{"out"});
 }
 
-// Simulates a signal that arrives while a drawing is being written.
+// A signal arrives while a thread is still writing a drawing.
 TEST(ExperimentsResultsFolder, IsRemovedWhileSomebodyWritesThere) {
   for (int time = 0; time < 20; ++time) {
     const TemporaryFolder folder;
     test::run_isolated([&] {
-      // Both objects are leaked, since leaving a critical section would wait for the end of the
-      // program.
+      // Neither object is ever destroyed, because leaving a critical section would wait for the end
+      // of the program.
       const auto* results = new ResultsFolder(folder.path / "out");
       new std::thread([from = results->working() / "new", to = results->working() / "renamed"] {
         for (int i = 0; i < 2000; ++i) {

@@ -1,4 +1,4 @@
-// Output for terminals only: progress bars, and long texts in a pager.
+// Output that only terminals get: progress bars, and long texts in a pager.
 #include "tests/laboratory/support/terminal.hpp"
 #include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/host/streams.hpp"
@@ -11,7 +11,7 @@ TEST(Terminal, TheBarIsShownToItsEnd) {
   const auto text = on_terminal([] {
     Progress bar("drawing");
     bar.show(1, 2);
-    bar.show(2, 2);  // the last value is shown at once
+    bar.show(2, 2);  // the last value is always shown
   });
   EXPECT_TRUE(contains(text, "drawing [===============               ] 1/2, about ")) << text;
   const auto end = text.find("drawing [==============================] 2/2");
@@ -32,7 +32,7 @@ TEST(Terminal, ARenderingShowsHowFarItIs) {
   EXPECT_EQ(folder.names(), std::vector<std::string>{"i.png"});
 }
 
-// Titles, names and arguments cannot control the terminal.
+// Control characters in titles, names and arguments do not reach the terminal.
 TEST(Terminal, NothingFromAFileReachesItUnescaped) {
   const TemporaryFolder folder;
   const std::string hostile = "a\x1b]0;owned\x07\x1b[31mb\xc2\x9b";
@@ -60,7 +60,8 @@ TEST(Terminal, NothingFromAFileReachesItUnescaped) {
       for (auto& word : words) argv.push_back(word.data());
       run_tlab(static_cast<int>(argv.size()), argv.data());
     });
-    const std::string own = "\r\x1b[K";  // erases the line of the progress bar
+    const std::string own = "\r\x1b[K";  // the only sequence of tlab itself: it erases the line of
+                                         // the progress bar
     for (std::size_t at; (at = text.find(own)) != text.npos;) text.erase(at, own.size());
     EXPECT_FALSE(text.empty());
     for (const char* control : {"\x1b", "\x07", "\xc2\x9b"})
@@ -68,7 +69,7 @@ TEST(Terminal, NothingFromAFileReachesItUnescaped) {
   }
 }
 
-// Earlier output precedes the pager's text. Without a pager the text is still shown.
+// The pager's text follows the earlier output. If the pager fails, the text is printed without it.
 TEST(Terminal, APagerShowsTheTextInItsTurn) {
   for (const char* pager : {"cat", "exit 1"}) {
     const auto text = on_terminal([&] {

@@ -1,4 +1,4 @@
-// Tables [[baseline]]: the speed-up of each row over another row.
+// Tables [[baseline]]: the speed-up of each row over another row of the same sweep.
 #include "base/errors.hpp"
 #include "experiments/laboratory/table/table.hpp"
 #include "tests/laboratory/support/sweep.hpp"

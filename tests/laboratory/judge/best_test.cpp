@@ -1,4 +1,4 @@
-// Tables [[best]]: the best of some values for each combination of others.
+// Tables [[best]]: the best values of some axes for each combination of the other axes.
 #include "experiments/laboratory/judge/best.hpp"
 
 #include <cmath>
@@ -9,7 +9,8 @@
 namespace laboratory {
 namespace {
 
-// Example in which the mesh is faster than the line from 4 workers on, and gains nothing beyond 8.
+// An example in which the mesh is faster than the line from 4 workers on, and no faster with more
+// than 8.
 struct BestCase {
   ExperimentFile file;
   Table table{.columns = {"topology", "workers", "objects", "time_s"}, .axes = 3, .rows = {}};
@@ -69,7 +70,7 @@ TEST(ExperimentsBest, DoublingPaysUntilItDoesNot) {
   EXPECT_EQ(answer.pays.rows.at(1), (std::vector<Value>{"mesh", std::int64_t{8}, 0.0}));
   const auto some =
       BestCase(QUESTION + "pays = \"workers\"\nwhere = \"workers != 2 && workers < 16\"\n").find();
-  // From 1 to 4 workers the line gains a factor of 2 in two doublings, 41 % each.
+  // From 1 to 4 workers, the line gains a factor of 2 in two doublings, which is 41 % for each.
   EXPECT_EQ(some.pays.rows.at(0)[1], Value(std::int64_t{4}));
   EXPECT_EQ(some.pays.rows.at(1), (std::vector<Value>{"mesh", std::int64_t{8}, {}}))
       << "to the end";

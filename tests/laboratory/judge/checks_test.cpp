@@ -1,4 +1,4 @@
-// Checks: a table of results compared with formulas and references.
+// Checks: results compared with formulas, reference tables and bounds.
 #include <fstream>
 
 #include "base/errors.hpp"
@@ -8,7 +8,7 @@
 namespace laboratory {
 namespace {
 
-// Three points with the given results, in place of a program's.
+// Three points with given results, which no program has simulated.
 struct ChecksCase {
   TemporaryFolder folder;
   ExperimentFile file;
@@ -77,7 +77,7 @@ TEST(ExperimentsChecks, EveryPointIsCompared) {
   EXPECT_FALSE(result.points[1].holds);
 }
 
-// The latencies are 1, 2.2 and 4; the bytes are 1, 2 and 4.
+// latency_s is 1, 2.2 and 4; bytes is 1, 2 and 4.
 TEST(ExperimentsChecks, BoundsDecide) {
   for (const auto& [bounds, verdict] : std::vector<std::pair<std::string, Verdict>>{
            {"at_least = 1", Verdict::holds},
@@ -134,7 +134,7 @@ TEST(ExperimentsChecks, WithinABoundThePointThatIsNearestToItIsTheWorst) {
   EXPECT_EQ(summarize(result, test.table),
             "ok       c: latency_s at 3 point(s), worst 1 (at least 0.5) at topology = line, bytes "
             "= 1");
-  const auto shown = make_check_table(result, test.table, 2);  // the worst point comes first
+  const auto shown = make_check_table(result, test.table, 2);  // the worst point is the first row
   EXPECT_EQ(shown.columns, (std::vector<std::string>{"topology", "bytes", "simulated", "at least",
                                                      "error", "mark"}));
   EXPECT_EQ(shown.rows.at(0).back(), Value("worst"));
@@ -172,7 +172,7 @@ TEST(ExperimentsChecks, ReferencesAreMatchedByTheirKeys) {
   const ChecksCase test(check("reference = \"ref.csv\"\nkeys = [\"bytes\"]\nwithin = 0.2\n"));
   const auto result = test.eval().at(0);
   EXPECT_EQ(result.verdict, Verdict::holds);
-  ASSERT_EQ(result.points.size(), 2u);  // the empty cell does not count
+  ASSERT_EQ(result.points.size(), 2u);  // the point with the empty cell does not count
   EXPECT_EQ(result.points[1].expected, 2);
   ASSERT_EQ(result.notes.size(), 1u);
   EXPECT_NE(result.notes[0].find("1 row(s)"), std::string::npos);
@@ -248,7 +248,8 @@ TEST(ExperimentsChecks, PointsThatNeedOneThatIsNotThereAreLeftOut) {
   EXPECT_NE(result.notes[0].find("topology = mesh:2x2, bytes = 2"), std::string::npos);
 }
 
-// Missing points might be those that the check is for.
+// The points that are missing may be those that the check is for, so the check neither holds nor
+// fails.
 TEST(ExperimentsChecks, WithoutPointsACheckOfIncompleteResultsIsOpen) {
   for (const auto* rest : {"", "may_be_empty = true\n"}) {
     ChecksCase test(check("at_least = 1\nwhere = \"bytes > 2\"\n" + std::string(rest)));
@@ -289,8 +290,8 @@ TEST(ExperimentsChecks, ComparisonsThatAreNeverOrOftenTrueAreNoted) {
       << twice;
 }
 
-// If a formula needs an empty cell, directly or through a mean of no values, its point does not
-// count. Other points count as before.
+// If a formula needs an empty cell, directly or through [let], its point does not count. The other
+// points do.
 TEST(ExperimentsChecks, EmptyCellsLeavePointsOut) {
   const std::string let = "[let]\ntwice = \"2 * latency_s\"\n";
   for (const auto& [rest, points] : std::vector<std::pair<std::string, std::size_t>>{

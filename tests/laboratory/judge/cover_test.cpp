@@ -7,7 +7,7 @@
 namespace laboratory {
 namespace {
 
-// Student's interval contains nine of ten further points from the distribution of the errors.
+// Student's prediction interval contains nine of ten further errors from the same distribution.
 TEST(Cover, OwnErrorHasNineOfTenFurtherPoints) {
   constexpr int TRIALS = 20'000;
   for (const std::size_t count : {3, 5, 18}) {
@@ -25,7 +25,8 @@ TEST(Cover, OwnErrorHasNineOfTenFurtherPoints) {
   EXPECT_FALSE(find_own_error({0.1, 0.2}));
 }
 
-// A column t over workers. On 90 % of the machines, t is between `low` and `high` times its value.
+// A result t over workers. On 90 % of the machines, t is between `low` and `high` times its nominal
+// value.
 struct Sure {
   explicit Sure(std::vector<double> expected, double low = 0.9, double high = 1.1) {
     Confidence confidence;
@@ -53,8 +54,8 @@ TEST(Cover, CountsWhatIsInItsInterval) {
   EXPECT_EQ(sure.covered().inside, 4u);
 }
 
-// All references are 20 % above the simulated values, and so outside every interval. The model
-// error at a point is estimated from the other points.
+// All reference values are 20 % above the simulated values, and so outside every interval. The
+// model's own error at a point is estimated from the errors at the other points.
 TEST(Cover, OwnErrorMovesTheInterval) {
   const Sure sure({1.2, 1.2, 1.2, 1.2, 1.2, 1.2});
   EXPECT_EQ(sure.covered().inside, 0u);
@@ -64,7 +65,7 @@ TEST(Cover, OwnErrorMovesTheInterval) {
   EXPECT_NEAR(own.mean, 0.2, 1e-9);
 }
 
-// Independent errors add in quadrature.
+// Independent errors add like the sides of a right triangle: the squares of the half widths add.
 TEST(Cover, OwnErrorIsAddedInSquares) {
   const std::vector<double> others = {0.95, 1.05, 0.95, 1.05, 0.95, 1.05};
   const auto own = find_own_error({0.05, -0.05, 0.05, -0.05, 0.05}).value();
@@ -73,15 +74,17 @@ TEST(Cover, OwnErrorIsAddedInSquares) {
               1e-9);
 }
 
-// All machines lie above the nominal model. The interval is no wider than their spread.
+// All machines give larger results than the nominal model. The interval is only as wide as their
+// spread.
 TEST(Cover, MachinesBesideTheModelAreNoWiderThanTheyAre) {
   const Sure sure({1, 1, 1, 1}, 1.2, 1.4);
   EXPECT_EQ(sure.covered().inside, 0u);
   EXPECT_NEAR(sure.covered().with_own_error.value().half_width, 0.1, 1e-9);
 }
 
-// The model error at a point is estimated from the other points only. So the reference of twice the
-// simulated value does not widen the interval at its own point, and stays outside.
+// The model's own error at a point is estimated only from the other points. So the reference value
+// that is twice the simulated value does not widen the interval at its own point, and stays
+// outside.
 TEST(Cover, APointTellsNothingOfItself) {
   const Sure sure({1.01, 0.99, 1.0, 2.0, 1.01, 0.99});
   EXPECT_EQ(sure.covered().inside, 5u);

@@ -1,4 +1,4 @@
-// Number of randomly drawn machines on which the answers to [[best]] hold.
+// The number of randomly drawn machines on which an answer to [[best]] holds.
 #include "experiments/laboratory/judge/ranking.hpp"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ TEST(Rankings, EachCaseOfAQuestionIsToldItsOwn) {
   add_rankings(answers, {.columns = {"question", "at", "best", "machines", "of", "others"},
                          .axes = 2,
                          .rows = {row("fastest", 0, 5), row("fastest", 1, 4),
-                                  // the first case of "busiest" has no ranking
+                                  // there is no ranking for the first row of "busiest"
                                   row("busiest", 1, 3)}});
   const auto told = [&](std::size_t question, std::size_t at) {
     return to_string(answers[question].best.rows[at].back());

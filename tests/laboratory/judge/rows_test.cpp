@@ -1,4 +1,4 @@
-// Expressions over a row and over other rows of the same sweep.
+// Expressions that use columns of their own row and of other rows of the sweep.
 #include "experiments/laboratory/judge/rows.hpp"
 
 #include "base/errors.hpp"
@@ -7,7 +7,7 @@
 namespace laboratory {
 namespace {
 
-// Twelve points. The axes are topology, then workers and height (coupled), then objects.
+// Twelve points. The axes are topology, workers together with height, and objects.
 struct RowsCase {
   ExperimentFile file = load(
       "[sweep]\ntopology = [\"tree\", \"mesh\"]\n\"workers, height\" = [[1, 16], [2, 16], [4, "
@@ -38,7 +38,7 @@ TEST(ExperimentsRows, BracesNameARowWithTheSameOtherAxes) {
   const RowsCase test;
   for (std::size_t row = 0; row < test.table.rows.size(); ++row) {
     const double workers = *as_number(test.table.rows[row][1]);
-    // Height is coupled with workers and follows it.
+    // Height changes together with workers, so it may differ in the other row.
     EXPECT_EQ(test.eval("{time_s @ workers = 1} / time_s", row), workers) << row;
     EXPECT_EQ(test.eval("{ time_s@height=32,objects = 200 } + workers", row), 50 + workers) << row;
     EXPECT_EQ(test.eval("{time_s @ topology = mesh} - time_s", row), 0) << row;

@@ -1,4 +1,4 @@
-// Results of several seeds: means in tables, [[check]] and [[best]].
+// Results for several seeds: their means in tables, [[check]] and [[best]].
 #include "base/errors.hpp"
 #include "experiments/laboratory/judge/best.hpp"
 #include "experiments/laboratory/judge/check_results.hpp"
@@ -11,8 +11,8 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-// Times of two networks at three seeds. The effect of the seed, up to 4, is the same for both; the
-// mesh takes `gap` more, with a further deviation of 0.1.
+// Times of two networks for three seeds. The effect of a seed, up to 4, is the same for both
+// networks. The mesh takes `gap` longer, with an additional deviation of 0.1.
 struct SeedsCase {
   ExperimentFile file;
   Table table{.columns = {"topology", "seed", "time_s", "rays", "ended"}, .axes = 2, .rows = {}};
@@ -52,7 +52,7 @@ TEST(ExperimentsSeeds, ATableOfMeansHasHalfWidths) {
   EXPECT_EQ(means.rows[0][2], Value(std::int64_t{5})) << "equal results stay whole numbers";
   EXPECT_EQ(means.rows[0][3], Value("done"));
   EXPECT_EQ(means.rows[0][4], Value(std::int64_t{3}));
-  // s = 2, t(2) = 4.303
+  // standard deviation s = 2, and Student's t = 4.303 for 2 degrees of freedom
   EXPECT_NEAR(*as_number(means.rows[0][5]), 4.30265 * 2 / std::sqrt(3), 1e-4);
 }
 
@@ -85,7 +85,7 @@ TEST(ExperimentsSeeds, MeansCsvHasARowForEachResult) {
   EXPECT_TRUE(make_means_csv(seeds.file, average_seeds(seeds.table)).rows.empty());
 }
 
-// The interval of each mean is ± 5, but that of the paired difference is ± 0.2.
+// The interval of each mean is ± 5, but that of the difference between pairs is ± 0.2.
 TEST(ExperimentsSeeds, TheBestIsFoundByPairs) {
   EXPECT_EQ(SeedsCase(FASTEST, 1).best().best.rows.at(0).at(0), Value("line"));
 }
@@ -108,7 +108,7 @@ TEST(ExperimentsSeeds, ASeedIsNoAxisOfPlotsAndQuestions) {
   }
 }
 
-// The mean, 12, holds although the third seed, 14, would not.
+// The mean, 12, is within the bound, although the result for the third seed, 14, is not.
 TEST(ExperimentsSeeds, ChecksJudgeTheMean) {
   const SeedsCase seeds(
       "[[check]]\nname = \"c\"\nof = \"time_s\"\nat_most = 13\nwhere = \"topology_is_line\"\n", 1);
@@ -124,7 +124,8 @@ TEST(ExperimentsSeeds, ChecksJudgeTheMean) {
             "over 3 seeds)");
 }
 
-// The expected value is that of the same seed, so that the effect of the seed cancels.
+// The expected value for a seed uses the result for the same seed, so the effect of the seed
+// cancels.
 TEST(ExperimentsSeeds, ChecksPairTheExpectedValue) {
   const SeedsCase seeds(
       "[[check]]\nname = \"c\"\nof = \"time_s\"\nformula = \"{time_s @ topology = line} + 1\"\n"
@@ -133,7 +134,7 @@ TEST(ExperimentsSeeds, ChecksPairTheExpectedValue) {
   const auto results = eval_checks(seeds.plan(), seeds.file, seeds.table);
   const auto& point = results.at(0).points.at(0);
   EXPECT_NEAR(point.error, 0, 1e-12);
-  // s = 0.0866, relative to 13
+  // standard deviation s = 0.0866, relative to 13
   EXPECT_NEAR(point.half_width.value(), 4.30265 * 0.0866 / std::sqrt(3) / 13, 1e-5);
 }
 

@@ -1,4 +1,4 @@
-// Outcomes of checks as JUnit XML and as TAP, read back by parsers of others.
+// Outcomes of checks as JUnit XML and as TAP, read by independent parsers.
 #include "experiments/laboratory/judge/test_report.hpp"
 
 #include <expat.h>
@@ -18,7 +18,7 @@ const std::string EXPERIMENT =
     "[[check]]\nname = \"quick & <new>\"\nof = \"latency_s\"\nat_most = 1\n"
     "[[check]]\nname = \"slow #1\"\nof = \"latency_s\"\nat_most = 1e-9\n";
 
-// Elements of an XML document, each with its name and attributes, in order.
+// An element of an XML document, with its attributes.
 struct Element {
   std::string name;
   std::map<std::string, std::string> attributes;
@@ -61,7 +61,8 @@ TEST(TestReport, EachCheckIsACaseWithItsPoints) {
   EXPECT_EQ(elements[2].attributes["name"], "quick & <new>");
   EXPECT_EQ(elements[4].attributes["name"], "slow #1");
   EXPECT_TRUE(contains(elements[5].attributes["message"], "slow #1: latency_s at 2 point(s)"));
-  EXPECT_TRUE(contains(xml, "bytes  simulated")) << xml;  // expected and found values
+  EXPECT_TRUE(contains(xml, "bytes  simulated")) << xml;  // the table of simulated and expected
+                                                          // values
 
   const auto tap = read_file(folder.path / "e.tap");
   EXPECT_TRUE(tap.starts_with("TAP version 13\n1..2\nok 1 - e.toml: quick & <new>\n")) << tap;
@@ -96,7 +97,8 @@ TEST(TestReport, UnwritableReportsAreRefusedBeforeTheRun) {
   EXPECT_EQ(read_file(folder.path / "e.toml"), EXPERIMENT);
 }
 
-// Random bytes in names and messages stay one line of TAP, and XML that Expat reads.
+// Names and messages of random bytes give a single line of TAP each, and XML that the parser Expat
+// reads.
 TEST(TestReport, AnyTextIsValidInBothFormats) {
   const auto seed = std::random_device()();
   SCOPED_TRACE("seed " + std::to_string(seed));
@@ -116,7 +118,7 @@ TEST(TestReport, AnyTextIsValidInBothFormats) {
     read_elements(make_junit(cases));
     std::istringstream tap(make_tap(cases));
     std::size_t outcomes = 0;
-    bool inside = false;  // a block of YAML
+    bool inside = false;  // true within a block of YAML
     for (std::string line; std::getline(tap, line);) {
       if (line == "  ---" || line == "  ...")
         inside = !inside;
