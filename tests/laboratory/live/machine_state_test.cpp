@@ -1,4 +1,4 @@
-// State of a machine as live pages receive it: loads and activities.
+// Descriptions of a machine's state for live pages: loads and activities.
 #include "experiments/laboratory/live/machine_state.hpp"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ struct Portrait : testing::Test {
   occam::Lab lab{occam::make_exact_model(), machine::Code::bare, {.links = machine::Links::direct}};
 };
 
-// Loads are in thousandths of the time. One processor computes for a quarter of the run, the other
-// for a half; the link sends for a quarter.
+// Loads are in thousandths of the elapsed time. One processor computes for a quarter of the run,
+// the other for half of it. The link transfers for a quarter.
 TEST_F(Portrait, LoadsAreThereFromTheBeginningAndFollowTheRun) {
   start_two_processors(lab);
   RecentLoads loads;
@@ -31,7 +31,7 @@ TEST_F(Portrait, LoadsAreThereFromTheBeginningAndFollowTheRun) {
   EXPECT_EQ(describe(), ended) << "no time has passed";
 }
 
-// Adjacent spans are merged, unless the first one has already been taken.
+// Adjacent spans of the same activity are merged, unless take() has already returned the first one.
 TEST_F(Portrait, SpansThatAreTakenAreToldOnce) {
   auto& first = lab.cpu();
   auto& second = lab.cpu();

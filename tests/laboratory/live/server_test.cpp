@@ -1,4 +1,4 @@
-// Access to the live page's server, and its reaction to clients without access.
+// Access to the server of the live page, and its behaviour towards clients without access.
 #include "experiments/laboratory/live/server.hpp"
 
 #include <sys/resource.h>
@@ -27,7 +27,7 @@ using Socket = beast::websocket::stream<tcp::socket>;
 constexpr const char* SMALL_FARM =
     "[network]\nworkers = 2\n[scene]\nobjects = 10\n[image]\nwidth = 16\nheight = 12\n";
 
-// A server, with the parts of its address.
+// A server with its session, and the parts of its address.
 struct Served {
   test::TemporaryFolder folder;
   ExperimentFile file = read(SMALL_FARM, folder.path.string());
@@ -65,7 +65,7 @@ struct Served {
     return response;
   }
 
-  // Opens a web socket. Throws beast::system_error if the server refuses.
+  // Opens a web socket. Throws beast::system_error if the server refuses it.
   Socket open(const std::string& origin, const std::string& host) {
     Socket socket(connect());
     socket.set_option(
@@ -77,7 +77,7 @@ struct Served {
   }
   Socket open() { return open("http://" + host(), host()); }
 
-  // Runs the point to its end.
+  // Simulates the session's point to its end.
   PointResult run() {
     RunOptions options;
     options.file = "e.toml";
@@ -93,7 +93,7 @@ std::string hear(Socket& socket) {
 
 void say(Socket& socket, const std::string& text) { socket.write(asio::buffer(text)); }
 
-// Sends the token and returns the first reply, the outline.
+// Sends the token, and returns the first message that follows, the outline.
 std::string enter(const Served& served, Socket& socket) {
   say(socket, "{\"token\": \"" + served.token() + "\"}");
   return hear(socket);
@@ -156,7 +156,7 @@ TEST(LiveServer, WithoutTheTokenNothingIsTold) {
   }
 }
 
-// The page sends commands while the run continues in another thread.
+// The page sends commands while the simulation runs in another thread.
 TEST(LiveServer, APageSeesTheRunAndSteersIt) {
   test::run_isolated([] {
     Served served;
@@ -171,8 +171,8 @@ TEST(LiveServer, APageSeesTheRunAndSteersIt) {
     EXPECT_EQ(nlohmann::json::parse(enter(served, second)).at("steers"), false);
     say(second, "{\"do\": \"pause\", \"id\": 1}");
     EXPECT_NE(hear(second).find("another page controls the run"), std::string::npos);
-    // The command to end the interactive phase may arrive before this phase begins, so it is
-    // repeated.
+    // The first order may arrive before the interactive phase begins, and is refused then. So it is
+    // sent again until it is accepted.
     for (std::string reply; reply != "{\"reply\":2,\"refusal\":\"\"}";) {
       say(socket, "{\"do\": \"order\", \"order\": {\"non_interactive\": true}, \"id\": 2}");
       reply = hear(socket);
@@ -182,7 +182,8 @@ TEST(LiveServer, APageSeesTheRunAndSteersIt) {
     say(socket, "{\"want\": \"frame\"}");
     std::string tiles = hear(socket);
     ASSERT_GT(tiles.size(), 9u);
-    EXPECT_EQ(tiles[0], 0);  // the tiles are those of the display's picture
+    EXPECT_EQ(tiles[0], 0);  // the tiles belong to the picture of the run, not to the sequential
+                             // picture
     EXPECT_EQ(tiles.size(), 1 + 8 + 3 * 16 * 12u);
     const auto state = nlohmann::json::parse(hear(socket)).at("state");
     EXPECT_EQ(state.at("state"), "over");
@@ -191,7 +192,7 @@ TEST(LiveServer, APageSeesTheRunAndSteersIt) {
   });
 }
 
-// The page requests control repeatedly, and reads nothing.
+// The page asks for control again and again, but reads no answer.
 TEST(LiveServer, APageThatReadsNothingIsShutAndHurtsNobody) {
   test::run_isolated([] {
     Served served;
@@ -241,7 +242,7 @@ double cpu_seconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-// A client waits for a descriptor that the host does not have.
+// A client waits to be accepted while the process may not open another descriptor.
 TEST(LiveServer, IsIdleWithoutDescriptors) {
   test::run_isolated([] {
     Served served;
@@ -250,7 +251,8 @@ TEST(LiveServer, IsIdleWithoutDescriptors) {
     rlimit before{};
     getrlimit(RLIMIT_NOFILE, &before);
     rlimit none = before;
-    none.rlim_cur = 3;  // all descriptors in use are above
+    none.rlim_cur = 3;  // the process already has descriptors with these numbers, so it can open no
+                        // more
     setrlimit(RLIMIT_NOFILE, &none);
     socket.connect({asio::ip::address_v4::loopback(), port});
     const double from_s = cpu_seconds();
@@ -261,13 +263,13 @@ TEST(LiveServer, IsIdleWithoutDescriptors) {
   });
 }
 
-// Many silent clients neither keep new pages out nor displace an existing page.
+// Many silent clients neither keep new pages out nor disconnect a page that is already there.
 TEST(LiveServer, StrangersLeaveRoomForPages) {
   test::run_isolated([] {
     Served served;
     served.run();
     std::vector<tcp::socket> pending;
-    std::vector<Socket> silent;  // web sockets that send no token
+    std::vector<Socket> silent;  // connected by web sockets, but without sending the token
     const auto bring_strangers = [&] {
       for (int i = 0; i < 150; ++i) pending.push_back(served.connect());
       for (int i = 0; i < 80; ++i) silent.push_back(served.open());
@@ -279,7 +281,7 @@ TEST(LiveServer, StrangersLeaveRoomForPages) {
     EXPECT_NE(enter(served, page).find("outline"), std::string::npos);
     bring_strangers();
     say(page, "{\"want\": \"frame\"}");
-    hear(page);  // receives the picture, the first reply
+    hear(page);  // the first message has the picture
     EXPECT_NE(hear(page).find("\"state\""), std::string::npos);
     std::vector<Socket> pages;
     for (std::size_t i = 1; i < MOST_CLIENTS; ++i) {
@@ -291,7 +293,7 @@ TEST(LiveServer, StrangersLeaveRoomForPages) {
   });
 }
 
-// Paths need not be UTF-8.
+// File names in messages need not be valid UTF-8.
 TEST(LiveServer, AnyTextCanBeTold) {
   test::run_isolated([] {
     Served served;
@@ -300,7 +302,7 @@ TEST(LiveServer, AnyTextCanBeTold) {
     auto socket = served.open();
     enter(served, socket);
     say(socket, "{\"want\": \"frame\"}");
-    hear(socket);  // receives the picture, the first reply
+    hear(socket);  // the first message has the picture
     EXPECT_NE(hear(socket).find("caf"), std::string::npos);
   });
 }
@@ -311,7 +313,7 @@ std::string random_bytes(base::Random& random, int most) {
   return bytes;
 }
 
-// Makes a request with an error in it.
+// Makes a request that contains a random error.
 std::string random_request(base::Random& random, const std::string& host) {
   std::string request = "GET /live HTTP/1.1\r\nHost: " + host +
                         "\r\nConnection: Upgrade\r\nUpgrade: websocket\r\nOrigin: http://" + host +
@@ -330,7 +332,8 @@ std::string random_request(base::Random& random, const std::string& host) {
     case 3:
       return "GET /" + std::string(static_cast<std::size_t>(random.below(20'000)), 'a');
     default:
-      return request + random_bytes(random, 200);  // random bytes as web socket frames
+      return request + random_bytes(random, 200);  // sends random bytes after the request, as
+                                                   // frames of a web socket
   }
 }
 
@@ -340,7 +343,7 @@ long memory_kb() {
   return usage.ru_maxrss;
 }
 
-// The environment variable TLAB_HOSTILE sets the number of clients, such as 100000.
+// The environment variable TLAB_HOSTILE gives the number of clients, for example 100000.
 TEST(LiveServer, HostileClientsDoNotGetInNorStopIt) {
   const char* asked = std::getenv("TLAB_HOSTILE");
   const int clients = asked ? std::atoi(asked) : 2000;
@@ -366,7 +369,8 @@ TEST(LiveServer, HostileClientsDoNotGetInNorStopIt) {
   }
   half_open.clear();
   EXPECT_LT(memory_kb() - before_kb, 32 * 1024);
-  for (int tries = 0; tries < 100; ++tries) {  // retry until the half-open connections are closed
+  for (int tries = 0; tries < 100; ++tries) {  // until the server has closed the half-open
+                                               // connections
     try {
       EXPECT_EQ(served.get("/", served.host()).result(), http::status::ok);
       return;

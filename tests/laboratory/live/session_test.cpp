@@ -1,4 +1,4 @@
-// A session at the live page equals the run of its recording.
+// A session at the live page gives the same results as `tlab run` of its recording.
 #include "base/random.hpp"
 #include "tests/laboratory/live/watched_run.hpp"
 
@@ -17,7 +17,7 @@ const std::string IIRRA =
 
 Command order(Command what) { return {{"do", "order"}, {"order", std::move(what)}}; }
 
-// Makes a random order that a user may give at any time.
+// Makes a random order that is valid at any time.
 Command random_order(base::Random& random, int number) {
   const int x = random.below(16), y = random.below(8);
   switch (random.below(7)) {
@@ -46,7 +46,7 @@ std::multimap<int, Command> random_commands(base::Random& random, int calls) {
   return commands;
 }
 
-// Counts the calls of the session in a run without orders.
+// The number of calls that the simulation makes to a session without orders.
 int count_calls(const std::string& text) {
   const test::TemporaryFolder folder;
   return std::stoi(
@@ -76,8 +76,8 @@ void compare_random_sessions(const std::string& text, std::uint64_t first, int c
   }
 }
 
-// Compares sessions with orders in close succession, some of which arrive while the previous one is
-// still being delivered.
+// Compares sessions with many orders in a short time. Some orders arrive while the program is still
+// receiving the previous one.
 void compare_dense_sessions(const std::string& text, std::uint64_t seed, int count) {
   const int calls = count_calls(text);
   base::Random random(seed);
@@ -106,8 +106,8 @@ TEST(LiveSession, OrdersInOneMomentAfterTheOtherAreRunAgainAsTheyWere) {
   compare_dense_sessions(IIRRA + "[[stage]]\n", 302, 8);
 }
 
-// The commands of one session are given again to the run of its recording. None of them has a name
-// for what it saves, which the recording has already.
+// A session on the recording of an earlier session gets the same commands again. No command names a
+// file to save, because the recording already contains the name.
 TEST(LiveSession, EveryControlWorksOnARecordingAsOnItsOriginal) {
   const std::string text = FARM + "[[stage]]\n";
   const int calls = count_calls(text);
@@ -131,7 +131,8 @@ TEST(LiveSession, EveryControlWorksOnARecordingAsOnItsOriginal) {
   }
 }
 
-// Sessions that are ended by hand, one on the recording of the other. The user leaves once.
+// Sessions that end by hand; the second one uses the recording of the first. The simulated user
+// leaves only once.
 TEST(LiveSession, ARecordingCanBeEndedByHandAgain) {
   const test::TemporaryFolder folder;
   for (const std::string& text :
@@ -149,7 +150,7 @@ TEST(LiveSession, ARecordingCanBeEndedByHandAgain) {
     });
 }
 
-// The file has an order long after the picture is complete.
+// The file has an order long after the time at which the picture is complete.
 TEST(LiveSession, ALateOrderOfTheFileIsWaitedFor) {
   compare_session(FARM + "[[order]]\nat_s = 100\nsave = \"late\"\n", {});
 }
@@ -164,8 +165,8 @@ TEST(LiveSession, FaultsOfRoutersAreRunAgainAsTheyWere) {
   compare_session(text, {{calls / 3, Command{{"do", "fault"}, {"processor", 4}}}});
 }
 
-// The routers' buffers are full, so a process throws an exception. It then waits for nothing that
-// the page could describe.
+// The buffers of the routers are full, so a process throws an exception. Afterwards it waits for
+// nothing that a page could describe.
 TEST(LiveSession, AProcessThatThrewIsNotLookedAt) {
   const test::TemporaryFolder folder;
   const std::string text =
@@ -212,7 +213,7 @@ TEST(LiveSession, WhoWatchesChangesNothing) {
   }
 }
 
-// At the speed of 1e9, frames may follow each other immediately.
+// At a speed of 1e9, there is no least time between frames.
 TEST(LiveSession, FramesAreMadeForPagesThatWantThem) {
   const test::TemporaryFolder folder;
   run_isolated([&] {

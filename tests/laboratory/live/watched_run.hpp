@@ -1,4 +1,4 @@
-// A live run with commands at given moments, and the run of its recording.
+// A live run with commands at given moments, and `tlab run` of its recording.
 #pragma once
 
 #include <map>
@@ -11,8 +11,9 @@
 
 namespace laboratory {
 
-// Forwards all calls to a session. Gives each command after a number of calls, or as soon as the
-// run waits. When the run waits for the user and no command is left, it ends the interactive phase.
+// Forwards all calls of the simulation to a session. Gives the session each command after the given
+// number of calls, or as soon as the run waits. If the run waits for the user and no command is
+// left, ends the interactive phase.
 struct Driven : observe::RunController {
   Driven(Session& session, std::multimap<int, Session::Command> commands)
       : session(session), commands(std::move(commands)) {}
@@ -43,7 +44,7 @@ struct Driven : observe::RunController {
   int calls = 0;
 };
 
-// The parts that must agree in two runs: rows, notes, and the contents of images.
+// The parts of a result that must be equal in both runs: rows, notes, and the contents of images.
 inline std::string text_of(PointResult result) {
   auto json = to_json(result);
   json.erase("host");
@@ -54,7 +55,7 @@ inline ExperimentFile read(const std::string& text, const std::string& folder) {
   return load_experiment({text, "e.toml", folder}, {{"run.engine", make_node("direct")}});
 }
 
-// The same point, run by tlab run.
+// The result of the same point if `tlab run` simulates it.
 inline std::string run_alone(const std::string& text, const std::string& folder,
                              double until_s = std::numeric_limits<double>::infinity()) {
   const auto file = read(text, folder);
@@ -68,7 +69,7 @@ struct Watched {
   std::string result, recording;
   std::vector<std::string> replies;
   std::optional<double> ended_by_hand_s;
-  std::shared_ptr<const Frame> frame;  // last frame of the session
+  std::shared_ptr<const Frame> frame;  // the last frame of the session
   int calls = 0;
 };
 
