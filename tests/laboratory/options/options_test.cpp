@@ -1,4 +1,4 @@
-// Options that several commands share: their values, and their help.
+// Options that several commands share: their values and their help.
 #include "experiments/laboratory/options/options.hpp"
 
 #include <gtest/gtest.h>

@@ -23,7 +23,7 @@ void expect_place(const Place& found, double x, double y) {
 TEST_F(PlacesOf, ANetworkAreThoseOfItsDrawing) {
   const auto network = topologies::make_line(3);
   const auto drawn = topologies::make_layout(network).processors;
-  auto* last = &lab.cpu();  // a processor outside the network, above its root
+  auto* last = &lab.cpu();  // processor 0, which is outside the network, above its root
   for (int i = 0; i < 3; ++i) last = &lab.neighbour(*last);
   const auto places = place_processors(lab.machine, network, {1, 2, 3});
   ASSERT_EQ(places.size(), 4u);
@@ -31,8 +31,8 @@ TEST_F(PlacesOf, ANetworkAreThoseOfItsDrawing) {
   expect_place(places[0], drawn[0].x, drawn[0].y + 1);
 }
 
-// Other processors are placed above their neighbour if that position is free. Rounding may make the
-// distance slightly less than 1.
+// A processor outside the network is placed above its neighbour if that position is free. Rounding
+// may make the distance to another processor slightly less than 1.
 TEST_F(PlacesOf, OthersAreBesideThoseThatTheyAreJoinedTo) {
   auto& root = lab.cpu();
   lab.neighbour(root);

@@ -1,4 +1,4 @@
-// Tests the contents of results.schema.json, and how numbers are written in run.json.
+// The contents of results.schema.json, and how numbers are written in run.json.
 #include <nlohmann/json.hpp>
 
 #include "experiments/laboratory/table/table.hpp"

@@ -1,4 +1,5 @@
-// Images of programs: stored by content, placed once, and shown under distinguishing names.
+// Images of programs: stored by their content, copied once to the results, and shown under names
+// that distinguish them.
 #include "experiments/laboratory/points/images.hpp"
 
 #include "experiments/laboratory/points/point_store.hpp"
@@ -31,7 +32,7 @@ TEST(ExperimentsImages, AreFilesNamedByContent) {
   EXPECT_EQ(folder.names().size(), 3u) << "and nothing else is left behind";
 }
 
-// A record with a missing image does not count, so the point runs again.
+// A record does not count if one of its images is missing; the point is simulated again.
 TEST(ExperimentsImages, ARecordNeedsAllOfItsImages) {
   const TemporaryFolder folder;
   const auto records = folder.path / records_folder();
@@ -52,7 +53,8 @@ TEST(ExperimentsImages, ARecordNeedsAllOfItsImages) {
   }
 }
 
-// Images of four points depend only on x, except that of the third point. Their names show this.
+// Four points have an image that depends only on x, except that the third point has its own. The
+// names of the images show this.
 TEST(ExperimentsImages, EqualOnesArePlacedOnceUnderWhatSetsThemApart) {
   const TemporaryFolder folder;
   const auto records = folder.path / "records", placed = folder.path / "placed";
@@ -78,8 +80,8 @@ TEST(ExperimentsImages, EqualOnesArePlacedOnceUnderWhatSetsThemApart) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(placed), {}), 4);
 }
 
-// A stage's key image may differ from machine to machine. Its name then contains the axes that
-// change it. An image that is the same on all machines keeps its own name.
+// The key image of a stage may differ between machines. Its name then contains the axes on which it
+// depends. A key image that is the same on all machines keeps its plain name.
 TEST(ExperimentsImages, NamedOnesAreToldApartOnlyWhereTheyDiffer) {
   const TemporaryFolder folder;
   const auto records = folder.path / "records", placed = folder.path / "placed";

@@ -1,4 +1,4 @@
-// Programs with named choices, several rows per point, and notes.
+// Programs with choices as parameters, several rows for each point, and notes.
 #include <fstream>
 
 #include "base/errors.hpp"
@@ -35,8 +35,8 @@ TEST(ExperimentsChoices, AreTextsInTheFile) {
   }
 }
 
-// Three processors in a line or a ring, with `pairs` of all or root: four points of three rows
-// each.
+// Three processors in a line or a ring, with the parameter `pairs` = all or root: four points with
+// three rows each.
 struct Parts : Sweep {
   Parts() {
     std::ofstream(folder.path / "ref.csv")
@@ -86,7 +86,7 @@ TEST_F(Parts, PointsOneByOneGiveTheSameResults) {
   const auto merged = tlab(folder.path, {"merge", "s"});
   ASSERT_EQ(merged.exit_code, 0) << merged.err;
   auto expected = visible("r"), found = visible("s");
-  // the page contains the folder's name
+  // the page contains the name of the folder
   for (auto* files : {&expected, &found}) files->erase("report.html");
   EXPECT_EQ(expected, found);
   ASSERT_EQ(tlab(folder.path, {"report", "s"}).exit_code, 0);
@@ -113,7 +113,7 @@ TEST_F(Parts, NotesNameTheirPoint) {
   EXPECT_TRUE(contains(all.out, "\n...\n")) << all.out;
 }
 
-// The second of three points failed, and the third was cut short.
+// The second of three points failed, and the third was ended early.
 TEST(ExperimentsParts, APointWithoutRowsKeepsOneWithoutParts) {
   const auto file =
       load(MINIMAL + "[sweep]\nworkers = [2, 3, 4]\n[network]\ntopology = \"line\"\n" +

@@ -1,4 +1,4 @@
-// Keys of points, which are equal if the results are equal.
+// Keys of points: points with equal keys have equal results.
 #include "experiments/laboratory/points/point_store.hpp"
 
 #include <gtest/gtest.h>
@@ -10,7 +10,7 @@
 namespace laboratory {
 namespace {
 
-// A key changes with everything that changes the result, and with nothing else.
+// A key depends on everything that the result depends on, and on nothing else.
 TEST(ExperimentsPointKey, DependsOnWhatAPointDoes) {
   const double never = std::numeric_limits<double>::infinity();
   const auto key = [&](const std::string& text, double until_s = 1e300) {

@@ -1,4 +1,4 @@
-// Speed-ups of programs that have them.
+// Speed-ups in the results of programs.
 #include "experiments/laboratory/points/results.hpp"
 
 #include <gtest/gtest.h>
@@ -34,7 +34,8 @@ TEST(ExperimentsSpeedups, AreAgainstOneProcessorAndOtherwiseTheSame) {
   EXPECT_EQ(table.rows[5][3], Value()) << "no ring of one";
 }
 
-// The time of a run that was cut short yields no speed-up, neither as numerator nor as base.
+// The time of a point that was ended early gives no speed-up, neither for itself nor as the base of
+// others.
 TEST(ExperimentsSpeedups, NeedRunsThatCameToTheirEnd) {
   for (const char* ended : {"limit", "interrupt", "deadlock"}) {
     auto table = make({{"mesh", I{1}, 8.0, {}, {}, ended},
@@ -58,7 +59,7 @@ TEST(ExperimentsSpeedups, NeedAnAxisOfProcessors) {
   EXPECT_EQ(table.rows[0][3], Value());
 }
 
-// A column of a run's results, one string per row.
+// The cells of a column in the results of a run, as strings.
 std::vector<std::string> run_column(const TemporaryFolder& folder, const std::string& network,
                                     const std::string& column) {
   std::ofstream(folder.path / "e.toml") << "[image]\nwidth = 12\nheight = 8\n[scene]\nobjects = 9\n"
@@ -70,7 +71,7 @@ std::vector<std::string> run_column(const TemporaryFolder& folder, const std::st
   return cells;
 }
 
-// A single worker is run additionally only if the sweep has none.
+// A single worker is simulated in addition only if the sweep has no point with one.
 TEST(ExperimentsSpeedups, OfANetworkWithASizeOfItsOwnAreAgainstASingleWorker) {
   const TemporaryFolder folder;
   const auto records = [&] {
@@ -93,8 +94,8 @@ TEST(ExperimentsSpeedups, OfANetworkWithASizeOfItsOwnAreAgainstASingleWorker) {
   EXPECT_EQ(records(), 2u);
 }
 
-// A run of a single worker that was cut short is no base, whether it is part of the sweep or
-// additional.
+// A single worker that was ended early is no base for speed-ups, whether it belongs to the sweep or
+// was simulated in addition.
 TEST(ExperimentsSpeedups, ASingleWorkerThatIsCutShortIsNoBase) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "e.toml") << "[image]\nwidth = 12\nheight = 8\n[scene]\nobjects = 9\n"

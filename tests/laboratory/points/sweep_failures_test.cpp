@@ -1,4 +1,4 @@
-// Sweeps with failing points, results of another experiment, mistakes, and full disks.
+// Sweeps with points that fail, results of another experiment, mistakes in files, and full disks.
 #include <signal.h>
 #include <sys/resource.h>
 
@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The first and the third point run out of memory.
+// The first and the third point fail for lack of simulated memory.
 const char* const SOME_FAIL =
     "[image]\nwidth = 16\nheight = 12\n[[check]]\nname = \"c\"\nof = \"rays\"\nwithin = 1e-9\n"
     "formula = \"rays\"\n[sweep]\n"
@@ -51,7 +51,7 @@ TEST_F(Sweep, PointsThatFailAreNamedAndTheOthersKept) {
   EXPECT_EQ(json["complete"], false);
   EXPECT_TRUE(contains(json["points"][0]["message"], "out of memory"));
   EXPECT_TRUE(json["points"][1].contains("use"));
-  // Failed points run again. With --point, the exit code is that of this point.
+  // Failed points are simulated again. With --point, the exit code is that of the chosen point.
   EXPECT_TRUE(contains(run({"-o", "r1", "--list"}).out, "workers = 2\tthere"));
   const auto again = run({"-o", "r1"});
   EXPECT_EQ(again.exit_code, 3);
@@ -80,8 +80,8 @@ TEST_F(Sweep, NothingIsWrittenIfAllPointsFail) {
   EXPECT_EQ(folder.names(), Arguments{"e.toml"});
 }
 
-// The first point fails. The second has the same images, and provides the key images and the
-// report.
+// The first point fails. The second has the same images, so the report and the key images come from
+// it.
 TEST_F(Sweep, KeyImagesOutliveAPointThatFails) {
   ASSERT_EQ(run({"-o", "whole", "--set", "sweep.objects=[20]"}).exit_code, 0);
   write_file(folder.path / "e.toml",
@@ -93,7 +93,7 @@ TEST_F(Sweep, KeyImagesOutliveAPointThatFails) {
   EXPECT_TRUE(contains(visible("r")["report.html"], "spheres-20-stage1, after"));
 }
 
-// Images without records may belong to another process that has not yet written its records.
+// Images without a record may belong to another process that has not written its record yet.
 TEST_F(Sweep, ImagesOfOtherProcessesStay) {
   write_file(folder.path / "e.toml", SOME_FAIL);
   ASSERT_EQ(run({"-o", "r", "--point", "1"}).exit_code, 0);
@@ -107,7 +107,7 @@ TEST_F(Sweep, ImagesOfOtherProcessesStay) {
   EXPECT_EQ(count(), before);
 }
 
-// A defect of tlab outweighs a fault of the simulated program, whatever their order.
+// A defect of tlab has precedence over a fault of the simulated program, in any order.
 TEST(ExperimentsFailures, OfSeveralTheLowestExitCodeCounts) {
   const auto file = load("[sweep]\nworkers = [1, 2, 3]\n");
   const auto code_of = [&](const std::vector<int>& codes) {
@@ -159,7 +159,8 @@ TEST_F(Sweep, ResultsOfAnotherExperimentAreNotTouched) {
       EXPECT_TRUE(contains(refused.err, told)) << refused.err;
       EXPECT_EQ(visible("r"), before);
     }
-  // The results are accepted under another title, and by any experiment if they name none.
+  // Results are accepted for the same file with another title, and by any experiment if they name
+  // no experiment.
   EXPECT_EQ(run({"-o", "r"}).exit_code, 0);
   fs::remove_all(folder.path / "r/points");
   EXPECT_EQ(tlab(folder.path, {"run", "other.toml", "-o", "r"}).exit_code, 2);
@@ -167,8 +168,8 @@ TEST_F(Sweep, ResultsOfAnotherExperimentAreNotTouched) {
   EXPECT_EQ(tlab(folder.path, {"run", "other.toml", "-o", "r"}).exit_code, 0);
 }
 
-// The folder already has records for all points of other.toml, so running it would write no record.
-// The experiments must be compared before the run.
+// The folder already has records of all points of other.toml, so a run would write no record. The
+// experiments must be compared before the run.
 TEST_F(Sweep, AnotherExperimentWithTheSamePointsIsRefused) {
   std::ofstream(folder.path / "other.toml") << "title = \"other\"\n" << SWEEP;
   ASSERT_EQ(run({"-o", "r"}).exit_code, 0);
@@ -179,7 +180,8 @@ TEST_F(Sweep, AnotherExperimentWithTheSamePointsIsRefused) {
   EXPECT_EQ(visible("r"), before);
 }
 
-// A folder that the user made stays. A folder that the run made is removed on failure.
+// A results folder that the user has made remains. A folder that the run has made is removed if the
+// run fails.
 TEST_F(Sweep, AFolderThatWasThereOutlivesARunThatFails) {
   std::ofstream(folder.path / "e.toml") << "[program]\nname = \"deadlock\"\n";
   fs::create_directory(folder.path / "made");
@@ -187,7 +189,8 @@ TEST_F(Sweep, AFolderThatWasThereOutlivesARunThatFails) {
   EXPECT_EQ(folder.names(), (Arguments{"e.toml", "made"}));
 }
 
-// The process that writes the first record owns the folder. Others fail at their first record.
+// The process that writes the first record owns the folder. The other process fails at its first
+// record.
 TEST_F(Sweep, OfTwoExperimentsStartedAtOnceOneHasTheFolder) {
   std::ofstream(folder.path / "other.toml") << "title = \"other\"\n" << SWEEP;
   for (int i = 0; i < 5; ++i) {
@@ -209,7 +212,7 @@ TEST_F(Sweep, OfTwoExperimentsStartedAtOnceOneHasTheFolder) {
   for (const auto& name : folder.names()) EXPECT_FALSE(name.starts_with('.')) << name;
 }
 
-// Partial records of killed processes are removed. Those of live processes stay.
+// Half-written records of killed processes are removed. Those of running processes remain.
 TEST_F(Sweep, HalfWrittenRecordsOfKilledProcessesGo) {
   ASSERT_EQ(run({"-o", "r", "--point", "0-5"}).exit_code, 0);
   const auto store = records("r")[0].parent_path();
@@ -221,7 +224,7 @@ TEST_F(Sweep, HalfWrittenRecordsOfKilledProcessesGo) {
   EXPECT_TRUE(fs::exists(alive));
 }
 
-// Puts a failing program of this name first on PATH while the object lives.
+// Puts a program with this name that always fails first on PATH, while the object lives.
 class Failing {
  public:
   Failing(const fs::path& folder, const char* name) {
@@ -266,7 +269,7 @@ TEST_F(Sweep, DrawingsThatFailCostNoResults) {
   }
 }
 
-// A failed check outweighs a failed drawing. Both are reported.
+// A failed check has precedence over a failed drawing. Both are reported.
 TEST_F(Sweep, ADrawingThatFailsHidesNoCheck) {
   const Failing failing(folder.path / "bin", "gnuplot");
   const auto failed = run({"-o", "r", "--set", "check=[{name=\"c\", of=\"rays\", at_most=1}]"});
@@ -292,7 +295,7 @@ TEST_F(Sweep, ARecordThatCannotBeReadCostsItsDrawingAlone) {
   EXPECT_EQ(visible("r").size(), networks - 1);
 }
 
-// An unknown column name is found after the first point, whose result is kept.
+// An unknown name of a column is noticed after the first point, whose result is kept.
 TEST_F(Sweep, ATypoInACheckCostsNoPoint) {
   const auto mistaken = run({"-o", "r", "--jobs", "1", "--set", "let={half=\"rayz / 2\"}", "--set",
                              "check=[{name=\"c\", of=\"rays\", within=1, formula=\"half\"}]"});
@@ -332,7 +335,7 @@ TEST_F(Sweep, MistakesAreNamed) {
   EXPECT_EQ(folder.names(), Arguments{"e.toml"});
 }
 
-// JSON cannot express the file's name, so the file is refused before anything runs.
+// JSON cannot contain the file's name, so the file is refused before any simulation.
 TEST_F(Sweep, AFileWhoseNameIsNoUtf8IsRefused) {
   const std::string name = "e\xff.toml", folder_name = "f\xff";
   fs::copy(folder.path / "e.toml", folder.path / name);
@@ -347,7 +350,7 @@ TEST_F(Sweep, AFileWhoseNameIsNoUtf8IsRefused) {
   EXPECT_FALSE(fs::exists(folder.path / "r"));
 }
 
-// Simulates a full disk: no file may exceed `bytes`.
+// Simulates a full disk: no file may become larger than `bytes`.
 Outcome run_with_limit(const fs::path& folder, const Arguments& arguments, rlim_t bytes) {
   rlimit old{};
   getrlimit(RLIMIT_FSIZE, &old);

@@ -1,4 +1,4 @@
-// Sweeps in parts: records of points, and resumed, merged and extended runs.
+// Sweeps in several parts: records of points, and runs that are resumed, merged and extended.
 #include <fmt/format.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -41,7 +41,7 @@ TEST_F(Sweep, AnyHistoryGivesTheSameBytes) {
   EXPECT_EQ(visible("resumed"), expected);
 }
 
-// The folder of the experiment is found from any current folder.
+// The experiment's folder is found, whatever the current folder is.
 TEST_F(Sweep, ItIsMergedFromAnyFolder) {
   write_file(folder.path / "s.nff",
              "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\n"
@@ -91,7 +91,7 @@ TEST_F(Sweep, DamagedRecordsAreNamedAndRunAgain) {
   ASSERT_EQ(files.size(), 6u);
   const auto whole = read_file(files[0]);
   write_file(files[0], std::string_view(whole).substr(0, whole.size() / 2));
-  write_file(files[1], read_file(files[2]));  // replaces a record by that of another point
+  write_file(files[1], read_file(files[2]));  // replaces a record by the record of another point
   auto changed = read_file(files[3]);
   ++changed[changed.size() / 2];
   write_file(files[3], changed);

@@ -1,4 +1,4 @@
-// Traces in the Trace Event Format, read back by a JSON parser.
+// Traces in the Trace Event Format, as a JSON parser reads them.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,7 +16,7 @@ using nlohmann::json;
 
 struct Events {
   std::map<std::string, std::vector<json>> by_category;
-  // names of processes and tracks, by keys such as "process_name 1 1"
+  // names of processes and tracks; the keys are like "process_name 1 1"
   std::map<std::string, json> names;
 };
 
@@ -33,7 +33,7 @@ Events read(const std::string& text) {
   return events;
 }
 
-// Compares times to the nanosecond, the resolution of the file.
+// Compares times with the resolution of the file, one nanosecond.
 void expect_times(const json& event, double from_s, double to_s) {
   EXPECT_EQ(std::llround(event.at("ts").get<double>() * 1e3), std::llround(from_s * 1e9));
   EXPECT_EQ(std::llround(event.at("dur").get<double>() * 1e3),
@@ -64,7 +64,7 @@ TEST(TraceChrome, NamesProcessorsInOrderAndTheirTracks) {
   EXPECT_EQ(names["thread_name 2 5"]["name"], "link to farmer");
 }
 
-// Spans keep the order of the trace within their category, and so do transfers.
+// The spans of a category appear in the order of the trace, and so do the transfers.
 TEST(TraceChrome, HoldsEverySpanAndTransferOnce) {
   for (std::uint64_t seed = 0; seed < 60; ++seed) {
     SCOPED_TRACE(fmt::format("seed {}", seed));

@@ -1,4 +1,4 @@
-// Selection of the columns of results that are shown first.
+// The choice of the result columns that are shown first.
 #include "experiments/laboratory/points/view.hpp"
 
 #include <fmt/format.h>
@@ -9,8 +9,8 @@
 namespace laboratory {
 namespace {
 
-// Two points with the axis `refine`, three constant parameters, and results. The result `speedup`
-// is empty, and `ended` is constant; the other results are shown if the width permits.
+// Two points with the axis `refine`, three parameters that are constant, and results. The result
+// `speedup` is empty, `ended` is constant, and the other results are shown if the width permits.
 const Table OF_RADIOSITY = {.columns = {"refine", "processors", "mean", "sends", "time_s", "rays",
                                         "speedup", "useful", "ended"},
                             .axes = 1,
@@ -38,7 +38,7 @@ TEST(TableView, AxesThenWhatIsAskedThenOtherResults) {
   EXPECT_EQ(view.constants, constants);
 }
 
-// A check may refer to a column through an arbitrarily long chain of definitions.
+// A check may refer to a column through a chain of definitions of any length.
 TEST(TableView, WhatIsAskedByWayOfManyDefinitions) {
   auto file = read("[let]\nd0 = \"useful\"\n[[check]]\nname = \"c\"\nof = \"d0\"\nat_most = 3\n");
   constexpr int LENGTH = 50'000;
@@ -66,8 +66,8 @@ TEST(TableView, NamedColumns) {
             OF_RADIOSITY.columns);
 }
 
-// At any width, the first columns are present and nothing is cut. If there is room for more
-// columns, no line is wider than requested.
+// At any width, the first columns are shown and no text is cut. If more columns fit, no line is
+// wider than the width.
 TEST(TableView, FitsTheWidth) {
   const auto view = choose_view(read(""), OF_RADIOSITY);
   Texts before;

@@ -1,4 +1,4 @@
-// Plots declared by [[plot]], over a table of results.
+// Plots that an experiment declares with [[plot]], made from a table of results.
 #include "experiments/laboratory/report/exhibit.hpp"
 
 #include <cmath>
@@ -11,8 +11,8 @@
 namespace laboratory {
 namespace {
 
-// Speed-ups by Amdahl's law with serial fractions of 1/20 and 1/5. At 32 workers, the second curve
-// is 20 % below its law.
+// Speed-ups by Amdahl's law with the serial fractions 1/20 and 1/5. At 32 workers, the second curve
+// is 20 % below the law.
 struct LawsCase {
   TemporaryFolder folder;
   ExperimentFile file;
@@ -56,7 +56,7 @@ std::vector<std::string> names(const Plot& plot) {
   return names;
 }
 
-// The intervals of a curve are found by its column.
+// A curve's intervals are found by the name of its column.
 TEST(ExperimentsExhibits, ACurveKnowsTheColumnThatItShows) {
   const auto shown = LawsCase(plot("")).make();
   ASSERT_FALSE(shown[0].plot.series.empty());
@@ -140,8 +140,8 @@ TEST(ExperimentsExhibits, ReferencesStandBesideWithTheirDifferences) {
             "Speed-up: 4.8 % from the thesis on average, 4.8 % at worst, for 1 points.");
 }
 
-// The efficiencies vary around 1, where the points do not determine the serial fraction, or around
-// 1.5, where the law does not hold.
+// The efficiencies vary around 1, so that the points do not determine the serial fraction, or
+// around 1.5, where the law does not apply.
 TEST(ExperimentsExhibits, IntervalsThatSayNothingAreToldSo) {
   for (const auto& [mean, told] : std::vector<std::pair<std::string, std::string>>{
            {"1", ", so the points do not determine it."},

@@ -1,4 +1,4 @@
-// Declared plots and answers in a complete run: files, and error messages for mistakes.
+// Declared plots and answers to [[best]] in a complete run: their files, and errors for mistakes.
 #include <fmt/format.h>
 
 #include <fstream>
@@ -10,7 +10,7 @@
 namespace laboratory {
 namespace {
 
-// The problem grows with the machine.
+// The work grows with the number of workers.
 const std::string FIGURES =
     "[program]\nname = \"law\"\nscaled = 1\n[sweep]\nserial_fraction = [0.05, 0.2]\n"
     "\"workers, work_cycles\" = [[1, 10000000], [2, 20000000], [4, 40000000]]\n";
@@ -44,11 +44,11 @@ TEST(ExperimentsFigures, ARunWritesWhatItFound) {
   for (const char* part : {"What was found", "serial fraction 0.05: serial fraction by Gustafson:",
                            "still rising at 4", "<h3>most</h3>"})
     EXPECT_TRUE(contains(html, part)) << part;
-  // The folder holds results of tlab, so the next run may replace them.
+  // The folder has only files of tlab, so the next run may replace it.
   EXPECT_EQ(tlab(run.folder.path, {"run", "e.toml", "-o", "out"}).exit_code, 0);
 }
 
-// A click on a point shows the loads in its record. The largest loads are in the table too.
+// A click on a point shows the loads in its record. The table shows the largest of them too.
 TEST(ExperimentsFigures, ThePageKnowsWhyPointsAreNotFaster) {
   if (!is_gnuplot_installed()) GTEST_SKIP() << "gnuplot is not installed";
   const Trial run(
@@ -75,7 +75,7 @@ TEST(ExperimentsFigures, ThePageKnowsWhyPointsAreNotFaster) {
   EXPECT_TRUE(contains(html, "<li>Limited by ") || contains(html, "<li>Nothing is saturated"));
 }
 
-// A point that was cut short before its first task has no busy time.
+// A point that was ended before its first task has no busy time.
 TEST(ExperimentsFigures, PointsWithoutTimeHaveAReport) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "e.toml") << "[image]\nwidth = 6\nheight = 4\n";
@@ -84,7 +84,8 @@ TEST(ExperimentsFigures, PointsWithoutTimeHaveAReport) {
   EXPECT_TRUE(contains(read_file(folder.path / "out/report.html"), "\"ended\":\"limit\""));
 }
 
-// Settings that have no effect, because a network or a scene has a fixed size, are not reported.
+// The report omits settings without effect, such as `workers` for a topology with a size of its
+// own.
 TEST(ExperimentsFigures, TheReportSaysWhatRan) {
   const Trial run(
       "[image]\nwidth = 6\nheight = 4\n[network]\ntopology = \"ring:3\"\nworkers = 5\n"

@@ -1,4 +1,4 @@
-// Findings of a report about its plots and points.
+// Sentences of the report about its plots and points.
 #include "experiments/laboratory/report/findings.hpp"
 
 #include <gtest/gtest.h>
@@ -12,9 +12,9 @@ namespace {
 
 using Texts = std::vector<std::string>;
 
-// Speed-ups of two problem sizes. From 4 workers on, the speed-up of the smaller size grows as the
-// square root of their number; from 8 on, coordination limits it. The speed-up of the larger size
-// is ideal.
+// Speed-ups for two problem sizes. From 4 workers on, the speed-up of the smaller problem grows
+// with the square root of the number of workers; from 8 workers on, coordination limits it. The
+// speed-up of the larger problem is ideal.
 struct Sweep {
   Table table{.columns = {"workers", "objects", "speedup"}, .axes = 2, .rows = {}};
   std::vector<PointLoads> points;

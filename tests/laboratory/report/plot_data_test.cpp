@@ -1,4 +1,4 @@
-// Plots in the format of the page's script.
+// Plots in the format that the script of the page reads.
 #include "experiments/laboratory/report/plot_data.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,8 @@ namespace {
 
 using nlohmann::json;
 
-// Two curves of speed-ups: Amdahl's with a serial fraction of 0.1, Gustafson's with 0.2.
+// Two curves of speed-up: one by Amdahl's law with the serial fraction 0.1, one by Gustafson's with
+// 0.2.
 Plot make_example() {
   Plot plot;
   plot.name = "p";
@@ -88,7 +89,7 @@ TEST(ExperimentsPlotData, SpeedUpsHaveBothLaws) {
       {.name = "Amdahl's law (± 95 %)", .x = {1}, .y = {1}, .kind = SeriesKind::law});
   EXPECT_TRUE(serials("Amdahl's law").empty()) << "it is drawn already";
   EXPECT_EQ(serials("Gustafson's law").size(), 2u);
-  for (double& y : plot.series[1].y) y *= 4;  // a speed-up above the ideal has no serial fraction
+  for (double& y : plot.series[1].y) y *= 4;  // above the ideal: no serial fraction gives this
   EXPECT_EQ(serials("Gustafson's law").size(), 1u);
 }
 

@@ -16,7 +16,7 @@ using Names = std::vector<std::string>;
 
 Value integer(int value) { return std::int64_t{value}; }
 
-// A sweep with unordered workers, where t = objects / workers.
+// A sweep whose workers are not in ascending order, with time_s = objects / workers.
 Table make_sweep(const Names& topologies, const std::vector<int>& objects,
                  const std::vector<int>& workers) {
   Table table{
@@ -252,7 +252,7 @@ TEST(ExperimentsDrawing, DrawsEveryKindOfAxis) {
       }
 }
 
-// The legend ends above the lower edge of the drawing, whatever the length of names.
+// All lines of the legend are inside the drawing, however long the names are.
 TEST(ExperimentsDrawing, TheKeyFitsIntoTheDrawing) {
   if (!is_gnuplot_installed()) GTEST_SKIP() << "gnuplot is not installed";
   const TemporaryFolder folder;
@@ -290,7 +290,7 @@ TEST(ExperimentsDrawing, ASecondPanelShowsDifferences) {
   EXPECT_NO_THROW(draw_plots({plot, plot}, folder.path));
 }
 
-// Steps of 1, 2 or 5 times a power of ten, at most five in the range.
+// The distance of ticks is 1, 2 or 5 times a power of ten, and at most five fit into the range.
 TEST(ExperimentsDrawing, DifferencesHaveRoundSteps) {
   Plot plot;
   plot.series = {{.name = "s", .x = {1, 2}, .y = {1, 2}}};

@@ -13,7 +13,7 @@ namespace {
 
 using std::string_literals::operator""s;
 
-// A PNG with one black pixel.
+// A PNG file with one black pixel.
 const std::string PNG =
     "\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\1\0\0\0\1\x08\0\0\0\0\x3a\x7e\x9b\x55\0\0\0\nIDAT\x78\x9c"
     "\x63\x60\0\0\0\2\0\1\x48\xaf\xa4\x71\0\0\0\0IEND\xae\x42\x60\x82"s;
@@ -48,7 +48,7 @@ std::size_t count(const std::string& text, const std::string& what) {
   return found;
 }
 
-// The page without its scripts and their data.
+// The page without its scripts and the data for them.
 std::string without_scripts(const std::string& html) {
   auto text = html;
   for (auto at = text.find("<script"); at != std::string::npos; at = text.find("<script"))
@@ -115,7 +115,7 @@ TEST(ExperimentsReport, NeedsNothingFromOutside) {
     EXPECT_TRUE(target.starts_with("data:") || target.starts_with("#")) << it->str();
     ++references;
   }
-  EXPECT_EQ(references, 4u);  // the image, the CSV, and a reference in each plot
+  EXPECT_EQ(references, 4u);  // the image, the CSV file, and one reference in each of two plots
   EXPECT_EQ(count(html, "@import"), 0u);
   EXPECT_EQ(count(html, "<link"), 0u);
 }
@@ -127,7 +127,7 @@ TEST(ExperimentsReport, EscapesEveryText) {
     EXPECT_EQ(count(html, tag), 0u) << tag;
   EXPECT_EQ(count(html, "<script"), 2u);
   EXPECT_EQ(count(html, "</script"), 2u);
-  // the text appears in title, heading and experiment
+  // the text is in the title, the heading and the experiment
   EXPECT_EQ(count(html, "&lt;script&gt;"), 3u);
   Report report;
   report.title = "{{<&>}}\"'\x01";
@@ -185,7 +185,7 @@ TEST(ExperimentsReport, TagsAreBalanced) {
   EXPECT_GT(closed, 50);
 }
 
-// The data of the element that the page's script reads.
+// The JSON data that the script of the page reads.
 nlohmann::json read_data(const std::string& html) {
   const std::string begin = "<script type=\"application/json\"";
   const auto from = html.find('>', html.find(begin)) + 1;
@@ -220,8 +220,8 @@ TEST(ExperimentsReport, OnlyPagesWithChartsContainTheirLibrary) {
   EXPECT_EQ(count(make_report(report), copyright), 1u);
 }
 
-// The page's policy names its scripts by a nonce. The author of a text in the page does not know
-// the nonce.
+// The page allows only scripts that carry its nonce. The author of a text in the results cannot
+// know the nonce.
 TEST(ExperimentsReport, NoOtherScriptRuns) {
   const TemporaryFolder folder;
   auto report = make_example(folder);
@@ -258,7 +258,7 @@ TEST(ExperimentsReport, BadFilesAreNamed) {
             std::string::npos);
 }
 
-TEST(ExperimentsReport, Base64AsInTheStandard) {  // examples of RFC 4648, section 10
+TEST(ExperimentsReport, Base64AsInTheStandard) {  // the examples of RFC 4648, section 10
   EXPECT_EQ(to_base64(""), "");
   EXPECT_EQ(to_base64("f"), "Zg==");
   EXPECT_EQ(to_base64("fo"), "Zm8=");

@@ -1,4 +1,4 @@
-// Plots over results of several seeds: curves of means with error bars.
+// Plots of results for several seeds: curves of means with error bars.
 #include <cmath>
 
 #include "experiments/laboratory/report/findings.hpp"
@@ -10,8 +10,8 @@
 namespace laboratory {
 namespace {
 
-// Two networks, three loads and five seeds in the order of a sweep; t = load + 0.1 (seed - 3), and
-// the mesh takes 1 more.
+// Two networks, three loads and five seeds, in the order of a sweep. t = load + 0.1 (seed - 3), and
+// 1 more for the mesh.
 Table make_seed_sweep() {
   Table table{.columns = {"topology", "load", "seed", "t"}, .axes = 3, .rows = {}};
   for (const std::int64_t mesh : {0, 1})
@@ -32,7 +32,7 @@ TEST(ExperimentsSeedPlots, HaveOnePointForAllSeeds) {
   EXPECT_NEAR(line.y[1], 2, 1e-12);
   EXPECT_EQ(line.rows, (RowList{0, 5, 10}));
   ASSERT_TRUE(line.has_bars);
-  // s = 0.1581, t(4) = 2.776
+  // standard deviation s = 0.1581, and Student's t = 2.776 for 4 degrees of freedom
   EXPECT_NEAR(line.high[1] - line.low[1], 2 * 2.77645 * 0.15811 / std::sqrt(5), 1e-4);
 }
 
@@ -51,7 +51,7 @@ TEST(ExperimentsSeedPlots, DrawErrorBarsAndNoBand) {
   EXPECT_TRUE(contains(make_plot_data(plot, table), "\"bars\":true"));
 }
 
-// The paired difference between the networks is exactly 1.
+// For each seed, the difference between the networks is exactly 1.
 TEST(ExperimentsSeedPlots, FindingsQuoteIntervals) {
   const auto table = make_seed_sweep();
   const auto plots = make_plots(table, {"t"});
@@ -62,7 +62,8 @@ TEST(ExperimentsSeedPlots, FindingsQuoteIntervals) {
   EXPECT_TRUE(contains(findings.back(), "the difference is 1 ± ")) << findings.back();
 }
 
-// Two seeds with pictures that grow at different times: the second takes twice as long.
+// The picture of the second seed grows in the same way as that of the first, but takes twice as
+// long.
 TEST(ExperimentsSeedPlots, GrowthIsAveragedInTime) {
   Table growth{.columns = {"seed", "growth_s", "ssim", "border_energy"},
                .axes = 1,

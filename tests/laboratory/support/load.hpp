@@ -1,4 +1,4 @@
-// An experiment loaded from a text, as if from a file e.toml.
+// Loads an experiment from a text, as if it were a file e.toml.
 #pragma once
 
 #include <fstream>
@@ -29,7 +29,7 @@ inline std::vector<std::string> axes_of(const ExperimentFile& file) {
   return names;
 }
 
-// The value of a parameter, and its text for display.
+// The value of a parameter, and the same value as text for display.
 inline base::Scalar get_value(const Experiment& e, const std::string& parameter) {
   return e.program->find(parameter)->get(e.params);
 }
@@ -37,7 +37,7 @@ inline std::string show_value(const Experiment& e, const std::string& parameter)
   return base::to_text(get_value(e, parameter));
 }
 
-// The farm's parameters, and its number of objects.
+// The farm's parameters, and the number of objects in its scene.
 inline const farm::ProgramParams& farm_of(const Experiment& e) {
   return std::any_cast<const farm::ProgramParams&>(e.params);
 }

@@ -1,4 +1,4 @@
-// A run that takes almost no time.
+// Arguments for a run that takes almost no time.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace laboratory {
 
-/// Arguments that run the farm of experiments/farm.toml with three workers, 16 x 12 pixels and 20
-/// spheres. `more` is appended.
+/// Arguments that run the farm of experiments/farm.toml on three workers with 16 x 12 pixels and 20
+/// spheres. `more` follows them.
 inline std::vector<std::string> one_point(const std::vector<std::string>& more) {
   std::vector<std::string> all{"run",   ::test::in_sources("experiments/farm.toml"),
                                "--set", "image.width=16",

@@ -1,4 +1,4 @@
-// Functions that tests of the laboratory share: files, and whether gnuplot is installed.
+// Functions that the tests of the laboratory share.
 #pragma once
 
 #include <gtest/gtest.h>

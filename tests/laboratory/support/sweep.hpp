@@ -1,4 +1,5 @@
-// A small sweep in its own folder, and the files that its runs leave there.
+// A test fixture with a small sweep in a folder of its own, and the files that its runs leave
+// there.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -12,7 +13,7 @@ namespace laboratory {
 
 using Arguments = std::vector<std::string>;
 
-// Six points with two images, key images and a check.
+// Six points with two different images, key images and a check.
 inline const char* const SWEEP =
     "[image]\nwidth = 12\nheight = 8\n[[stage]]\nmin_cell = 4\n[[stage]]\n"
     "[[check]]\nname = \"c\"\nof = \"rays\"\nwithin = 1e-9\nformula = \"rays\"\n"
@@ -25,7 +26,7 @@ struct Sweep : testing::Test {
     more.insert(more.begin(), {"run", "e.toml"});
     return tlab(folder.path, more);
   }
-  // The user-visible files of a results folder: their contents by name.
+  // The contents of the user-visible files of a results folder, by name.
   std::map<std::string, std::string> visible(const std::string& name) const {
     std::map<std::string, std::string> files;
     const auto root = folder.path / name;

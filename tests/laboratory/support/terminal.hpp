@@ -1,4 +1,4 @@
-// Execution of a part of a test on a terminal.
+// Executes a part of a test on a terminal.
 #pragma once
 
 #include <pty.h>
@@ -11,7 +11,8 @@
 
 namespace laboratory {
 
-/// The terminal output of `body`, which runs in its own process. Lines end with "\r\n".
+/// Executes `body` in a process of its own whose streams are a terminal, and returns the output.
+/// Lines end with "\r\n".
 inline std::string on_terminal(const std::function<void()>& body) {
   std::fflush(nullptr);
   int terminal = -1;

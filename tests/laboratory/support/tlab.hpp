@@ -1,4 +1,4 @@
-// The command in its own process.
+// Runs the command tlab in a process of its own.
 #pragma once
 
 #include <sys/wait.h>
@@ -21,8 +21,8 @@ struct Outcome {
   std::string out, err;
 };
 
-/// Starts tlab with `folder` as its current folder, and `handler` for the signals that ask it to
-/// end. Its output goes to the files .out and .err in that folder.
+/// Starts tlab with `folder` as its current folder. `handler` is the handler of the signals that
+/// ask tlab to end. Its output goes to the files .out and .err in the folder.
 inline pid_t start_tlab(const std::filesystem::path& folder, std::vector<std::string> arguments,
                         void (*handler)(int) = SIG_DFL) {
   arguments.insert(arguments.begin(), "tlab");
@@ -39,7 +39,8 @@ inline pid_t start_tlab(const std::filesystem::path& folder, std::vector<std::st
   _exit(code);
 }
 
-/// Waits for the process that start_tlab() started in `folder`, and removes the files.
+/// Waits for the end of the process that start_tlab() started in `folder`, and removes .out and
+/// .err.
 inline Outcome wait_for_tlab(const std::filesystem::path& folder, pid_t pid) {
   int status = 0;
   waitpid(pid, &status, 0);
@@ -50,8 +51,8 @@ inline Outcome wait_for_tlab(const std::filesystem::path& folder, pid_t pid) {
   return outcome;
 }
 
-/// Runs a shell line in `folder` with $TLAB as the built program. Returns the exit code, as a shell
-/// counts it.
+/// Runs a line of shell commands in `folder`, with the built program as $TLAB. Returns the exit
+/// code, or 128 + the number of the signal that ended it.
 inline int run_line(const std::filesystem::path& folder, const std::string& line) {
   const auto command =
       "cd '" + folder.string() + "' && export TLAB='" + ::test::in_build("tlab") + "' && " + line;

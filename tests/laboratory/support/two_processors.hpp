@@ -1,11 +1,12 @@
 #pragma once
-// A run of one second with known busy times of each processor and of the link.
+// A run of one second in which the busy times of each processor and of the link are known.
 #include "tests/support/lab.hpp"
 
 namespace laboratory {
 
-/// The machine has 2^24 cycles and 2^20 bytes per second. One processor computes for a quarter of a
-/// second, then sends for another quarter. Then the receiver computes for half a second.
+/// The machine has 2^24 cycles and 2^20 bytes per second. The first processor computes for a
+/// quarter of a second, and then sends for another quarter. Then the second processor computes for
+/// half a second.
 inline void start_two_processors(occam::Lab& lab) {
   auto& first = lab.cpu();
   auto& second = lab.neighbour(first);

@@ -1,4 +1,4 @@
-// Laws of speed-up on data with known serial fractions.
+// Laws of speed-up, applied to data with known serial fractions.
 #include "experiments/laboratory/table/laws.hpp"
 
 #include <gtest/gtest.h>
@@ -35,7 +35,7 @@ TEST(ExperimentsLaws, AmdahlAndGustafsonAreSunAndNisSpecialCases) {
 TEST(ExperimentsLaws, OnePointSolvesForTheSerialFraction) {
   EXPECT_NEAR(*karp_flatt(8, amdahl_speedup(0.07, 8)), 0.07, 1e-15);
   EXPECT_NEAR(*serial_gustafson(8, gustafson_speedup(0.07, 8)), 0.07, 1e-15);
-  EXPECT_NEAR(*serial_gustafson(2, 1.96), 0.04, 1e-12);  // value of the thesis, table 4.3
+  EXPECT_NEAR(*serial_gustafson(2, 1.96), 0.04, 1e-12);  // a value of the thesis, table 4.3
   EXPECT_EQ(karp_flatt(4, 4), 0);
   EXPECT_LT(*karp_flatt(4, 5), 0) << "faster than n processors can be";
   for (const auto& [n, s] : {std::pair(1.0, 1.0), {4.0, NAN}, {4.0, 0.0}, {NAN, 2.0}, {0.5, 1.0}}) {
@@ -68,8 +68,8 @@ TEST(ExperimentsLaws, FitsFindWhatMadeTheData) {
   EXPECT_NEAR(log->parameters.at(1).value, 2, 1e-12);
 }
 
-// If the minimised quantity has noise of equal variance, 95 % of the intervals contain the true
-// value. Over 1000 repeats, the standard deviation of this share is 0.7 %.
+// If the minimised quantity has noise of constant variance, 95 % of the intervals contain the true
+// value. For 1000 repeats, the standard deviation of the counted share is 0.7 %.
 TEST(ExperimentsLaws, NineteenOfTwentyIntervalsHoldTheTruth) {
   constexpr int REPEATS = 1000;
   constexpr std::uint32_t SEED = 20241;
@@ -131,7 +131,7 @@ TEST(ExperimentsLaws, TheIdealHasNoSerialPart) {
   }
 }
 
-// A speed-up that stays at 5 from five workers on: no serial fraction describes it.
+// The speed-up stays at 5 from five workers on. No serial fraction describes this.
 TEST(ExperimentsLaws, ASaturatedSpeedupFitsNoLaw) {
   std::vector<double> n, speedup;
   for (const double workers : {1, 2, 4, 8, 16, 32, 64}) {
@@ -145,7 +145,7 @@ TEST(ExperimentsLaws, ASaturatedSpeedupFitsNoLaw) {
   }
 }
 
-// Speed-ups that follow the law have no misfit, whether exactly or with an error of 1 %.
+// Speed-ups that follow a law, exactly or with an error of 1 %, are not reported as a misfit.
 TEST(ExperimentsLaws, ALawThatMadeTheDataFits) {
   std::mt19937_64 random(3);
   std::normal_distribution<double> noise(0, 0.01);

@@ -10,7 +10,7 @@
 namespace laboratory {
 namespace {
 
-// Fits the logarithm of y = a + x / b at these x.
+// values of x, at which the logarithm of y = a + x / b is fitted
 const std::vector<double> X = {1, 2, 4, 8, 16, 32, 64, 128, 256, 512};
 
 Step steps(const std::vector<double>& all) {
@@ -45,8 +45,8 @@ TEST(LeastSquares, IntervalsHoldTheirNumber) {
   for (const int count : inside) EXPECT_NEAR(count / double(TRIALS), 0.95, 0.015);
 }
 
-// A model that rounds its results is a step function. Finite differences over more than one step of
-// this function find its slope.
+// A model that rounds its results is a step function. Its slope is found by finite differences that
+// are wider than one of its steps.
 TEST(LeastSquares, StepsAreWiderThanARoundingModels) {
   std::vector<double> y;
   for (const double x : X) y.push_back(20 + x / 1.7);

@@ -1,4 +1,4 @@
-// Linear least squares: the conditions that define the solution, and known variances.
+// Linear least squares: the conditions that the solution must fulfil, and known variances.
 #include "experiments/laboratory/table/linear_fit.hpp"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ Vector draw_values(std::mt19937_64& random, std::size_t count) {
   return values;
 }
 
-// The residuals are the values minus the fitted terms, and are orthogonal to each term.
+// The residuals are the values minus the fitted terms. They are orthogonal to each term.
 TEST(LinearFit, ResidualsAreOrthogonalToTheTerms) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -39,7 +39,7 @@ TEST(LinearFit, ResidualsAreOrthogonalToTheTerms) {
   }
 }
 
-// For a line a + b x, b has the variance of a value, divided by the sum of (x - mean)^2.
+// For a line a + b x, the variance of b is that of a value, divided by the sum of (x - mean)^2.
 TEST(LinearFit, VariancesOfALineAreTheTextbooks) {
   std::mt19937_64 random(2611);
   for (int trial = 0; trial < 50; ++trial) {
@@ -57,7 +57,8 @@ TEST(LinearFit, VariancesOfALineAreTheTextbooks) {
   }
 }
 
-// Rounding leaves a small rest of the dependent term, which must not count.
+// After orthogonalisation, rounding leaves a small rest of the dependent term. It must not be
+// fitted.
 TEST(LinearFit, ATermThatDependsOnThoseBeforeItGetsZero) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

@@ -1,4 +1,4 @@
-// Bends of curves: broken power laws, with noise and without.
+// Bends of curves: power laws whose exponent changes, with noise and without.
 #include "experiments/laboratory/table/power_law.hpp"
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ TEST(ExperimentsGrowth, PowersHaveNoBend) {
   }
 }
 
-// About 1/s processors reach half of the limit of Amdahl's speed-up.
+// A number of 1/s processors reaches about half of the largest speed-up that Amdahl's law permits.
 TEST(ExperimentsGrowth, AmdahlsLawBendsNearOneOverItsSerialFraction) {
   Values x, y;
   for (int n = 1; n <= 1024; n *= 2) x.push_back(n);

@@ -1,4 +1,4 @@
-// Seeds as samples: groups of rows, means, and their confidence intervals.
+// Seeds as samples: groups of rows, their means, and confidence intervals.
 #include "experiments/laboratory/table/samples.hpp"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 Value whole(std::int64_t value) { return value; }
 
-// A table of two loads with the given seeds, where t = load + seed.
+// A table with two loads and the given seeds, where t = load + seed.
 Table make_seeded(const std::vector<int>& seeds) {
   Table table{.columns = {"load", "seed", "t"}, .axes = 2, .rows = {}};
   for (const int load : {10, 20})
@@ -45,14 +45,14 @@ TEST(ExperimentsSamples, OnlyAxesWithThatNameAreSeeds) {
   EXPECT_FALSE(is_seed("reseed"));
 }
 
-// The quantiles of a table of Student's distribution in textbooks, for 95 % two-sided.
+// Quantiles from a textbook's table of Student's distribution, for two-sided intervals of 95 %.
 TEST(ExperimentsSamples, QuantilesAgreeWithPublishedTables) {
   for (const auto& [degrees, quantile] : std::vector<std::pair<int, double>>{
            {1, 12.706}, {2, 4.303}, {4, 2.776}, {9, 2.262}, {30, 2.042}, {120, 1.980}})
     EXPECT_NEAR(student_t(0.975, degrees), quantile, 5e-4) << degrees;
 }
 
-// The half width is t(n - 1) s / sqrt(n): for 1, 2, 3 it is 4.303 / sqrt(3).
+// The half width is t(n - 1) s / sqrt(n). For the samples 1, 2, 3 it is 4.303 * 1 / sqrt(3).
 TEST(ExperimentsSamples, TheHalfWidthFollowsItsFormula) {
   const auto found = find_mean_interval({1, 2, 3});
   EXPECT_DOUBLE_EQ(found.mean, 2);
@@ -64,7 +64,7 @@ TEST(ExperimentsSamples, TheHalfWidthFollowsItsFormula) {
   EXPECT_THROW(find_mean_interval({}), std::invalid_argument);
 }
 
-// A difference is paired if both sides have the same seeds, in any order.
+// Samples are paired if both sides have the same seeds, in any order.
 TEST(ExperimentsSamples, EqualSeedsArePairs) {
   const auto table = make_seeded({1, 2, 3});
   const RowSamples a{{0, 1, 2}, {11, 22, 33}}, b{{5, 4, 3}, {34, 23, 12}};
@@ -75,7 +75,7 @@ TEST(ExperimentsSamples, EqualSeedsArePairs) {
   EXPECT_GT(compare_samples(table, a, two).half_width.value(), 10) << "Welch's interval";
 }
 
-// Counts how many of the intervals of `draw` contain the true value.
+// The share of the intervals made by `draw` that contain the true value.
 double find_share(const std::function<MeanInterval()>& draw, double truth) {
   constexpr int TRIALS = 20'000;
   int inside = 0;
@@ -83,8 +83,8 @@ double find_share(const std::function<MeanInterval()>& draw, double truth) {
   return double(inside) / TRIALS;
 }
 
-// Samples are normal with a known mean. In the second case they share an effect of the seed, which
-// is ten times as large as the rest. The standard error of the share is 0.15 %.
+// Samples are normally distributed around a known mean. In the second case, the samples of a pair
+// also share an effect of the seed, ten times as large. The standard error of the share is 0.15 %.
 TEST(ExperimentsSamples, NineteenOfTwentyIntervalsContainTheTrueMean) {
   for (const std::uint64_t seed : {1, 2})
     for (const std::size_t n : {2, 3, 5, 10}) {
@@ -105,7 +105,7 @@ TEST(ExperimentsSamples, NineteenOfTwentyIntervalsContainTheTrueMean) {
         return find_paired_difference(a, b);
       };
       EXPECT_NEAR(find_share(pairs, 2), 0.95, 0.015) << what << ", in pairs";
-      if (n < 5) continue;  // Welch's interval is approximate
+      if (n < 5) continue;  // Welch's interval is only approximate for few samples
       EXPECT_NEAR(find_share([&] { return find_difference(draw(3, 1), draw(5, 3)); }, 2), 0.95,
                   0.015)
           << what << ", independent";

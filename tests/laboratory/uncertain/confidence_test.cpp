@@ -1,4 +1,4 @@
-// Texts and drawings about the uncertainty of results.
+// Sentences and drawings about the uncertainty of results.
 #include "experiments/laboratory/uncertain/confidence.hpp"
 
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 namespace laboratory {
 namespace {
 
-// The data of the bars, one line each.
+// The data of the bars in a script, one line each.
 std::vector<std::string> bars(const std::string& script) {
   const auto from = script.find("<< END\n") + 7, to = script.find("END\nset border");
   std::vector<std::string> lines;

@@ -48,7 +48,7 @@ TEST(Draw, SharesAreEvenInTheirLogarithm) {
   EXPECT_EQ(find_in(number, 0.25), 15);
 }
 
-// Every entry with a range is drawn once, except entries that were set.
+// Every entry with a range is drawn once, except entries that the experiment sets.
 TEST(Draw, SetsEveryEntryThatHasARangeButThoseThatAreSet) {
   const machine::Overrides set = {{"scheduler.return_to_low", 20.0}};
   const auto drawn = draw_machine("t805-25", set, [](const std::string&) { return 0.9; });
@@ -60,13 +60,14 @@ TEST(Draw, SetsEveryEntryThatHasARangeButThoseThatAreSet) {
     EXPECT_EQ(std::ranges::count(drawn, entry.key, &machine::Overrides::value_type::first),
               entry.range ? 1 : 0)
         << entry.key;
-  // A drawn entry whose value is a formula remains a formula of other entries.
+  // A drawn entry whose value is a formula still depends on the other entries.
   EXPECT_NE(entry_of(after, "operation.box_test").formula.find("instruction.add"),
             std::string::npos);
 }
 
-// Whatever costs of operations are drawn, a calibrated entry is fitted so that its `holds` formula
-// keeps its value. (The entry's own drawn share is divided out before the comparison.)
+// Whatever costs of operations are drawn, a calibrated entry is fitted such that its formula
+// `holds` keeps its value. (The share drawn for the entry itself is divided out before the
+// comparison.)
 TEST(Draw, WhatIsCalibratedHoldsItsCell) {
   const auto before = machine::load_model("t805-25");
   for (std::size_t machine = 0; machine < 16; ++machine) {
@@ -88,8 +89,8 @@ TEST(Draw, WhatIsCalibratedHoldsItsCell) {
   }
 }
 
-// Throws if no value of the entry gives its `holds` formula the old value, or if the formula is not
-// linear in the entry.
+// Throws if no value of the entry gives its formula `holds` the previous value, or if the formula
+// is not linear in the entry.
 TEST(Draw, WhatCannotBeHeldIsRefused) {
   const auto draw = [](const std::string& holds) {
     const test::TemporaryFolder folder;

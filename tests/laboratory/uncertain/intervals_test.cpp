@@ -1,4 +1,4 @@
-// Intervals and influences of functions with known answers.
+// Intervals of results and influences of entries, for functions with known answers.
 #include "experiments/laboratory/uncertain/intervals.hpp"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ const Influence& find(const std::vector<Influence>& all, const std::string& entr
   return *std::ranges::find(all, entry, &Influence::entry);
 }
 
-// The interval of a table with one row and one column.
+// The interval of the only cell of a table, whose values on the machines are `results`.
 Interval interval_of(const std::vector<double>& results) {
   const auto table = [](double y) { return Table{{"y"}, 0, {{Value(y)}}, {}}; };
   std::vector<Table> machines;
@@ -54,7 +54,7 @@ bool has(const std::vector<Influence>& all, const std::string& entry) {
   return std::ranges::find(all, entry, &Influence::entry) != all.end();
 }
 
-// y = 3 x1 + x2 exactly: swings are 0.9 times the factors, and the third entry has no influence.
+// y = 3 x1 + x2 exactly. Swings are 0.9 times the factors, and the third entry has no influence.
 TEST(Influences, OfASumAreItsFactors) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const auto s = sample(3, 64, seed, [](const auto& x) { return 3 * x[0] + x[1]; });
@@ -67,8 +67,8 @@ TEST(Influences, OfASumAreItsFactors) {
   }
 }
 
-// A sum with noise, among 100 entries without effect. The factors are found within their errors,
-// and entries without effect are seldom selected.
+// A sum with noise, and 100 entries, most of them without effect. The factors are found within
+// their errors, and entries without effect are seldom selected.
 TEST(Influences, AreFoundAmongMany) {
   int others = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -87,8 +87,8 @@ TEST(Influences, AreFoundAmongMany) {
   EXPECT_LE(others, 4);
 }
 
-// The function y = exp(2 x1) exp(x2) grows from 1 to 20. The influences are the function's slopes
-// in the middle of the ranges.
+// The function y = exp(2 x1) exp(x2) grows from 1 to 20. Its influences are those of the best
+// straight lines.
 TEST(Influences, OfAProductNameItsFactors) {
   const auto s =
       sample(4, 256, 3, [](const auto& x) { return std::exp(2 * x[0]) * std::exp(x[1]); });
@@ -96,13 +96,13 @@ TEST(Influences, OfAProductNameItsFactors) {
   ASSERT_GE(all.size(), 2u);
   EXPECT_EQ(all[0].entry, "x1");
   EXPECT_EQ(all[1].entry, "x2");
-  // The best line through exp(2 u) over u has the slope 12 Cov(u, exp(2 u)) = 6, times the mean of
-  // exp(x2).
+  // The best line through exp(2 u) over u has the slope 12 Cov(u, exp(2 u)) = 6. It is multiplied
+  // by the mean of exp(x2).
   EXPECT_NEAR(all[0].swing, 0.9 * 6 * (std::exp(1) - 1), 4 * all[0].error);
 }
 
-// The function of Ishigami and Homma (1990) with a = 7, b = 0.1. Over x1 the regression has the
-// slope E[x y] / E[x x], with E[x sin x] = 1. Over x2 and x3 it has none.
+// The function of Ishigami and Homma (1990) with a = 7 and b = 0.1. Regression over x1 gives the
+// slope E[x y] / E[x x], where E[x sin x] = 1. Over x2 and x3, the slope is zero.
 TEST(Influences, OfIshigamisFunction) {
   constexpr double PI = std::numbers::pi, A = 7, B = 0.1;
   const auto s = sample(3, 4096, 11, [](const auto& q) {
@@ -113,14 +113,14 @@ TEST(Influences, OfIshigamisFunction) {
   const auto all = find_influences(s.results, s.entries, s.quantiles);
   ASSERT_EQ(all.size(), 1u);
   EXPECT_EQ(all[0].entry, "x1");
-  // expected slope per quantile
+  // the expected slope per unit of the quantile
   const double slope = (1 + B * std::pow(PI, 4) / 5) / (PI * PI / 3) * 2 * PI;
   EXPECT_NEAR(all[0].swing, 0.9 * slope, 4 * all[0].error);
   EXPECT_LT(all[0].error, 0.03 * slope);
 }
 
-// A uniform result yields the interval of the uniform distribution, which contains 90 % of fresh
-// results.
+// For a uniformly distributed result, the interval is that of the uniform distribution, which
+// contains 90 % of new results.
 TEST(Intervals, CoverWhatTheyClaim) {
   const auto y = [](const auto& x) { return x[0] + x[1]; };
   int inside = 0, all = 0;
@@ -157,7 +157,7 @@ TEST(Intervals, RowsAreMatchedByTheirAxesAndWhatIsTheSameEverywhereIsLeftOut) {
   EXPECT_EQ(intervals[1].machines, (std::vector{20., 21., 22.}));
   const auto lines = to_csv(make_intervals_table(table, intervals));
   EXPECT_EQ(lines.substr(0, lines.find('\n')), "n,column,value,p5,p50,p95");
-  machines[2].rows.pop_back();  // a machine without the row does not count
+  machines[2].rows.pop_back();  // the cell has no interval, because one machine lacks its row
   EXPECT_EQ(find_intervals(table, machines).size(), 1u);
 }
 

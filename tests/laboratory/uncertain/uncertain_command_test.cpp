@@ -1,4 +1,4 @@
-// tlab run --uncertain: its files, and its refusals.
+// `tlab run --uncertain`: its files and its refusals.
 #include <fmt/format.h>
 
 #include "experiments/laboratory/table/table.hpp"
@@ -9,7 +9,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Two points, with a check of a number that only some machines meet.
+// Two points: one worker, and three workers.
 const std::string TWO_POINTS =
     "[network]\n[scene]\nobjects = 20\n[image]\nwidth = 16\nheight = 12\n[run]\nengine = "
     "\"direct\"\n[sweep]\nworkers = [1, 3]\n";
@@ -53,7 +53,7 @@ TEST_F(Uncertain, LeavesTheResultsAsTheyAreAndTheirIntervalsBeside) {
 
 TEST_F(Uncertain, GivesTheSameBytesWithAnyJobsAndHowevOftenItIsResumed) {
   ASSERT_EQ(run({"--uncertain", "6", "--jobs", "1", "-o", "a"}).exit_code, 0);
-  // Runs some points first, as on a cluster, then the rest.
+  // Simulates some points first, as jobs on a cluster do, and then the rest.
   for (const auto* points : {"0-3", "9-11"})
     ASSERT_EQ(run({"--uncertain", "6", "--point", points, "-o", "b"}).exit_code, 0);
   const auto outcome = run({"--uncertain", "6", "--jobs", "2", "-o", "b"});
@@ -73,7 +73,7 @@ TEST_F(Uncertain, GivesTheSameBytesWithAnyJobsAndHowevOftenItIsResumed) {
 
 TEST_F(Uncertain, KilledItGoesOnToTheSameBytes) {
   ASSERT_EQ(run({"--uncertain", "6", "-o", "a"}).exit_code, 0);
-  const auto count_records = [&] {  // counts finished records, which are never removed
+  const auto count_records = [&] {  // finished records, which are never removed
     std::size_t count = 0;
     const auto points = folder.path / "b/points";
     if (!fs::exists(points)) return count;
@@ -96,7 +96,8 @@ TEST_F(Uncertain, KilledItGoesOnToTheSameBytes) {
     EXPECT_EQ(read("a/" + std::string(file)), read("b/" + std::string(file))) << file;
 }
 
-// Three workers are faster than one on any machine. Two networks of one worker are equally fast.
+// On any machine, three workers are faster than one. The two networks with one worker are equally
+// fast.
 TEST_F(Uncertain, SaysOnHowManyMachinesARankingHolds) {
   write_file(folder.path / "e.toml",
              TWO_POINTS +
