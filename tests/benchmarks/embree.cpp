@@ -12,7 +12,8 @@ using renderer::Scene;
 
 namespace {
 
-constexpr float EPSILON = 1e-4F;  // in scene units; prevents a hit at the ray's own origin
+constexpr float EPSILON = 1e-4F;  // least distance of a hit, in scene units, so that a ray does not
+                                  // hit the surface it starts on
 
 void attach(RTCDevice device, RTCScene scene, RTCGeometry geometry) {
   rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);
@@ -22,7 +23,7 @@ void attach(RTCDevice device, RTCScene scene, RTCGeometry geometry) {
   if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::runtime_error("Embree: bad scene");
 }
 
-// Adds the spheres, and the polygons as quadrilaterals.
+// Adds the spheres, and each polygon as a quadrilateral.
 void add_primitives(RTCDevice device, RTCScene target, const Scene& scene) {
   const RTCGeometry spheres = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_SPHERE_POINT);
   auto* ball = static_cast<float*>(rtcSetNewGeometryBuffer(spheres, RTC_BUFFER_TYPE_VERTEX, 0,
@@ -96,7 +97,7 @@ std::uint64_t trace(RTCScene scene, const std::vector<Query>& queries) {
 }  // namespace
 
 HitSample run_embree(const Scene& scene, const std::vector<Ray>& rays) {
-  // denormals are flushed, as the manual of Embree recommends
+  // Denormal numbers count as zero, as Embree's manual recommends.
   _MM_SET_FLUSH_ZERO_MODE(_MM_FLUSH_ZERO_ON);
   _MM_SET_DENORMALS_ZERO_MODE(_MM_DENORMALS_ZERO_ON);
   const RTCDevice device = rtcNewDevice("threads=1");

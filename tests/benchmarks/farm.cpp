@@ -27,8 +27,8 @@ farm::Result run_farm(observe::RunMonitor* monitor, bool profile, machine::Engin
                         scene, params);
 }
 
-// Records all intervals in which a process has a CPU, and all messages on links. The activities of
-// each processor are in the order of their start.
+// Records all intervals in which a process occupies a CPU, and all messages on links. The
+// activities of a processor are in the order of their starts.
 std::vector<Activity> record() {
   observe::Trace trace;
   observe::RunMonitor monitor;
@@ -51,14 +51,15 @@ std::vector<Activity> record() {
   return activities;
 }
 
-// Replays recorded activities, without the intersections that the host computes in a real run.
+// Simulates the farm again. Subtracts the host time of the kernels from its time, because the
+// simulators are compared without the computation of the picture.
 Sample simulate(std::uint64_t activities, machine::EngineParams engine) {
   farm::Result result;
   const double cpu_s = time_of([&] { result = run_farm(nullptr, true, engine); });
   return {activities, cpu_s - result.kernel_host_s, result.time_s + result.setup_s, 0};
 }
 
-// The recorded activities; the first call records them.
+// The recorded activities. The first call records them.
 const std::vector<Activity>& activities() {
   static const auto recorded = list_of_child(record);
   return recorded;

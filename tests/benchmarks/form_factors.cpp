@@ -1,5 +1,6 @@
-// Rays per second of form factors in a room of 14,000 patches, like that of figure 3.8: a window in
-// a wall, with a polygon in front of it. The target is at least 3 million on one core.
+// Rays per second in the calculation of form factors. The room has 14,000 patches and resembles
+// that of figure 3.8: a window in a wall, with a polygon in front of it. The goal is 3 million rays
+// per second on one core.
 #include "renderer/radiosity/light/solve.hpp"
 #include "tests/benchmarks/machine.hpp"
 #include "tests/benchmarks/renderers.hpp"
@@ -42,7 +43,8 @@ Room make_room() {
   return room;
 }
 
-// Collects the rays of the first shots, as the kernel casts them if delta areas are whole patches.
+// Collects the rays of the first patches that shoot light, as the kernel casts them if each patch
+// is a single delta area.
 std::vector<renderer::Ray> collect_rays(const Mesh& mesh, int shots) {
   std::vector<renderer::Ray> rays;
   for (std::size_t i = 0; i < mesh.patches.size(); ++i) {
@@ -54,7 +56,7 @@ std::vector<renderer::Ray> collect_rays(const Mesh& mesh, int shots) {
       renderer::Ray ray;
       ray.origin = to.lit;
       ray.direction = normalize(way);
-      // the ray ends before the patch, even in single precision
+      // lets the ray end before it reaches the patch, even in single precision
       ray.reach = length(way) * (1 - 1e-4);
       ray.from = to.object;
       ray.kind = renderer::RayKind::shadow;
@@ -99,7 +101,7 @@ HitSample run_queries() {
 }  // namespace
 
 void add_form_factors() {
-  // Compares the whole kernel with its rays alone.
+  // compares the whole kernel with its rays alone
   const std::string what = "form-factor rays, 14,000 patches";
   const auto add_queries = [&](const char* who, std::function<HitSample()> run) {
     add(what, who, [run](benchmark::State& state) {

@@ -24,7 +24,8 @@ void relay(Channel* before, Channel* after) {
   }
 }
 
-// A line of processors. Each but the last sends to the next, and each but the first receives.
+// A line of processors. Each processor except the last sends to the next one, and each except the
+// first receives.
 Sample line(machine::EngineParams engine) {
   Machine machine(model(), machine::Code::bare, engine);
   std::deque<Channel> channels;

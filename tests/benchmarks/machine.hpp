@@ -1,6 +1,6 @@
 #pragma once
-// Declarations shared by the benchmarks of simulated machines. Each function adds its cases for
-// run_all().
+// Declarations that the benchmarks of simulated machines share. Each function add_...() registers
+// benchmarks that run_all() executes.
 #include "simulator/machine/machine.hpp"
 #include "tests/benchmarks/pairs.hpp"
 
@@ -18,7 +18,7 @@ inline Sample run(machine::Machine& machine, std::uint64_t count) {
   return {count, cpu_s, machine.now() / machine::Seconds{1}, 0};
 }
 
-/// The engines of the machine, by the names used in the benchmarks.
+/// The engines that can simulate a machine, by the names that the benchmarks print.
 struct Engine {
   const char* by;
   machine::EngineParams params;
@@ -29,22 +29,22 @@ inline constexpr Engine ENGINES[] = {
     {"tlab actors", {.processes = machine::Processes::actors}},
 };
 
-/// Adds `run` as a case for each engine.
+/// Adds the benchmark `what` for each engine.
 template <class Run>
 void add_on_all(const std::string& what, Run run) {
   for (const Engine& engine : ENGINES)
     add_simulation(what, engine.by, [run, engine] { return run(engine.params); });
 }
 
-void add_line();       // a line of store-and-forward hops
-void add_mesh();       // routers on an 8 x 8 mesh
-void add_farm();       // the farm of chapter 4
-void add_scheduler();  // rendezvous and pre-emptions on one processor
-// message exchange between neighbours of a mesh: costs per transputer and per event
+void add_line();       // messages that are stored and forwarded along a line
+void add_mesh();       // routers on a mesh of 8 x 8 processors
+void add_farm();       // the farm of chapter 4 of the thesis
+void add_scheduler();  // rendezvous and pre-emptions of processes on one processor
+// messages between neighbours in a mesh: costs per transputer and per event
 void add_neighbours();
-void add_threads();       // message exchange with one thread of the host and with two
+void add_threads();       // the same messages, with one host thread and with two
 void add_renderers();     // the sequential renderer
-void add_noise();         // the sequential renderer with a lens and an area light
-void add_form_factors();  // rays of form factors
+void add_noise();         // the sequential renderer, with a lens and an area light
+void add_form_factors();  // rays in the calculation of form factors
 
 }  // namespace benchmarks

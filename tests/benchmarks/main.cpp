@@ -1,4 +1,4 @@
-// Speed of tlab's simulation and rendering, compared with other programs for the same work.
+// Speed of tlab's simulator and renderer, compared with other programs that do the same work.
 //
 //   benchmarks [--benchmark_filter=REGEX] [--benchmark_repetitions=N] ...     as Google Benchmark
 #include "tests/benchmarks/machine.hpp"

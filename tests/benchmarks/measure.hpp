@@ -1,6 +1,6 @@
 #pragma once
-// Measurement of host CPU time of one thread, and of memory. Speeds are meaningful only as ratios
-// within one run.
+// Measures host CPU time and memory. Measured speeds have a meaning only as ratios between programs
+// in the same run.
 #include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -17,17 +17,18 @@
 namespace benchmarks {
 
 struct Sample {
-  std::uint64_t count = 0;   // amount of work done, such as rays or hops
-  double cpu_s = 0;          // host CPU time for the work
-  double simulated_s = 0;    // simulated time at the end, for a simulation
-  double memory_kb = 0;      // increase of the resident memory, if measured
-  std::uint64_t events = 0;  // events handled by the machine; 0: not counted
-  // For a machine simulated in parts: time windows of its threads, and events on links between
-  // parts.
+  std::uint64_t count = 0;   // amount of work, such as the number of rays or hops
+  double cpu_s = 0;          // host CPU time for this work, seconds
+  double simulated_s = 0;    // simulated time at the end of a simulation, seconds
+  double memory_kb = 0;      // increase of the resident memory in KB, if measured
+  std::uint64_t events = 0;  // number of events that the machine handled; 0: not counted
+  // For a machine that several threads simulate: number of time windows in which the threads work
+  // independently, and number of events on links between the threads' parts.
   std::uint64_t windows = 0, events_between = 0;
 };
 
-// Host CPU time of this process in s, without time spent waiting for the CPU.
+// Host CPU time of this process in seconds. Time in which the process waits for the CPU does not
+// count.
 inline double cpu_time_s() {
   timespec t{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
@@ -41,7 +42,7 @@ double time_of(Body&& body) {
   return cpu_time_s() - start;
 }
 
-// Measures wall-clock time instead of CPU time, for work by several threads.
+// Measures elapsed time instead of CPU time, for work that several threads share.
 template <class Body>
 double wall_time_of(Body&& body) {
   const auto start = std::chrono::steady_clock::now();
@@ -49,15 +50,15 @@ double wall_time_of(Body&& body) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-// Resident memory of this process, KB.
+// Resident memory of this process in KB.
 inline double memory_kb() {
   double all = 0, resident = 0;
   std::ifstream("/proc/self/statm") >> all >> resident;
   return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1024;
 }
 
-// Runs `run` in a child process and returns its vector. SimGrid allows only one simulation per
-// process.
+// Calls `run` in a child process, and returns the vector that it returns. SimGrid allows only one
+// simulation for each process.
 template <class Run>
 auto list_of_child(Run&& run) {
   using List = std::invoke_result_t<Run>;
@@ -65,7 +66,7 @@ auto list_of_child(Run&& run) {
   static_assert(std::is_trivially_copyable_v<Item>);
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("no pipe for a child process");
-  std::fflush(nullptr);  // prevents the child from printing buffered output again
+  std::fflush(nullptr);  // otherwise the child would print the buffered output a second time
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("no child process");
   if (child == 0) {

@@ -20,7 +20,8 @@ occam::Proc sink(network::StoreAndForward& network, int id, int messages) {
   for (; messages > 0; --messages) co_await network.delivered(id).input();
 }
 
-// Simulates the general router. Each processor has a source and a sink.
+// Simulates the general router. Each processor has a process that sends and a process that
+// receives.
 Sample mesh(const Traffic& traffic, machine::EngineParams engine) {
   Machine machine(model(), machine::Code::bare, engine);
   for (int id = 0; id < NODES; ++id)

@@ -21,10 +21,10 @@ using occam::Signal;
 namespace {
 
 constexpr int ROUNDS = 20;
-constexpr int USUAL_WORK = 2000;  // cycles of computation per round
+constexpr int USUAL_WORK = 2000;  // cycles of computation in each round
 
-// Three processes of a processor, beside its router. In every round, one sends to all neighbours,
-// one receives as many messages from them, and one computes.
+// The three processes of a processor besides its router. In each round, one process sends a message
+// to each neighbour, one receives as many messages, and one computes.
 struct Exchange {
   explicit Exchange(machine::Cycles work) : work(work) {}
   machine::Cycles work;
@@ -52,11 +52,11 @@ struct Exchange {
   }
 };
 
-// Measures wall-clock time on `threads` threads of the host, or CPU time on one thread if `threads`
-// is 0. Memory includes the construction of the machine and its growth during the run.
+// Measures elapsed time if `threads` host threads simulate the machine, or CPU time of one thread
+// if `threads` is 0. The measured memory is that of making and running the machine.
 Sample exchange(int side, int work, machine::EngineParams engine, int threads = 0) {
-  // Returns free memory to the system. Otherwise the machine would reuse memory that the parent has
-  // freed, and this memory would not be counted.
+  // Returns freed memory to the system. Otherwise the machine would use memory that the parent
+  // process has freed, which would not be counted.
   malloc_trim(0);
   mallopt(M_MMAP_THRESHOLD, 128 * 1024);
   const double before_kb = memory_kb();
@@ -118,10 +118,10 @@ void add_neighbours() {
     if (engine.params.processes == machine::Processes::actors) continue;
     const bool is_direct = engine.params.links == machine::Links::direct;
     for (const int side : {4, 8, 16, 32, 64, 128, 256}) {
-      // skips large meshes on SimGrid, which would take minutes
+      // large meshes on SimGrid would take minutes
       if (side > 32 && !is_direct) continue;
       auto* one = add_one(engine, side, USUAL_WORK);
-      if (side > 64) one->Repetitions(1);  // runs once, since five repetitions would take minutes
+      if (side > 64) one->Repetitions(1);  // runs once, because five repetitions would take minutes
     }
     for (const int work : {200, 20'000, 200'000})
       if (is_direct) add_one(engine, 16, work);

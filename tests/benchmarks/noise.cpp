@@ -1,4 +1,4 @@
-// Time to render a picture with a lens and an area light to a given error.
+// Time to render a picture with a lens and an area light until its error is below a given value.
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -15,8 +15,9 @@ using namespace renderer;
 namespace {
 
 constexpr int SIZE = 96;
-constexpr int OURS = 16;        // tlab's samples per pixel; their error is POV-Ray's target
-constexpr int REFERENCE = 256;  // samples per pixel of the converged pictures
+constexpr int OURS = 16;        // samples per pixel of tlab's picture; its error is the value that
+                                // POV-Ray must reach
+constexpr int REFERENCE = 256;  // samples per pixel of the pictures that count as exact
 
 Scene make_scene() {
   Scene scene = make_spheres(800);
@@ -38,7 +39,7 @@ Params make_params(int samples, std::uint64_t seed) {
   Params params;
   params.width = params.height = SIZE;
   params.limits.depth = 5;
-  params.feelers = Feelers::front;  // feelers go to the visible side only, as in POV-Ray
+  params.feelers = Feelers::front;  // only to the visible side, as in POV-Ray
   params.sample = SamplePosition::center;
   params.traversal = Traversal::nearest;
   params.sampling.pixel_samples = samples;
@@ -46,15 +47,15 @@ Params make_params(int samples, std::uint64_t seed) {
   return params;
 }
 
-// The target error, and the samples that POV-Ray needs to reach it. The error of each program is
-// relative to its own converged picture, because POV-Ray's camera rays go through the middles of
-// pixels.
+// The error to reach, and the number of samples that POV-Ray needs for it. The error of each
+// program is measured against its own exact picture, because the programs sample pixels in
+// different ways: POV-Ray's camera rays go through the middles of pixels.
 class Contest {
  public:
   const Scene scene = make_scene();
-  double error = 0;        // error of tlab's picture with OURS samples
-  double apart = 0;        // difference of the converged pictures of both programs
-  PovraySamples theirs;    // POV-Ray's fastest samples that reach the error
+  double error = 0;        // error of tlab's picture with OURS samples per pixel
+  double apart = 0;        // difference between the exact pictures of the two programs
+  PovraySamples theirs;    // the numbers of samples with which POV-Ray reaches the error fastest
   double their_error = 0;  // error of POV-Ray's picture with these samples
 
   Contest() {
@@ -85,8 +86,9 @@ class Contest {
     const PovrayRun made = run(samples);
     return {samples, rms_difference(made.image, reference_), made.sample.cpu_s};
   }
-  // Finds the number of camera rays that reaches the error, with `side` x `side` feelers. Doubles
-  // the number until the error is reached, then interpolates between the last two numbers.
+  // Finds the number of camera rays per pixel that reaches the error with `side` x `side` shadow
+  // feelers. Doubles the number until the error is reached, and then interpolates between the last
+  // two numbers.
   std::optional<Tried> find_samples(int side) const {
     Tried before = attempt({4, side});
     while (before.samples.lens < REFERENCE / 2) {

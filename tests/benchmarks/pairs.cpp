@@ -8,7 +8,7 @@ namespace benchmarks {
 
 namespace {
 
-// Reporter that prints like Google Benchmark, and keeps the medians.
+// Prints results as Google Benchmark does, and also keeps the medians.
 class Reporter : public benchmark::ConsoleReporter {
  public:
   Reporter() : ConsoleReporter(isatty(STDOUT_FILENO) ? OO_ColorTabular : OO_Tabular) {}
@@ -48,12 +48,12 @@ class Reporter : public benchmark::ConsoleReporter {
   }
 
   struct Cost {
-    double memory_kb, event_ns;  // memory per transputer, and host time per event
+    double memory_kb, event_ns;  // KB for each transputer, and host time for each event
   };
 
-  // rates by benchmark, then by program
+  // speeds by benchmark, then by program
   std::map<std::string, std::map<std::string, double>> rates_;
-  std::map<std::string, Cost> costs_;  // costs by benchmark and program
+  std::map<std::string, Cost> costs_;  // by benchmark and program
 };
 
 }  // namespace
@@ -82,7 +82,7 @@ benchmark::internal::Benchmark* add_simulation(const std::string& what, const st
 }
 
 int run_all(int argc, char** argv) {
-  // Options of the command line follow these defaults, and so take precedence.
+  // Options in the command line come later, and so replace these defaults.
   std::vector<std::string> words = {argv[0], "--benchmark_repetitions=5",
                                     "--benchmark_enable_random_interleaving=true",
                                     "--benchmark_report_aggregates_only=true"};

@@ -1,5 +1,5 @@
 #pragma once
-// Benchmarks in pairs: tlab and another program do the same work in the same run.
+// Benchmarks in pairs: tlab and another program do the same work, one after the other.
 #include <benchmark/benchmark.h>
 
 #include <functional>
@@ -9,17 +9,17 @@
 
 namespace benchmarks {
 
-// Adds a benchmark "what/who", which calls `run` in this process. The benchmark reports the CPU
-// time of its samples, and items per second.
+// Adds the benchmark "what/who", which calls `run` in this process. It reports the CPU time of the
+// returned samples, and the amount of work per second.
 benchmark::internal::Benchmark* add(const std::string& what, const std::string& who,
                                     std::function<Sample(benchmark::State&)> run);
 
-// Adds a benchmark of a simulation, which runs in its own process.
+// Adds a benchmark of a simulation. The simulation runs in a process of its own.
 benchmark::internal::Benchmark* add_simulation(const std::string& what, const std::string& who,
                                                std::function<Sample()> run);
 
-// Runs all benchmarks, repeated and interleaved. Then prints a table: for each "what", the medians
-// of "what/tlab" and of every other "what/who", and their ratio.
+// Executes all benchmarks several times, in random order. Then prints a table with a row for each
+// "what": the medians of "what/tlab" and of every other "what/who", and their ratio.
 int run_all(int argc, char** argv);
 
 }  // namespace benchmarks

@@ -40,8 +40,8 @@ std::string area(const renderer::Light& light, int side) {
                      side, side);
 }
 
-// Writes the scene for POV-Ray. Its axes are left-handed, tlab's are right-handed, hence `right
-// -x`.
+// Writes the scene for POV-Ray. POV-Ray's axes are left-handed and tlab's right-handed, hence
+// `right -x`.
 void save_scene(const Scene& scene, const renderer::Params& params, const PovraySamples& samples,
                 const std::string& path) {
   std::ofstream out(path);
@@ -75,7 +75,7 @@ void save_scene(const Scene& scene, const renderer::Params& params, const Povray
   if (!out.flush()) throw std::runtime_error("cannot write " + path);
 }
 
-// The number after `label` in POV-Ray's statistics.
+// The number that follows `label` in the statistics that POV-Ray prints.
 double number_after(const std::string& log, const std::string& label, const char* before = "") {
   const auto line = log.find(label);
   const auto at = log.find(before, line);
@@ -91,7 +91,7 @@ std::string read_file(const std::string& path) {
   return all.str();
 }
 
-// Loads a PPM file with 16 bits per channel.
+// Loads a PPM image with 16 bits for each colour.
 renderer::Samples load_image(const std::string& path, const renderer::Params& params) {
   renderer::Samples image(params.width, params.height);
   const std::string file = read_file(path);

@@ -10,8 +10,8 @@ namespace s4u = simgrid::s4u;
 
 namespace {
 
-// Hosts joined as in the machine layer: the rate of a link with two messages differs from that with
-// one.
+// Hosts that are connected as in tlab's machine layer: a link with two messages at the same time
+// has another rate than with one.
 class Platform {
  public:
   explicit Platform(const machine::Model& model) : model_(model), engine_(&argc_, argv_) {
@@ -78,7 +78,7 @@ Sample raw_line(const machine::Model& model) {
   return platform.run(std::uint64_t{LINE_MESSAGES} * LINE_HOPS);
 }
 
-// One receiver for each incoming link. Messages for an outgoing link queue in its mailbox.
+// Each incoming link has one receiver. Messages for an outgoing link wait in its mailbox.
 Sample raw_mesh(const machine::Model& model, const Traffic& traffic) {
   Platform platform(model);
   for (int node = 0; node < NODES; ++node) platform.add_host(node);
@@ -141,7 +141,7 @@ Sample raw_preemptions(const machine::Model& model, int times, double period_s, 
 Sample raw_activities(const machine::Model& model, const std::vector<Activity>& activities) {
   Platform platform(model);
   std::vector<std::vector<Activity>> of_processor;
-  std::map<std::pair<int, int>, int> messages;  // number of messages by direction
+  std::map<std::pair<int, int>, int> messages;  // number of messages by sender and receiver
   for (const Activity& activity : activities) {
     const auto last = static_cast<std::size_t>(std::max(activity.processor, activity.to));
     of_processor.resize(std::max(of_processor.size(), last + 1));

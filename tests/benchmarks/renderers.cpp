@@ -1,4 +1,4 @@
-// Rays per second of the sequential renderer, compared with POV-Ray and Embree on the same scenes.
+// Rays per second of the sequential renderer, compared with POV-Ray and Embree for the same scenes.
 #include "tests/benchmarks/renderers.hpp"
 
 #include <memory>
@@ -19,13 +19,13 @@ Params make_params(int depth) {
   Params params;
   params.width = params.height = SIZE;
   params.limits.depth = depth;
-  params.feelers = Feelers::front;  // feelers go to the visible side only, as in POV-Ray
+  params.feelers = Feelers::front;  // only to the visible side, as in POV-Ray
   params.sample = SamplePosition::center;
   params.traversal = Traversal::nearest;
   return params;
 }
 
-// Collects every ray of the picture, in the order of the renderer.
+// Collects all rays of the picture, in the order in which the renderer casts them.
 std::vector<Ray> collect_rays(const Scene& scene, const Params& params) {
   std::vector<Ray> rays;
   Children stack;
@@ -42,7 +42,7 @@ std::vector<Ray> collect_rays(const Scene& scene, const Params& params) {
   return rays;
 }
 
-// A view with its image and rays, made on first use.
+// A view of a scene, with its image and its rays. It is made when it is first used.
 struct View {
   View(int spheres, int depth) : View(make_spheres(spheres), depth) {}
   View(Scene made, int depth)
@@ -65,8 +65,8 @@ Sample run_ours(const View& view, Traversal traversal) {
   return {rays, cpu_s};
 }
 
-// Makes spheres that move by up to their diameter while the shutter is open, each in its own
-// direction. With `stop`, they rest halfway.
+// Makes spheres that move in random directions, by at most their diameter, while the shutter is
+// open. With `stop`, they stand still in the middle of their ways.
 Scene make_moving_spheres(int spheres, bool stop) {
   Scene scene = make_spheres(spheres);
   scene.moves.resize(object_count(scene));
@@ -83,7 +83,7 @@ Scene make_moving_spheres(int spheres, bool stop) {
   return scene;
 }
 
-// Runs the intersection queries alone, without shading. Embree gets the same queries.
+// Only intersects the rays, without shading. Embree gets the same rays.
 HitSample run_queries(const View& view) {
   HitSample result;
   Work work;
@@ -104,8 +104,8 @@ void compare(const Samples& ours, const Samples& theirs, benchmark::State& state
     differing += apart > 8 ? 1 : 0;
   }
   const auto count = static_cast<double>(a.size());
-  state.counters["image_difference"] = sum / count;  // mean difference of colour values, 0..255
-  // share of colour values that differ by more than 8
+  state.counters["image_difference"] = sum / count;  // mean difference of colour values, 0 to 255
+  // share of the colour values that differ by more than 8
   state.counters["image_differing"] = differing / count;
 }
 

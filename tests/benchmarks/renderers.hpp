@@ -1,5 +1,5 @@
 #pragma once
-// Other ray tracers on tlab's scenes.
+// Other ray tracers, which render tlab's scenes.
 #include <string>
 #include <vector>
 
@@ -10,31 +10,32 @@
 namespace benchmarks {
 
 struct PovrayRun {
-  Sample sample;  // rays traced, including shadow rays
+  Sample sample;  // number of rays, including shadow rays
   renderer::Samples image;
 };
 
 struct PovraySamples {
   int lens = 1;        // camera rays per pixel, spread over the lens
-  int light_side = 1;  // square root of the number of feelers to an area light
+  int light_side = 1;  // square root of the number of shadow feelers to an area light
 };
 
-// Renders the same view, spheres, floor and lights with POV-Ray: one thread, camera rays through
-// the centres of pixels, no limit but the depth. Writes its files into `folder`.
+// Renders the same view, spheres, floor and lights with POV-Ray: with one thread, camera rays
+// through the centres of pixels, and the depth as the only limit. Writes POV-Ray's files into
+// `folder`.
 PovrayRun run_povray(const renderer::Scene& scene, const renderer::Params& params,
                      const PovraySamples& samples, const std::string& folder);
 
-// A folder that is removed when the program ends.
+// A folder that is removed at the end of the program.
 const std::string& temporary_folder();
 
 struct HitSample {
   Sample sample;
-  std::uint64_t hits = 0;  // rays that hit something
+  std::uint64_t hits = 0;  // number of rays that hit something
 };
 
-// Answers the same queries with Embree 3, one by one, on one thread and in single precision: the
-// first hit of every ray, any hit of a shadow feeler. There is no shading, so the speed is an upper
-// bound.
+// Answers the same queries with Embree 3 or 4, one by one, with one thread and in single precision:
+// the first hit of a ray, or any hit of a shadow feeler. Nothing is shaded, so this speed is an
+// upper bound.
 HitSample run_embree(const renderer::Scene& scene, const std::vector<renderer::Ray>& rays);
 
 }  // namespace benchmarks

@@ -13,7 +13,7 @@ using occam::this_process;
 namespace {
 
 constexpr int MEETINGS = 200'000, PREEMPTIONS = 50'000;
-constexpr std::int64_t PERIOD_US = 100;  // time between pre-emptions
+constexpr std::int64_t PERIOD_US = 100;  // time between two pre-emptions
 constexpr machine::Cycles INTERRUPTION{1000};
 
 Sample rendezvous(machine::EngineParams engine) {

@@ -1,7 +1,7 @@
 #pragma once
-// Messages of the benchmarks, equal for all simulators: along a line, and between pseudo-random
-// nodes of an 8 x 8 mesh. In the mesh they go along the row first, then along the column (dimension
-// order).
+// The messages of the benchmarks, the same for all simulators: along a line, and between
+// pseudo-random nodes of an 8 x 8 mesh. In the mesh, a message goes along its row first, and then
+// along the column (dimension-order routing).
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -13,9 +13,9 @@ inline constexpr int LINE_HOPS = 4;
 inline constexpr int LINE_MESSAGES = 40'000;
 inline constexpr int SIDE = 8, NODES = SIDE * SIDE;
 inline constexpr int MESSAGES_PER_NODE = 250;
-inline constexpr int DIRECTIONS = 4;  // number of directions: east, west, south, north
+inline constexpr int DIRECTIONS = 4;  // east, west, south and north
 
-// The neighbour of `node` in a direction, or -1 at the edge.
+// The neighbour of `node` in a direction, or -1 at the edge of the mesh.
 inline int neighbour(int node, int direction) {
   const int x = node % SIDE + std::array{1, -1, 0, 0}[direction];
   const int y = node / SIDE + std::array{0, 0, 1, -1}[direction];
@@ -30,12 +30,13 @@ inline int route(int node, int destination) {
 }
 
 struct Traffic {
-  // destinations of each node's messages, in order
+  // for each node, the destinations of its messages, in order
   std::vector<std::vector<int>> destinations{NODES};
-  // Number of messages that leave each node in each direction, so that a process knows when it is
-  // done.
+  // for each node, the numbers of messages that leave it in each direction, from which processes
+  // know when they are done
   std::vector<std::array<int, DIRECTIONS>> leaving{NODES};
-  std::vector<int> arriving = std::vector<int>(NODES);  // number of messages for each node
+  std::vector<int> arriving = std::vector<int>(NODES);  // for each node, the number of messages
+                                                        // that arrive
   std::uint64_t hops = 0;
 };
 
