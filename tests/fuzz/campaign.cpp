@@ -23,12 +23,12 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// Number of cases that a child process runs.
+// number of cases for one child process
 constexpr std::uint64_t BATCH = 500;
 
-// Progress of a child process in shared memory, which survives a crash of the child.
+// Progress of a child process. It is in shared memory, and so survives a crash of the child.
 struct Progress {
-  std::uint64_t next = 0;  // number of the current case, or of the next one between cases
+  std::uint64_t next = 0;  // number of the present case, or between two cases of the next one
   std::uint64_t accepted = 0, refused = 0;
   char what[2000] = "";
 };
@@ -66,7 +66,7 @@ void set_timer(__itimer_which kind, double seconds) {
   setitimer(kind, &timer, nullptr);
 }
 
-// Starts timers whose signals end the child if a case takes too long.
+// Starts timers. Their signals end the child process if a case takes too long.
 void begin_time(const Limits& limits) {
   set_timer(ITIMER_PROF, limits.cpu_s);
   set_timer(ITIMER_REAL, limits.wall_s);
@@ -78,7 +78,7 @@ void tell(Progress& progress, std::string_view what) {
   progress.what[size] = '\0';
 }
 
-// True if the reader accepts or properly refuses the text.
+// True if the reader accepts the text, or refuses it in the proper way.
 bool run_case(const Reader& reader, const std::string& text, Progress& progress) {
   try {
     reader.read(text);
@@ -104,7 +104,7 @@ std::string describe_end(int status, const Limits& limits) {
   return strsignal(WTERMSIG(status));
 }
 
-// Runs cases up to the first failure of the reader.
+// Executes cases until the reader fails.
 [[noreturn]] void run_child(const Trial& trial, std::uint64_t end, const Campaign& campaign,
                             Progress& progress) {
   limit_memory(campaign.limits);
@@ -113,7 +113,7 @@ std::string describe_end(int status, const Limits& limits) {
     begin_time(campaign.limits);
     if (!run_case(trial.reader, text, progress)) _exit(1);
   }
-  _exit(0);  // ends without calling the destructors of the parent's objects
+  _exit(0);  // exits without calling the destructors of objects copied from the parent
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
-// Fuzzing of readers in child processes, with a report of the texts that make them fail.
+// Fuzzing: calls readers with random texts in child processes, and reports texts that make them
+// fail.
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -10,9 +11,9 @@ namespace fuzz {
 
 /// Limits for one case.
 struct Limits {
-  double cpu_s = 5;     ///< limit on the CPU time
-  double wall_s = 120;  ///< limit on wall-clock time, for a reader that blocks
-  /// limit on memory; unused with sanitizers, which need far more
+  double cpu_s = 5;     ///< limit on CPU time, seconds
+  double wall_s = 120;  ///< limit on elapsed time, seconds, for a reader that blocks
+  /// limit on memory; not used with sanitizers, which need far more
   std::uint64_t memory_bytes = 2ull << 30;
 };
 
@@ -34,30 +35,31 @@ struct Trial {
   double wall_s = 0;
 };
 
-/// Settings for all trials.
+/// Settings that all trials share.
 struct Campaign {
   using Tell = std::function<void(const Trial&, const Finding&)>;
 
   std::uint64_t seed = 1;
   Limits limits = {};
-  Tell tell;  ///< called for each finding as soon as it occurs
+  Tell tell;  ///< called for each finding as soon as it is found
 };
 
-/// Limit on the findings of a trial, since further ones are likely to be of the same kinds.
+/// Limit on findings for each reader, because more of them would probably have the same causes.
 constexpr std::uint64_t MOST_FINDINGS = 20;
 
-/// Makes the text of a case. It depends only on the reader's name, its corpus, the seed and the
-/// number.
+/// Makes the text of a case. It depends only on the reader's name, the corpus, the seed, and the
+/// number of the case.
 std::string make_case(const Trial& trial, std::uint64_t seed, std::uint64_t number);
 
-/// Runs the next cases, at most `cases`, in a child process, up to the first failure. A reader
-/// fails if it crashes, throws something other than base::BadInput, or exceeds the limits.
+/// Executes the next cases, at most `cases`, in a child process, until the reader fails. A reader
+/// fails if it crashes, throws anything but base::BadInput, or exceeds the limits.
 void run_batch(Trial& trial, std::uint64_t cases, const Campaign& campaign);
 
-/// Runs each trial up to case number `cases`, or up to MOST_FINDINGS findings.
+/// Executes each trial up to the case with the number `cases`, or until it has MOST_FINDINGS
+/// findings.
 void run_number(std::vector<Trial>& trials, std::uint64_t cases, const Campaign& campaign);
 
-/// Divides `hours` equally among all trials.
+/// Executes all trials, each for the same part of `hours`.
 void run_hours(std::vector<Trial>& trials, double hours, const Campaign& campaign);
 
 }  // namespace fuzz

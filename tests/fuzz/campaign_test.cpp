@@ -1,5 +1,5 @@
-// Findings of a fuzzing campaign. The reader of each test fails at every fourth text of a child
-// process.
+// What a fuzzing campaign finds. The reader of each test fails at every fourth text that a child
+// process gives it.
 #include "tests/fuzz/campaign.hpp"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ auto fail_at_fourth(const Fail& fail) {
   };
 }
 
-// Runs 5 or 10 cases. Of 10, cases 3 and 7 fail.
+// Executes 5 or 10 cases. With 10, the cases 3 and 7 fail.
 template <class Fail>
 void expect_told(const Fail& fail, const std::string& sentence, std::uint64_t cases = 10,
                  const Limits& limits = {}) {
@@ -88,7 +88,8 @@ TEST(FuzzCampaign, CountsWhatIsRefused) {
   const auto told = run(fail_at_fourth([] { throw base::BadInput("line 1"); }), 10);
   EXPECT_TRUE(told.numbers.empty());
   EXPECT_EQ(told.counts.cases, 10u);
-  EXPECT_EQ(told.counts.refused, 1u);  // one child reads all texts, and refuses the fourth
+  EXPECT_EQ(told.counts.refused, 1u);  // all texts are read by one child process, in which the
+                                       // reader refuses the fourth
   EXPECT_EQ(told.counts.accepted, 9u);
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// Readers by kind, and the code that they share.
+// The readers by kind of file, and functions that they share.
 #include <fmt/format.h>
 
 #include <filesystem>
@@ -14,25 +14,25 @@ std::vector<Reader> text_readers();
 std::vector<Reader> result_readers();
 std::vector<Reader> picture_readers();
 
-/// Writes the records 0.json and 1.json unless they exist. Texts for the reader "simulation" name
-/// them.
+/// Writes the records 0.json and 1.json, unless they exist. The texts for the reader "simulation"
+/// refer to them.
 void save_two_records(const std::filesystem::path& folder);
 
-/// The path of a file of the project.
+/// The path of a file in the project's sources.
 std::string place_of(const std::string& path);
 
-/// Throws Broken with `what` unless the two are equal.
+/// Throws Broken, with `what`, unless the two values are equal.
 template <class A, class B>
 void expect_same(std::string_view what, const A& found, const B& expected) {
   if (!(found == expected)) throw Broken(fmt::format("{} differs", what));
 }
 
-/// Throws Broken with `what` unless `holds`.
+/// Throws Broken, with `what`, unless `holds` is true.
 inline void expect(bool holds, std::string_view what) {
   if (!holds) throw Broken(fmt::format("{}: does not hold", what));
 }
 
-/// The result of `read` on a text that tlab wrote, which it must accept.
+/// Reads a text that tlab itself has written. Throws Broken if it is refused.
 template <class Read>
 auto read_again(std::string_view what, const Read& read) {
   try {

@@ -1,4 +1,4 @@
-// Fuzzes the readers of files with almost valid texts. tests/fuzz/run starts it.
+// Fuzzing: tries the readers of files with almost valid texts. tests/fuzz/run starts this program.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -30,7 +30,7 @@ struct Options {
   Limits limits;
 };
 
-// Number of cases after which a reader should have accepted some and refused some.
+// After so many cases, a reader should have accepted some texts and refused others.
 constexpr std::uint64_t MANY = 100;
 
 std::vector<Reader> find_readers(const Options& o) {
@@ -60,8 +60,8 @@ void keep_finding(const Trial& trial, const Finding& finding, const Options& o,
   std::fflush(stdout);
 }
 
-// True if no reader failed and each accepted some cases. A reader that refuses everything proves
-// nothing.
+// True if no reader has failed, and each has accepted some texts. A reader that refuses every text
+// is not tested.
 bool print_counts(const std::vector<Trial>& trials, const Options& o) {
   fmt::print("seed {}{}\n{:>17} {:>10} {:>10} {:>10} {:>9} {:>8}\n", o.seed,
              test::IS_SANITIZED ? ", with sanitizers" : "", "reader", "cases", "accepted",
@@ -98,7 +98,7 @@ void add_options(CLI::App& app, Options& o) {
 
 int run(const Options& o) {
   const fs::path folder = fs::absolute(o.keep);
-  // Uses memory for temporary files, since the disk is slower.
+  // keeps temporary files in memory, which is faster than the disk
   if (fs::is_directory("/dev/shm")) setenv("TMPDIR", "/dev/shm", 0);
   const test::TemporaryFolder working;
   fs::current_path(working.path);

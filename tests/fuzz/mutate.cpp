@@ -11,7 +11,7 @@ namespace {
 
 using base::Random;
 
-// Numbers at the boundaries that readers check.
+// Numbers at or beyond limits that readers check.
 constexpr std::string_view NUMBERS[] = {"0",
                                         "-0",
                                         "1",
@@ -130,7 +130,7 @@ std::vector<Span> find_spans(std::string_view text, Is is) {
   return spans;
 }
 
-// Finds the lines of a text, including their line ends.
+// Finds the lines of a text, including the characters that end them.
 std::vector<Span> find_lines(std::string_view text) {
   std::vector<Span> lines;
   for (std::size_t at = 0; at < text.size();) {
@@ -150,7 +150,7 @@ std::size_t below(std::size_t n, Random& random) {
   return static_cast<std::size_t>(random.below(static_cast<int>(n)));
 }
 
-// Chooses a random part of the text; short parts are more likely.
+// Chooses a random part of the text. Short parts are more probable.
 Span choose_part(std::string_view text, Random& random) {
   const auto at = below(text.size() + 1, random);
   const auto most = std::min<std::size_t>(text.size() - at, std::size_t{1} << random.below(11));
@@ -274,7 +274,8 @@ Corpus make_corpus(std::vector<std::string> texts) {
 
 std::string mutate(const Corpus& corpus, Random& random) {
   std::string text = choose(corpus.texts, random);
-  int changes = random.below(4);  // small, since each change makes an early refusal more likely
+  int changes = random.below(4);  // few changes, because each one makes it more probable that the
+                                  // text is refused early
   if (random.below(8) == 0) changes = random.below(13);
   for (; changes > 0; --changes) {
     choose(CHANGES, random)(text, corpus, random);

@@ -1,5 +1,5 @@
 #pragma once
-// Mutation of texts: valid inputs with a few changes.
+// Mutation: makes random texts from valid ones by a few changes.
 #include <string>
 #include <vector>
 
@@ -7,22 +7,22 @@
 
 namespace fuzz {
 
-/// Texts to start from, and the words in them.
+/// The valid texts, and the words that occur in them.
 struct Corpus {
   std::vector<std::string> texts;
   std::vector<std::string> words;
 };
 
-/// Limit on the length of a generated text, bytes.
+/// limit on the length of a text, bytes
 inline constexpr std::size_t MAX_BYTES = 1 << 16;
 
-/// Neither `texts` nor any text in it may be empty.
+/// Neither the list `texts` nor a text in it may be empty.
 Corpus make_corpus(std::vector<std::string> texts);
 
-/// Applies zero to a dozen changes to one of the texts. Bits are flipped, bytes set; parts are
-/// removed, doubled, repeated or inserted from another text; the end is taken from another text;
-/// lines are exchanged; numbers and words are replaced. The same random stream yields the same
-/// text.
+/// Applies between zero and a dozen random changes to one of the texts: flips bits; sets bytes;
+/// removes, doubles or repeats a part, or inserts one from another text; replaces the end by that
+/// of another text; exchanges lines; replaces numbers and words. The result depends only on the
+/// corpus and the random numbers.
 std::string mutate(const Corpus& corpus, base::Random& random);
 
 }  // namespace fuzz

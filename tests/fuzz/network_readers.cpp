@@ -18,7 +18,7 @@ void expect_same_network(std::string_view what, const Topology& found, const Top
 
 void expect_round_trips(const Topology& topology) {
   topologies::check(topology);
-  // throws for labels that the format cannot express
+  // throws if a label cannot be written in the format
   const std::string graphml = to_graphml(topology), dot = to_dot(topology);
   const auto from_graphml = [&] { return topologies::read_graphml(graphml, "again.graphml"); };
   const auto from_dot = [&] { return topologies::read_dot(dot, "again.dot"); };
@@ -26,7 +26,7 @@ void expect_round_trips(const Topology& topology) {
   expect_same_network("DOT", read_again("DOT", from_dot), topology);
 }
 
-// Every hop of every route must be a link and lead one step nearer to the end.
+// Throws unless each hop of each route is a link and leads one step nearer to the destination.
 void expect_arrive(const Topology& topology, const topologies::RoutingTable& routes) {
   const auto around = neighbours(topology);
   for (int to = 0; to < topology.processors; ++to)

@@ -19,7 +19,7 @@ std::uint32_t get_number(const std::string& text, std::size_t at) {
   return number;
 }
 
-// Gives every chunk of a PNG its correct checksum, since readers check that first.
+// Replaces the checksums of a PNG file by the right ones, because readers check these first.
 std::string mend_checksums(std::string png) {
   constexpr std::size_t SIGNATURE = 8, LENGTH = 4, TYPE = 4, SUM = 4;
   std::size_t at = SIGNATURE;
@@ -45,7 +45,7 @@ void read_picture(const std::string& text) {
 
 const laboratory::Identity IDENTITY = {{"version", "fuzz"}, {"scene", "spheres:3"}};
 
-// Reads a state without its hash, and then with the correct hash.
+// Reads a state of a rendering, first as it is, and then with the right hash at its end.
 void read_state(const std::string& text) {
   using renderer::progressive::Refinement;
   static const auto scene = renderer::load_scene("spheres:3");

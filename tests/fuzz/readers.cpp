@@ -11,11 +11,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Length limit on corpus files, bytes. In a longer file, a change in one of many similar lines
-// tests little.
+// limit on the length of corpus files, bytes; in a longer file, most changes would affect one of
+// many similar lines, and test little
 constexpr std::uintmax_t LONGEST = 4096;
 
-// Adds the files in path order, so that a case depends only on their contents.
+// Adds the files in the order of their paths, so that a case depends only on their contents.
 void add_files(const fs::path& folder, const std::string& ending, std::vector<std::string>& texts) {
   if (!fs::is_directory(folder)) return;
   std::vector<fs::path> files;

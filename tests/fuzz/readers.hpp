@@ -1,5 +1,6 @@
 #pragma once
-// The fuzzed readers of files, and properties of everything that they accept.
+// The readers of files that are tested by fuzzing, with properties that every accepted text must
+// have.
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -10,30 +11,32 @@
 
 namespace fuzz {
 
-/// A property that the result of a reader violates.
+/// Error: the result of a reader lacks a property that it should have.
 struct Broken : std::logic_error {
   using std::logic_error::logic_error;
 };
 
 struct Reader {
-  std::string name;    ///< name, also of the folder below tests/fuzz/corpus with its own texts
-  std::string ending;  ///< extension of the reader's files
-  /// Folders below experiments/ and simulator/ whose files with this extension are also used.
+  std::string name;    ///< name of the reader, and of the folder in tests/fuzz/corpus with texts
+                       ///< for it
+  std::string ending;  ///< extension of the files that the reader reads
+  /// folders below experiments/ and simulator/ whose files with this extension are used as texts
+  /// too
   std::vector<std::string> folders;
-  /// Reads a text. Throws base::BadInput to refuse it; any other exception is a defect. May write
-  /// files in the current folder, which no other reader uses.
+  /// Reads a text. Refuses it by throwing base::BadInput; any other exception is a defect. May
+  /// write files in the current folder, which no other reader uses.
   std::function<void(const std::string& text)> read;
-  std::string corpus = {};  ///< reader whose texts are used, if it is another one
+  std::string corpus = {};  ///< name of another reader whose texts are used; "": the reader's own
 };
 
-/// All readers; their names are distinct.
+/// All readers. Their names are different.
 std::vector<Reader> all_readers();
 
-/// Makes readers that run the program `tlab` in its own process, with the texts as files. This call
-/// itself writes files in the current folder.
+/// Makes readers that execute the program `tlab` in a process of its own, with the texts as files.
+/// Making them writes files into the current folder.
 std::vector<Reader> command_readers(const std::string& tlab);
 
-/// Loads the texts for a reader: its corpus, and files of the project.
+/// Loads the texts for a reader: its own corpus, and files of the project.
 Corpus load_corpus(const Reader& reader);
 
 }  // namespace fuzz

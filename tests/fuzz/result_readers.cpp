@@ -41,7 +41,7 @@ void read_experiment(const std::string& text, const laboratory::Overrides& overr
       file);
 }
 
-// Takes each line as one --set.
+// Reads each line as the argument of an option --set.
 void read_overrides(const std::string& text) {
   laboratory::Overrides overrides;
   std::istringstream lines(text);
@@ -50,7 +50,7 @@ void read_overrides(const std::string& text) {
   read_experiment("[image]\nwidth = 8\n[sweep]\nworkers = [1, 2]\n", overrides);
 }
 
-// Reads a record without its hash, and then with the correct hash.
+// Reads a record, first as it is, and then with the right hash at its end.
 void read_record(const std::string& text) {
   base::save_whole("0.json", text);
   try {
@@ -86,13 +86,13 @@ PointResult load_result(const std::string& name) {
   return laboratory::to_result(ordered_json::parse(text));
 }
 
-// Results of the points "workers = 1" and "workers = 2".
+// The results of two points, "workers = 1" and "workers = 2".
 const laboratory::Results& two_results() {
   static const laboratory::Results results{load_result("0.json"), load_result("1.json")};
   return results;
 }
 
-// Reads a text as the run.json of a folder with the records 0.json and 1.json.
+// Reads a text as the file run.json of a results folder that has the records 0.json and 1.json.
 void read_simulation(const std::string& text) {
   const fs::path folder = "results";
   save_two_records(folder / "points/fuzz");

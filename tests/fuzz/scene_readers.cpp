@@ -11,7 +11,7 @@ namespace {
 
 const std::string SCENES = "experiments/scenes";
 
-// Names a scene in the project's folder of scenes, so that its references to other files are found.
+// A file name in the project's folder of scenes, so that references to other files there work.
 std::string name_scene(const std::string& ending) { return place_of(SCENES + "/fuzz" + ending); }
 
 void read_nff(const std::string& text) {
@@ -20,7 +20,7 @@ void read_nff(const std::string& text) {
   renderer::parse_scene(text, name, 1);
 }
 
-// Reads a scene and writes it as NFF, which must read back as the same scene.
+// Reads a scene, and writes it as NFF. Reading that must give the same scene.
 void read_obj(const std::string& text) {
   const std::string name = name_scene(".obj");
   const auto write = [](const std::string& read, const std::string& as) {

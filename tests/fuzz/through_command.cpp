@@ -1,6 +1,6 @@
-// Fuzzing of the command in its own process, with an almost valid file. Most runs happen in a
-// forked child process that does the work of main(). A fork takes milliseconds; the start of a
-// program with sanitizers takes half a second. Some runs start the program itself.
+// Fuzzing of the command tlab with an almost valid file. Most runs happen in a forked child process
+// that does the work of main(): a fork takes milliseconds, but the start of a program with
+// sanitizers half a second. A few runs start the program itself.
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -31,31 +31,33 @@ namespace fs = std::filesystem;
 
 using Arguments = std::vector<std::string>;
 
-// What the program does with the file.
+// What a command does with the file.
 enum class Task {
-  read,     // reads the file; the time depends on its size
-  compute,  // reads the file and computes for a long time, until it is interrupted
-  judge     // reads the file and computes; may end with a failed check or a simulated fault
+  read,     // reads the file, in a time that depends on its size
+  compute,  // reads the file, and computes for a long time until it is interrupted
+  judge     // reads the file and computes; a check may fail, or a simulated fault may occur
 };
 
 struct Way {
   std::string name;
   Task task = Task::read;
-  std::string corpus;  // name of the reader whose texts are used
-  std::string file;    // name of the file with the text; "": the text replaces the argument TEXT
-  fs::path beside;     // folder whose files are copied beside the text
-  // commands of which one is run; files after -o and similar options are outputs
+  std::string corpus;  // name of the reader whose corpus is used
+  std::string file;    // name of the file that gets the text; "": the text replaces the argument
+                       // TEXT
+  fs::path beside;     // folder whose files are copied beside the file; "": none
+  // the commands, one of which is executed; a file name after -o and similar options is an output
   std::vector<Arguments> commands;
 };
 
 constexpr const char* TEXT = "TEXT";
 constexpr const char* WRITE[] = {"-o", "--stats", "--state"};
 
-constexpr double PATIENCE_S = 1.5;  // time after which a computation is interrupted
+constexpr double PATIENCE_S = 1.5;  // time in seconds after which a computation is interrupted
 constexpr double WALL_S = 180;
 constexpr rlim_t CPU_S = 20, FILE_BYTES = 1 << 26;
-constexpr long MOST_KIB = 3 << 20;  // limit on the memory
-// One in this many texts goes to the program itself, all others to run_tlab() in a child process.
+constexpr long MOST_KIB = 3 << 20;  // limit on the memory, KiB
+// One text in PROGRAM_EVERY is given to the program itself, the others to run_tlab() in a child
+// process.
 constexpr std::uint64_t PROGRAM_EVERY = 256;
 
 struct Outcome {
@@ -70,7 +72,7 @@ struct Start {
   fs::path folder;           // current folder of the process
   fs::path err;              // file for standard error
   fs::path temporary;        // folder for temporary files
-  std::string program = {};  // executable; "": a child of this process that calls run_tlab()
+  std::string program = {};  // executable to start; "": a forked child calls run_tlab()
 };
 
 void limit(decltype(RLIMIT_CPU) what, rlim_t most) {
@@ -82,7 +84,7 @@ void redirect(int stream, const char* file, int flags) {
   if (const int opened = open(file, flags, 0666); opened >= 0) dup2(opened, stream);
 }
 
-// Replaces the process by the program, or does the work of its main().
+// Replaces this process by the program, or does the work of the program's main().
 [[noreturn]] void start(const Start& how, std::vector<char*> argv) {
   limit(RLIMIT_CPU, CPU_S);
   limit(RLIMIT_FSIZE, FILE_BYTES);
@@ -98,7 +100,7 @@ void redirect(int stream, const char* file, int flags) {
   _exit(exit_code);
 }
 
-// True if the process ends within `seconds`.
+// True if the process ends within so many seconds.
 bool ends(int process, double seconds) {
   pollfd waited{process, POLLIN, 0};
   return poll(&waited, 1, static_cast<int>(1000 * seconds)) > 0;
@@ -109,7 +111,8 @@ Outcome run(const Start& how, Arguments arguments, Task task) {
   std::vector<char*> argv;
   for (auto& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
-  prctl(PR_SET_CHILD_SUBREAPER, 1);  // adopts processes that the child leaves behind
+  prctl(PR_SET_CHILD_SUBREAPER, 1);  // this process becomes the parent of processes that the child
+                                     // leaves behind
   const pid_t pid = fork();
   if (pid < 0) throw std::runtime_error("no child process");
   if (pid == 0) start(how, std::move(argv));
@@ -133,7 +136,7 @@ Outcome run(const Start& how, Arguments arguments, Task task) {
 
 using Files = std::map<std::string, std::string>;
 
-// The contents of every file and the targets of links, by path.
+// The contents of all files, and the targets of links, by path.
 Files list_files(const fs::path& folder) {
   Files files;
   for (const auto& entry : fs::recursive_directory_iterator(folder))
@@ -164,12 +167,12 @@ void check_error(const Way& way, const std::string& err, const Files& before) {
   expect(err.find(".partial-") == err.npos, "an error names no hidden file");
 }
 
-// True for records of points, which a failed run may leave for the next one.
+// True for records of points. A run that fails may leave these for the next run.
 bool is_record(const std::string& name) {
   return (name + "/").find("/points/") != name.npos || name == "out";
 }
 
-// Throws Broken if the program violates a property.
+// Throws Broken unless the run has the properties that every run must have.
 void check_outcome(const Way& way, const Arguments& arguments, const Outcome& outcome,
                    const Files& before, Files after) {
   if (WIFSIGNALED(outcome.status)) throw Broken(strsignal(WTERMSIG(outcome.status)));
@@ -194,7 +197,7 @@ void check_outcome(const Way& way, const Arguments& arguments, const Outcome& ou
       expect(after.contains(arguments[i + 1]), "what was asked for is written");
 }
 
-// A hash of the text.
+// A number that depends on all bytes of the text.
 std::uint64_t number_of(const std::string& text) {
   std::uint64_t number = text.size();
   for (const char c : text) number = base::random_at(number, static_cast<unsigned char>(c));
@@ -228,7 +231,7 @@ void try_way(const std::string& tlab, const Way& way, const std::string& text) {
   if (!outcome.is_success()) throw base::BadInput(outcome.err);
 }
 
-// Copies the scenes and the files that they name.
+// Copies the scenes, with the files to which they refer.
 fs::path prepare_scenes() {
   const fs::path folder = fs::absolute("scenes");
   fs::create_directory(folder);
@@ -247,7 +250,7 @@ fs::path prepare_scenes() {
   return folder;
 }
 
-// Makes a folder r with the record of one point, and a reference for its check.
+// Makes a folder r with the record of one point, and a reference file for its check.
 fs::path prepare_results(const std::string& tlab) {
   const fs::path folder = fs::absolute("results");
   fs::create_directory(folder);
@@ -369,7 +372,8 @@ std::vector<Way> list_ways(const std::string& tlab) {
   };
 }
 
-// Computes once what every child process would compute: the program's hash and tables of keys.
+// Computes in advance what each child process would compute again: the hash of the program, and
+// tables of keys.
 void prepare_children() {
   laboratory::records_folder();
   laboratory::load_experiment({"program.name = \"message\"", "e.toml", "."}, {});
