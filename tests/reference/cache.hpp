@@ -1,5 +1,5 @@
 #pragma once
-// Cache folder for reference pictures, whose computation takes most of the time.
+// Cache of reference pictures, because computing them takes most of the time.
 
 #include <string>
 
@@ -7,9 +7,10 @@
 
 namespace radiosity::reference {
 
-/// Runs trace_paths() for a room given as text, with a cache file in `folder`. The file's name is a
-/// hash of the text and of the parameters; it is written if it is missing. An empty `folder`
-/// disables the cache. Throws as trace_paths() and base::save_whole() do.
+/// Calls trace_paths() for a room whose text is `text`, or loads the result of an earlier call from
+/// `folder`. The name of the cache file is a hash of the text and the parameters; a missing file is
+/// written. If `folder` is "", nothing is cached. Throws as trace_paths() and base::save_whole()
+/// do.
 Reference find_reference(const std::string& text, const Room& room, const TracerParams& params,
                          const std::string& folder);
 

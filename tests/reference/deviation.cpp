@@ -8,10 +8,10 @@ namespace radiosity::reference {
 
 namespace {
 
-// share of the mean radiosity below which errors are no longer relative to the pixel's own
-// radiosity
+// Pixels darker than this share of the mean radiosity have errors relative to that share, not to
+// their own radiosity.
 constexpr double DARK = 0.02;
-constexpr double TOO_NEAR = 5e-6;  // least angle between a ray and an edge
+constexpr double TOO_NEAR = 5e-6;  // least angle between a ray and an edge, in radians
 
 double grey(const Rgb& colour) { return (colour.r + colour.g + colour.b) / 3; }
 
@@ -26,7 +26,7 @@ double eval_mean(const Reference& reference) {
   return count > 0 ? sum / count : 0;
 }
 
-// The radiosity to which the error of a pixel is relative.
+// The radiosity by which the error of a pixel is divided.
 double eval_scale(const Reference& reference, double mean, std::size_t i) {
   return std::max({grey(reference.picture.pixels[i]), DARK * mean, 1e-300});
 }
@@ -35,7 +35,7 @@ double eval_difference(const Picture& picture, const Reference& reference, std::
   return grey(picture.pixels[i]) - grey(reference.picture.pixels[i]);
 }
 
-// Calls f(x, y, index) for the neighbours of a pixel inside the picture.
+// Calls f(index) for each of the up to eight neighbours of a pixel.
 void each_neighbour(std::size_t i, int width, std::size_t count, const auto& f) {
   const auto w = static_cast<std::ptrdiff_t>(width);
   const auto at = static_cast<std::ptrdiff_t>(i), x = at % w;
@@ -49,7 +49,7 @@ void each_neighbour(std::size_t i, int width, std::size_t count, const auto& f) 
     }
 }
 
-// The quantile of the values for a share; 0 if there are no values.
+// The quantile of the values: at least this share of them is not larger. 0 if there are no values.
 double find_quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0;
   std::ranges::sort(values);
@@ -57,7 +57,7 @@ double find_quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(rank) - 1];
 }
 
-// True if a ray passes the segment from a to b at an angle of at most TOO_NEAR.
+// True if a ray passes the edge from a to b at an angle of at most TOO_NEAR.
 bool grazes(const renderer::Ray& ray, const Vec& a, const Vec& b) {
   const Vec to_a = a - ray.origin, to_b = b - ray.origin, across = cross(to_a, to_b);
   const Vec way = normalize(ray.direction);

@@ -1,5 +1,5 @@
-// Compares radiosity pictures of rooms with those of the path tracer. Prints one line for each room
-// and method of solution, and a summary.
+// Compares pictures by radiosity with reference pictures by a path tracer. Prints one line for each
+// room and each way of solving and showing it, and a summary.
 
 #include <fmt/format.h>
 
@@ -34,7 +34,7 @@ struct Options {
 
 struct NamedRoom {
   std::string name;
-  std::vector<std::string> views;  // text of the room with each view
+  std::vector<std::string> views;  // for each view, the text of the room with this view
 };
 
 RoomKind parse_kind(const std::string& name) {
@@ -73,7 +73,7 @@ std::vector<NamedRoom> make_rooms(const Options& o) {
   return rooms;
 }
 
-// A method of solving and showing a room.
+// How a room is solved and shown.
 struct Way {
   int refine = 1;
   std::string creases, reconstruction;
@@ -86,7 +86,7 @@ struct Outcome {
   std::size_t patches = 0;
   double solve_s = 0;
   Deviation deviation;
-  // largest group of pixels that are wrong here but not with bilinear interpolation
+  // size of the largest group of pixels that are wrong here, but right with bilinear interpolation
   int beyond = 0;
 };
 
@@ -104,7 +104,7 @@ ReconstructionParams make_reconstruction(const std::string& kind) {
   return choose(reconstruction_fields().front(), kind);
 }
 
-// A room seen from one place.
+// A room, seen from one position.
 struct View {
   std::string name;
   Room room;
@@ -157,8 +157,8 @@ class Comparison {
   }
 
  private:
-  // Lights the room. The first of the reconstructions determines the error for which the mesh is
-  // adapted.
+  // Lights the room. If the mesh is adapted until an error is reached, this is the error with the
+  // first of the reconstructions.
   LitRoom light_adapted(const Room& room, const LightParams& light) const {
     const auto shown = make_reconstruction(o_.reconstructions.front());
     AdaptedMesh adapted =
@@ -170,7 +170,7 @@ class Comparison {
     return lit;
   }
 
-  // Solves the room once, or once for each view if the mesh is adapted to a view.
+  // Solves the room once for all views, or for each view if the mesh is adapted to the view.
   void try_way(const std::vector<View>& views, int refine, const std::string& creases) {
     Outcome outcome{{refine, creases, ""}, "", 0, 0, {}, 0};
     LitRoom lit;
@@ -269,7 +269,7 @@ class Comparison {
                groups([](const Outcome& o) { return o.beyond; }));
   }
 
-  // Saves the picture, with the reference's exposure, and its deviation.
+  // Saves the picture, with the exposure of the reference, and a picture of its deviation.
   void save(const Picture& picture, const Reference& reference, const std::string& name) const {
     if (o_.pictures.empty()) return;
     std::filesystem::create_directories(o_.pictures);

@@ -16,10 +16,11 @@ namespace radiosity::reference {
 namespace {
 
 constexpr double PI = std::numbers::pi;
-constexpr int MOST_MIRRORS = 1000;  // limit on successive mirrors of a path
+constexpr int MOST_MIRRORS = 1000;  // limit on the number of successive mirrors in a path
 
-// Random numbers of a path. The first ones are a Sobol point, shifted by random numbers of the
-// pixel and the round (R. Cranley and T. Patterson, 1976). Further ones are independent.
+// Random numbers for a path. The first DIMENSIONS numbers are a Sobol point, shifted by random
+// numbers of the pixel and the round (R. Cranley and T. Patterson, 1976). All further numbers are
+// independent.
 class Numbers {
  public:
   static constexpr std::size_t DIMENSIONS = 20;
@@ -53,15 +54,15 @@ std::vector<Numbers::Point> make_points(int count) {
   return points;
 }
 
-// A triangle of a face that emits.
+// A triangle of a face that emits light.
 struct Emitter {
   Vec a, b, c, normal;
   std::uint32_t face = 0;
   bool two_sided = false;
   Rgb emission;
   double area = 0;
-  double until = 0;  // cumulative share of the power, including this emitter
-  double share = 0;  // share of the power of all emitters
+  double until = 0;  // share of the power of this triangle and all earlier ones
+  double share = 0;  // share of the power of this triangle
 };
 
 std::vector<Emitter> make_emitters(const Room& room, const RoomGeometry& geometry) {
@@ -82,7 +83,8 @@ std::vector<Emitter> make_emitters(const Room& room, const RoomGeometry& geometr
   return emitters;
 }
 
-// Samples a direction with a density proportional to the cosine to the normal.
+// Chooses a direction in the hemisphere around `normal`, with a density proportional to the cosine
+// of its angle to the normal.
 Vec sample_hemisphere(const Vec& normal, double u, double v) {
   const Vec across =
       normalize(cross(normal, std::abs(normal.x) < 0.5 ? Vec{1, 0, 0} : Vec{0, 1, 0}));
@@ -96,12 +98,12 @@ class PathTracer {
   explicit PathTracer(const Room& room)
       : room_(room), geometry_(room), emitters_(make_emitters(room, geometry_)) {}
 
-  // The surface seen along a ray: the first diffuse one, and the mirrors before it.
+  // What is seen along a ray: the first diffuse surface, and the mirrors before it.
   struct Sight {
     SurfacePoint point;
-    Rgb tint{1, 1, 1};  // product of the mirrors' reflectances
+    Rgb tint{1, 1, 1};  // product of the reflectances of the mirrors
     int mirrors = 0;
-    std::uint32_t number = 0;  // number of the face, as in Reference::faces
+    std::uint32_t number = 0;  // number of the visible face, as in Reference::faces
   };
   std::optional<Sight> look(const Vec& origin, Vec direction, std::uint32_t from, int depth) const {
     Sight sight{{origin, {}, from}};
@@ -118,8 +120,8 @@ class PathTracer {
     }
   }
 
-  // Estimates the light that arrives at a point, as radiosity. The reflected part is the
-  // reflectance times this.
+  // Estimates the light that arrives at a point, as a radiosity. The point reflects this times its
+  // reflectance.
   Rgb sample_irradiance(SurfacePoint point, Numbers& numbers) const {
     Rgb light, weight{1, 1, 1};
     for (;;) {
@@ -129,7 +131,7 @@ class PathTracer {
       const Material& material = material_of(next->point.face);
       weight = weight * next->tint;
       light += weight * eval_emission(*next, point);
-      // Russian roulette with the largest reflectance as the probability of survival.
+      // Russian roulette: the path goes on with a probability equal to the largest reflectance.
       const double survival = max_component(material.reflectance);
       if (numbers.next() >= survival) return light;
       weight = (1 / survival) * weight * material.reflectance;
@@ -137,21 +139,21 @@ class PathTracer {
     }
   }
 
-  // The surface seen from a point in a random direction, weighted by the cosine.
+  // What is seen from a point in a random direction; the density is proportional to the cosine.
   std::optional<Sight> look_anywhere(const SurfacePoint& point, Numbers& numbers) const {
     const double u = numbers.next(), v = numbers.next();
     return look(point.at, sample_hemisphere(point.normal, u, v), point.face, MOST_MIRRORS);
   }
 
-  // The emission of a surface seen in a random direction from a point; zero if sample_emitters()
-  // includes it.
+  // The emission of what is seen from a point in a random direction. It is zero where
+  // sample_emitters() counts this light already.
   Rgb eval_emission(const Sight& seen, const SurfacePoint& from) const {
     const Rgb& emission = material_of(seen.point.face).emission;
     const bool counts = seen.mirrors > 0 || is_near(seen.point, from.at);
     return counts ? emission : Rgb{};
   }
 
-  // Estimates the light that arrives at a point from all emitters that are not near.
+  // Estimates the light that arrives at a point directly from emitters that are not near.
   Rgb sample_emitters(const SurfacePoint& point, Numbers& numbers) const {
     const double which = numbers.next(), v = numbers.next();
     const auto found = std::ranges::upper_bound(emitters_, which, {}, &Emitter::until);
@@ -167,7 +169,7 @@ class PathTracer {
     return (density * e.area / e.share) * e.emission;
   }
 
-  // The density, per area, of unoccluded points found by look_anywhere().
+  // The probability density, per area, with which look_anywhere() finds a point that nothing hides.
   static double eval_transfer(const SurfacePoint& point, const SurfacePoint& to) {
     const Vec way = to.at - point.at;
     const double square = dot(way, way);
@@ -181,8 +183,9 @@ class PathTracer {
   }
 
  private:
-  // True if rays in random directions find this point of an emitter. Points farther away are found
-  // by rays to the emitter. With this division, neither estimate exceeds the emission.
+  // True if this point of an emitter counts as near: its light is found by rays in random
+  // directions. Light from farther points is found by rays towards the emitter. With this division,
+  // neither estimate can exceed the emission.
   bool is_near(const SurfacePoint& emitting, const Vec& from) const {
     const Vec way = emitting.at - from;
     return dot(way, way) < face_area_[emitting.face] / PI;
@@ -197,11 +200,11 @@ class PathTracer {
   const Room& room_;
   const RoomGeometry geometry_;
   const std::vector<Emitter> emitters_;
-  // area of each face; 0 if it does not emit
+  // area of each face that emits; 0 for all others
   const std::vector<double> face_area_ = make_face_areas();
 };
 
-// The standard error of the mean over the rounds.
+// The standard error of the mean over all rounds.
 double eval_error(std::span<const Rgb> rounds) {
   const auto n = static_cast<double>(rounds.size());
   double mean = 0, squares = 0;
@@ -210,9 +213,9 @@ double eval_error(std::span<const Rgb> rounds) {
   return std::sqrt(squares / (n * (n - 1)));
 }
 
-// Computes the pixels of a picture in tiles. The light found on a path from one pixel's surface
-// counts for all pixels of the tile that show the same face, weighted by the balance heuristic (P.
-// Bekaert, M. Sbert and J. Halton, "Accelerating Path Tracing by Re-Using Paths", EGRW 2002).
+// Computes the pixels of a picture in tiles. The light that a path from one pixel finds is used for
+// all pixels of the tile that show the same face, weighted by the balance heuristic (P. Bekaert, M.
+// Sbert and J. Halton, "Accelerating Path Tracing by Re-Using Paths", EGRW 2002).
 class Painter {
  public:
   Painter(const Room& room, const TracerParams& params, const PictureParams& size)
@@ -245,8 +248,8 @@ class Painter {
   }
 
  private:
-  static constexpr int TILE = 8;      // side of a tile, pixels
-  static constexpr int TO_LAMPS = 4;  // rays per path from a pixel's surface to emitters
+  static constexpr int TILE = 8;      // width and height of a tile, pixels
+  static constexpr int TO_LAMPS = 4;  // number of rays towards emitters at the start of each path
 
   struct Member {
     std::size_t pixel = 0;
@@ -273,7 +276,7 @@ class Painter {
 
   void paint_group(const Group& group) {
     const Material& material = tracer_.material_of(group.front().point.face);
-    // sums of each round, by member of the group
+    // by pixel of the group, then by round: the colour found in this round
     std::vector<std::vector<Rgb>> rounds(group.size());
     for (int round = 0; round < params_.rounds; ++round) {
       const auto light = find_irradiance(group, round);
@@ -289,7 +292,7 @@ class Painter {
     }
   }
 
-  // The light that arrives at the members of a group by the paths of a round.
+  // The light that arrives at the pixels of a group, found by the paths of a round.
   std::vector<Rgb> find_irradiance(const Group& group, int round) const {
     std::vector<Rgb> light(group.size());
     for (std::size_t j = 0; j < group.size(); ++j) {
@@ -321,7 +324,7 @@ class Painter {
       share(group, j, *seen, reflected, light);
   }
 
-  // Adds the surface seen from member j to all members that see it.
+  // Adds the light of a surface that is seen from pixel j to all pixels of the group that see it.
   void share(const Group& group, std::size_t j, const PathTracer::Sight& seen, const Rgb& reflected,
              std::vector<Rgb>& light) const {
     std::array<double, TILE * TILE> weights{};
@@ -344,7 +347,8 @@ class Painter {
   const renderer::Params pixels_;
   const std::vector<Numbers::Point> points_;
   Reference made_;
-  std::vector<char> emits_;  // not vector<bool>, since threads write neighbouring elements
+  std::vector<char> emits_;  // not vector<bool>, whose neighbouring elements threads must not write
+                             // at the same time
 };
 
 }  // namespace

@@ -1,41 +1,47 @@
 #pragma once
-// Reference pictures for radiosity by an unbiased path tracer (J. Kajiya, "The Rendering Equation",
-// SIGGRAPH 1986), on Embree. It shares with the kernel the room and the rays from the eye, but no
-// calculation of light.
+// Reference pictures for radiosity, by an unbiased path tracer (J. Kajiya, "The Rendering
+// Equation", SIGGRAPH 1986) with Embree. It uses the same rooms and the same rays from the eye as
+// the program under test, but no calculation of light.
 
 #include "renderer/radiosity/show/picture.hpp"
 #include "renderer/trace/shade.hpp"
 
 namespace radiosity::reference {
 
-/// Parameters of the path tracer. Paths of a pixel are taken in rounds of equal numbers, each with
-/// its own randomised low-discrepancy set. The standard error follows from the spread of the
-/// rounds' means. Errors of nearby pixels are correlated, since these share paths.
+/// Parameters of the path tracer. The paths of a pixel are traced in several rounds with equal
+/// numbers of paths. Each round has its own random shift of a low-discrepancy set. The standard
+/// error follows from the differences between rounds. Errors of nearby pixels are correlated,
+/// because these pixels share paths.
 struct TracerParams {
-  int width = 0, height = 0;  ///< size of the picture in pixels; 0: that of the view
-  int samples = 256;          ///< paths per pixel, in whole rounds, at least one in each
+  int width = 0, height = 0;  ///< size of the picture in pixels; 0: the size of the view
+  int samples = 256;          ///< number of paths per pixel; rounded to whole rounds with at least
+                              ///< one path each
   int rounds = 8;             ///< number of rounds, at least 2
-  int depth = 8;              ///< limit on the mirrors that a ray from the eye may meet
-  int threads = 0;            ///< 0: as many as the host has; results do not depend on it
+  int depth = 8;              ///< limit on the number of mirrors that a ray from the eye may meet
+  int threads = 0;            ///< number of threads, on which results do not depend; 0: as many as
+                              ///< the host has
   std::uint64_t seed = 1;
 };
 
-/// Result of trace_paths(). Rows run from the top, with pixels at y * width + x.
+/// Result of trace_paths(). The pixel (x, y), with rows from the top, has the index y * width + x.
 struct Reference {
-  Picture picture;            ///< linear radiosity at the centres of pixels, as in trace_picture()
-  std::vector<double> error;  ///< standard error of the mean of a pixel's components
-  std::vector<bool> emits;    ///< whether the pixel shows an emitter
-  /// Number of the visible face, equal for the same face seen over the same mirrors; 0: nothing.
+  Picture picture;            ///< linear radiosity in the middle of each pixel, as in
+                              ///< trace_picture()
+  std::vector<double> error;  ///< standard error of the mean of a pixel's colour components
+  std::vector<bool> emits;    ///< for each pixel: true if it shows an emitter
+  /// For each pixel, the number of the visible face; 0: nothing is visible. A face that is seen
+  /// over different mirrors has different numbers.
   std::vector<std::uint32_t> faces;
 };
 
-/// Parameters for renderer::make_primary() of the rays from the eye: one through each pixel's
-/// centre.
+/// Parameters with which renderer::make_primary() makes the rays from the eye: one through the
+/// middle of each pixel.
 renderer::Params make_pixels(int width, int height);
 
-/// Computes the reference picture. Faces are flat: normals at corners have no effect. Backs are
-/// black and block light. Two faces that lie back to back show their fronts. The room must pass
-/// check(). Throws BadInput as trace_picture() does, and std::runtime_error if Embree fails.
+/// Computes the reference picture. Faces are flat: normals at their corners have no effect. The
+/// backs of faces are black and block light. If two faces lie back to back, both fronts are
+/// visible. The room must pass check(). Throws BadInput as trace_picture() does, and
+/// std::runtime_error if Embree fails.
 Reference trace_paths(const Room& room, const TracerParams& params);
 
 }  // namespace radiosity::reference

@@ -39,7 +39,7 @@ class Builder {
   }
 
  private:
-  // A block within `radius` of (x, y), turned by `angle` radians.
+  // A block whose middle is at (x, y), turned by `angle` radians.
   struct Block {
     double x = 0, y = 0, bottom = 0, top = 0, half_along = 0, half_across = 0, angle = 0;
     double radius() const { return std::hypot(half_along, half_across); }
@@ -65,7 +65,7 @@ class Builder {
     text_ += fmt::format(" divide {} {}\n", along, across);
   }
 
-  // Adds a rectangle that shines down.
+  // Adds a rectangle that shines downwards.
   void add_lamp() {
     const double wide = range(0.15, 0.3) * size_.x, deep = range(0.15, 0.3) * size_.y;
     const double x = range(0.1, 0.9) * (size_.x - wide), y = range(0.1, 0.9) * (size_.y - deep);
@@ -91,8 +91,8 @@ class Builder {
     return std::hypot(a.x - b.x, a.y - b.y) > a.radius() + b.radius() + 0.02;
   }
 
-  // A block that stands, floats, touches a wall or lies on another block. It keeps clear of the
-  // walls, the eye and the lamp.
+  // Makes a block that stands on the floor, floats, touches a wall, or lies on another block. Apart
+  // from that, it keeps away from the walls, the eye and the lamp.
   Block try_block() {
     constexpr double EYE = 0.7, CLEAR = 0.02;
     Block b;

@@ -8,14 +8,16 @@ namespace radiosity::reference {
 
 namespace {
 
-// Lengths in units of the geometry. Faces grow by GROWTH, so that no ray passes between two faces
-// that touch. Hits nearer than NEAREST are ignored. Faces at most TOGETHER apart lie back to back.
+// Lengths in the units of RoomGeometry. Faces are enlarged by GROWTH, so that no ray passes between
+// two faces that touch. Hits nearer than NEAREST are ignored. Two faces at most TOGETHER apart
+// count as lying back to back.
 constexpr double GROWTH = 1e-6, TOGETHER = 1e-5;
 constexpr float NEAREST = 1e-6F, NEARLY = 1 - 1e-6F;
 
-// Faces that a ray ignores: those on which it starts and ends. Faces are flat and convex.
+// The faces that a ray ignores: the one on which it starts and the one on which it ends. A ray
+// cannot hit these otherwise, because faces are flat and convex.
 struct Context {
-  embree::Context base;  // first member, since Embree passes its address
+  embree::Context base;  // must be the first member, because Embree passes only its address
   const std::uint32_t* face_of_triangle;
   std::uint32_t from, to;
 };
@@ -128,7 +130,7 @@ std::optional<SurfacePoint> RoomGeometry::intersect(const Vec& origin, const Vec
       return SurfacePoint{near - eval_height(plane, near) * plane.normal,
                           in_front ? plane.normal : -plane.normal, face};
     }
-    // If a back was hit, searches for a face that lies on it.
+    // The ray has hit a back. Searches for the front of a face that lies on it.
     context.to = face;
     const float found = query.ray.tfar;
     query.ray.tnear = std::max(NEAREST, found - static_cast<float>(TOGETHER));

@@ -1,5 +1,5 @@
 #pragma once
-// Ray queries for a room: its faces in Embree, and intersections of rays.
+// The faces of a room in Embree, and intersections of rays with them.
 
 #include <memory>
 #include <optional>
@@ -10,7 +10,7 @@ namespace radiosity::reference {
 
 inline constexpr std::uint32_t NO_FACE = ~0U;
 
-/// A point on a face, with the normal on the side of the ray.
+/// A point on a face. The normal points to the side from which the ray comes.
 struct SurfacePoint {
   Vec at, normal;
   std::uint32_t face = NO_FACE;
@@ -28,12 +28,12 @@ class RoomGeometry {
   /// Converts a position in the room to the units of this geometry.
   Vec scale(const Vec& place) const { return (1 / unit_) * (place - middle_); }
 
-  /// The first surface that is not black on a ray from a point of the face `from`: the front of a
-  /// face, or either side of a two-sided one. The direction must have unit length.
+  /// Finds the first surface on a ray that is not black: the front of a face, or either side of a
+  /// two-sided face. The ray starts on the face `from`. The direction must have unit length.
   std::optional<SurfacePoint> intersect(const Vec& origin, const Vec& direction,
                                         std::uint32_t from) const;
 
-  /// True if another face blocks the line between the two points.
+  /// True if a face other than the two given ones blocks the line between the points.
   bool is_blocked(const SurfacePoint& from, const Vec& to, std::uint32_t to_face) const;
 
   /// The corners of a face in the units of this geometry.

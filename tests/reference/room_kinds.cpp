@@ -18,7 +18,7 @@ namespace {
 using renderer::Vec;
 using Corners = std::array<Vec, 4>;
 
-// A room under construction: a shell from (0, 0, 0) to `size`, the objects in it, and the positions
+// Makes the text of a room: a shell from (0, 0, 0) to `size`, the objects in it, and the positions
 // of its views.
 class KindBuilder {
  public:
@@ -77,7 +77,7 @@ class KindBuilder {
                          0.9 * power, 0.75 * power);
   }
 
-  // Adds a quad, divided into steps of at most `step_`.
+  // Adds a quad, divided into patches whose sides are at most `step_` long.
   void add_quad(const char* material, const Corners& c, bool two_sided = false) {
     const auto divide = [&](const Vec& way) {
       return std::max(1, static_cast<int>(std::ceil(length(way) / step_)));
@@ -86,13 +86,13 @@ class KindBuilder {
                          write(c[1]), write(c[2]), write(c[3]), divide(c[1] - c[0]),
                          divide(c[3] - c[0]), two_sided ? " two-sided" : "");
   }
-  // Adds a parallelogram, with its front on the side of cross(u, v).
+  // Adds a parallelogram. Its front is on the side to which cross(u, v) points.
   void add_part(const char* material, const Vec& p, const Vec& u, const Vec& v,
                 bool two_sided = false) {
     add_quad(material, {p, p + u, p + u + v, p + v}, two_sided);
   }
 
-  // Adds six walls, seen from inside. The ceiling is `rise` higher at y = size.y.
+  // Adds six walls whose fronts point inwards. At y = size.y, the ceiling is higher by `rise`.
   void add_shell(const Vec& size, double rise = 0) {
     size_ = size;
     const double x = size.x, y = size.y, z = size.z, top = size.z + rise;
@@ -108,21 +108,22 @@ class KindBuilder {
       add_material(name, lo, hi);
   }
 
-  // Adds a lamp that shines down. `rise` is the additional height of its far side.
+  // Adds a lamp that shines downwards. Its far side is higher by `rise`.
   void add_lamp(const Vec& corner, double wide, double deep, double rise = 0) {
     const double step = std::exchange(step_, std::min(step_, std::max(wide, deep) / 2));
     add_part("lamp", corner, {0, deep, rise}, {wide, 0, 0});
     step_ = step;
   }
 
-  // Adds a lamp `gap` below the middle of a level ceiling.
+  // Adds a lamp below the middle of a level ceiling, at a distance of `gap`.
   void add_ceiling_lamp(double gap) {
     const double wide = range(0.4, 0.8), deep = range(0.4, 0.8);
     const double x = range(0.3, 0.6) * (size_.x - wide), y = range(0.3, 0.6) * (size_.y - deep);
     add_lamp({x, y, size_.z - gap}, wide, deep);
   }
 
-  // Adds the sides and the top of a box turned around z, and its bottom if it floats.
+  // Adds the sides and the top of a box that is turned around the z axis, and its bottom if it
+  // floats.
   void add_box(const Vec& centre, double half_along, double half_across, double angle, double low,
                double high) {
     const double step = std::exchange(step_, 0.3);
@@ -143,9 +144,10 @@ class KindBuilder {
     step_ = step;
   }
 
-  // Adds boxes on the floor, apart from each other and from the positions of the views.
+  // Adds boxes on the floor that keep away from each other and from the positions of the views.
   void add_boxes(int count) {
-    constexpr double CLEAR = 0.5;  // distance from the walls; eyes are nearer to the walls
+    constexpr double CLEAR = 0.5;  // distance from the walls; the eyes of the views are nearer to
+                                   // the walls
     std::vector<std::array<double, 3>> done;
     for (int attempt = 0; attempt < 50 && static_cast<int>(done.size()) < count; ++attempt) {
       const double along = range(0.12, 0.35), across = range(0.12, 0.35);
@@ -186,7 +188,7 @@ class KindBuilder {
     const Vec size{range(4, 5.5), range(3.5, 5), range(2.2, 2.6)};
     const double x = range(0.4, 0.6) * size.x, y = range(0.4, 0.6) * size.y;
     size_ = size;
-    // The L-shaped room lacks the quarter beyond (x, y).
+    // The room has the shape of an L: the quarter beyond (x, y) is missing.
     const Vec up{0, 0, size.z};
     const auto add_level = [&](const Vec& p, double wide, double deep) {
       add_part("floor", p, {wide, 0, 0}, {0, deep, 0});
@@ -201,15 +203,15 @@ class KindBuilder {
     add_part("right", {x, y, 0}, up, {0, size.y - y, 0});
     add_part("wall", {0, size.y, 0}, {x, 0, 0}, up);
     add_part("left", {0, 0, 0}, {0, size.y, 0}, up);
-    // Adds a wall with a door between the arms of the L-shaped room.
+    // Adds a wall with a door between the two arms of the room.
     add_opening({0, y, 0}, {x, 0, 0}, range(0.15, 0.5) * x, range(0.7, 0.9), 0, 2);
     add_lamp({0.6 * size.x, 0.3 * y, size.z - range_log(0.01, 0.1)}, 0.5, 0.5);
     eyes_ = {Vec{0.1, 0.1, 1.6}, {0.1, 0.1, 0.1}, {0.1, size.y - 0.1, 1.5}};
     ats_ = {Vec{0.5 * x, y, 1}, {x, 0.6 * y, size.z}, {0.5 * x, y, 0.9}};
   }
 
-  // Adds a wall from p along `way`. It has an opening that begins at `from` with this width,
-  // between two heights.
+  // Adds a wall from p along `way`, with an opening. The opening begins at the distance `from`, is
+  // `width` wide, and reaches from the height `low` to `high`.
   void add_opening(const Vec& p, const Vec& way, double from, double width, double low,
                    double high) {
     const double all = length(way);
@@ -306,7 +308,7 @@ class KindBuilder {
     add_ceiling_lamp(range_log(0.01, 0.1));
     const int screens = 2 + random_.below(2);
     for (int i = 0; i < screens; ++i) {
-      // Each screen has a strip of the floor of its own.
+      // Each screen stands on its own strip of the floor.
       const double y = 0.6 + (i + 0.5) * (size_.y - 1.2) / screens;
       const double angle = range(-0.2, 0.2), wide = range(0.5, 0.5 * size_.x);
       const double x = range(0.5, size_.x - 0.5 - wide);
@@ -345,7 +347,8 @@ class KindBuilder {
   base::Random random_;
   double step_ = 0.5;
   Vec size_;
-  std::vector<Vec> eyes_, ats_;  // positions and targets of the views
+  std::vector<Vec> eyes_, ats_;  // for each view, the position of the eye and the point at which it
+                                 // looks
   std::string text_;
 };
 
