@@ -1,5 +1,5 @@
 #pragma once
-// Queries of single rays, for Embree 3 and Embree 4.
+// Intersection of single rays, with the same functions for Embree 3 and Embree 4.
 #if __has_include(<embree4/rtcore.h>)
 #include <embree4/rtcore.h>
 #define TLAB_HAS_EMBREE4 1
@@ -13,12 +13,12 @@ namespace embree {
 #if TLAB_HAS_EMBREE4
 
 using Context = RTCRayQueryContext;
-/// Flags of scenes whose queries have a filter.
+/// Flags for scenes in which queries use a filter function.
 inline constexpr RTCSceneFlags FILTERED = RTC_SCENE_FLAG_FILTER_FUNCTION_IN_ARGUMENTS;
 
 inline void init(Context& context) { rtcInitRayQueryContext(&context); }
 
-/// Arguments of rtcIntersect1 and rtcOccluded1 beside the ray. `filter` may be null.
+/// Makes the arguments of rtcIntersect1 and rtcOccluded1. `filter` may be null.
 template <class Arguments>
 Arguments make_arguments(void (*init)(Arguments*), Context& context, RTCFilterFunctionN filter) {
   Arguments arguments;
@@ -45,12 +45,12 @@ inline void find_occlusion(RTCScene scene, Context& context, RTCRay& ray,
 #else
 
 using Context = RTCIntersectContext;
-/// Flags of scenes whose queries have a filter.
+/// Flags for scenes in which queries use a filter function.
 inline constexpr RTCSceneFlags FILTERED = RTC_SCENE_FLAG_CONTEXT_FILTER_FUNCTION;
 
 inline void init(Context& context) { rtcInitIntersectContext(&context); }
 
-/// Intersects a ray. `filter` may be null.
+/// Intersects a ray with the scene. `filter` may be null.
 inline void intersect(RTCScene scene, Context& context, RTCRayHit& ray,
                       RTCFilterFunctionN filter = nullptr) {
   context.filter = filter;

@@ -1,5 +1,5 @@
 #pragma once
-// A temporary folder, and the text of an exception.
+// A temporary folder for a test, and the text of an exception.
 #include <stdlib.h>
 
 #include <algorithm>
@@ -23,7 +23,7 @@ struct TemporaryFolder {
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
 
-  /// The names of all entries directly inside, hidden ones included, sorted.
+  /// The sorted names of all files and folders directly in the folder, including hidden ones.
   std::vector<std::string> names() const {
     std::vector<std::string> found;
     for (const auto& entry : std::filesystem::directory_iterator(path))

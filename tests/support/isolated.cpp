@@ -14,8 +14,8 @@
 namespace test {
 namespace {
 
-// A child process writes the failures of assertions first, then its result or exception. Each part
-// is a letter, the lengths of two texts, and the two texts.
+// A child process sends the failed assertions first, and then its result or exception. Each of
+// these messages consists of a letter, the lengths of two texts, and the two texts.
 constexpr char FAILURE = 'f', RETURNED = 'r', THREW = 't';
 
 void write_part(std::FILE* out, char kind, const std::string& first, const std::string& second) {
@@ -26,7 +26,7 @@ void write_part(std::FILE* out, char kind, const std::string& first, const std::
 [[noreturn]] void run_child(int fd, const std::function<std::string()>& body, unsigned limit_s) {
   alarm(limit_s);
   std::FILE* out = fdopen(fd, "w");
-  // collected without printing, since the parent reports them
+  // collects failures without printing them, because the parent reports them
   testing::TestPartResultArray failures;
   const testing::ScopedFakeTestPartResultReporter reporter(
       testing::ScopedFakeTestPartResultReporter::INTERCEPT_ONLY_CURRENT_THREAD, &failures);
@@ -44,7 +44,7 @@ void write_part(std::FILE* out, char kind, const std::string& first, const std::
   } catch (const std::exception& error) {
     write_end(THREW, boost::core::demangle(typeid(error).name()), error.what());
   }
-  _exit(0);  // ends without calling the destructors of the parent's objects
+  _exit(0);  // exits without calling the destructors of objects copied from the parent
 }
 
 struct Part {

@@ -1,5 +1,5 @@
 #pragma once
-// Execution of a part of a test in a child process, since SimGrid's engine is a singleton.
+// Executes a part of a test in a child process, because SimGrid's engine is a singleton.
 #include <functional>
 #include <stdexcept>
 #include <string>
@@ -8,7 +8,8 @@
 namespace test {
 
 /// True if the address sanitizer is active. It does not know the stacks of SimGrid's actors, and
-/// reports false errors when exceptions pass through them. Such tests are skipped.
+/// reports false errors if an exception passes through them. Tests in which this happens are
+/// skipped.
 #ifdef __SANITIZE_ADDRESS__
 constexpr bool IS_SANITIZED = true;
 #else
@@ -22,15 +23,16 @@ struct ChildThrew : std::runtime_error {
   std::string type;
 };
 
-/// The text that `body` returns in a child process. Assertions that fail in the child fail the test
-/// here, with their files and lines. Throws ChildThrew for an exception of `body`. Throws
-/// std::runtime_error for a child that dies, or that has not ended after `limit_s` seconds.
+/// Calls `body` in a child process, and returns the text that it returns. An assertion that fails
+/// in the child fails this test too, with file and line. Throws ChildThrew if `body` throws an
+/// exception. Throws std::runtime_error if the child dies, or has not ended after `limit_s`
+/// seconds.
 std::string isolated(const std::function<std::string()>& body, unsigned limit_s = 120);
 
-/// Runs `body` in a child process only for its assertions.
+/// Calls `body` in a child process, only for its assertions.
 void run_isolated(const std::function<void()>& body);
 
-/// The numbers that `body` returns in a child process, with all their bits.
+/// Calls `body` in a child process, and returns the numbers that it returns, exactly.
 std::vector<double> isolated_numbers(const std::function<std::vector<double>()>& body);
 
 }  // namespace test

@@ -1,4 +1,4 @@
-// Tests in child processes: a failure in a child fails the test.
+// Parts of tests in child processes: what fails in a child fails the test.
 #include "tests/support/isolated.hpp"
 
 #include <gtest/gtest-spi.h>

@@ -1,13 +1,13 @@
-// Paths of the project's files, for tests that name them.
+// Paths of the project's files, for tests that use them.
 #pragma once
 
 #include <string>
 
 namespace test {
 
-/// A file of the sources, such as "experiments/farm.toml".
+/// The path of a source file such as "experiments/farm.toml".
 std::string in_sources(const std::string& path);
-/// A file of the build, such as "tlab".
+/// The path of a built file such as "tlab".
 std::string in_build(const std::string& path);
 
 }  // namespace test

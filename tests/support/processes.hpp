@@ -1,5 +1,5 @@
 #pragma once
-// Processes that a test, or the program under test, has started.
+// Processes that a test, or the program that it tests, has started.
 #include <sys/types.h>
 
 #include <fstream>
@@ -7,7 +7,7 @@
 
 namespace test {
 
-/// True if the process has ended. A process that was not waited for remains as a zombie.
+/// True if the process has ended. A process that nobody has waited for still exists as a zombie.
 inline bool is_gone(pid_t process) {
   std::ifstream in("/proc/" + std::to_string(process) + "/stat");
   std::string number, name, state;

@@ -1,4 +1,4 @@
-// Frame durations of an animated WebP picture, from the chunks of its file.
+// Reads the durations of the frames in an animated WebP file.
 #pragma once
 
 #include <string>
@@ -13,7 +13,7 @@ inline std::size_t little_endian(const std::string& bytes, std::size_t at, int c
   return value;
 }
 
-// Durations in milliseconds; empty for a still picture.
+// Durations of the frames in milliseconds; empty for a still picture.
 inline std::vector<int> durations_of_webp(const std::string& bytes) {
   std::vector<int> durations;
   for (std::size_t at = 12; at + 8 <= bytes.size();) {

@@ -1,4 +1,4 @@
-// Frames of an animated WebP picture, decoded by libwebp itself.
+// Decodes the frames of an animated WebP file with the library libwebp.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 namespace test {
 
-// The picture shown from `from_ms` (included) to `to_ms` (excluded).
+// A frame, shown from `from_ms` up to, but not including, `to_ms`.
 struct WebpFrame {
   int from_ms, to_ms, width, height;
   std::vector<std::uint8_t> rgb8;  // pixels, in rows from the top
@@ -23,7 +23,7 @@ struct WebpFrame {
   }
 };
 
-// Decodes the frames; empty if `bytes` is no animated WebP picture.
+// Decodes all frames; empty if `bytes` is not an animated WebP file.
 inline std::vector<WebpFrame> decode_webp(const std::string& bytes) {
   const WebPData data{reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()};
   const std::unique_ptr<WebPAnimDecoder, decltype(&WebPAnimDecoderDelete)> decoder(
