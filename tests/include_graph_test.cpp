@@ -1,5 +1,5 @@
-// Dependencies between rooms: the #include lines of all sources are compared with the permitted
-// ones.
+// Dependencies between rooms, the libraries of source folders: compares the #include lines of all
+// sources with the permitted dependencies.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,11 +18,12 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Source {
-  std::string path, room;  // path from the root of the repository, and the room it belongs to
-  std::vector<std::string> includes;  // includes as written in the source
+  std::string path, room;  // path from the root of the repository, and the room to which the file
+                           // belongs
+  std::vector<std::string> includes;  // the included paths, as spelled in the source
 };
 
-// The room of a file: the folder that contains it.
+// The room of a file is the folder that contains it.
 std::string room_of(const std::string& path) {
   return fs::path(path).parent_path().generic_string();
 }
@@ -59,14 +60,14 @@ bool is_ours(const std::string& include) {
 
 using Edges = std::map<std::string, std::set<std::string>>;
 
-// Adds to `known` the rooms that `room` depends on, directly or indirectly.
+// Adds to `known` all rooms on which `room` depends, directly or indirectly.
 void close_over(const Edges& knows, const std::string& room, std::set<std::string>& known) {
   for (const auto& other : knows.at(room))
     if (known.insert(other).second) close_over(knows, other, known);
 }
 
-// Loads the rooms and their permitted includes: the transitive closure of add_room() in
-// CMakeLists.txt.
+// Loads the rooms of CMakeLists.txt. Each may include the rooms that it names in add_room(), and
+// those that these may include.
 Edges load_rooms() {
   std::ifstream in(::test::in_sources("CMakeLists.txt"));
   const std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -111,8 +112,9 @@ TEST(IncludeGraph, RoomsIncludeOnlyWhatTheyKnow) {
   }
 }
 
-// The rooms that the tests of a folder below tests/ may include: a room, by default of the same
-// name, and its dependencies. Shared code in tests/support may include no more than occam.
+// The rooms that tests in a folder of tests/ may include: the room that they test, which usually
+// has the folder's name, and all that it depends on. Code in tests/support, which many tests share,
+// may use only occam and what that depends on.
 std::set<std::string> rooms_tested_in(const std::string& folder) {
   const std::map<std::string, std::string> others{{"laboratory", "experiments/laboratory"},
                                                   {"support", "simulator/occam"},
@@ -165,8 +167,8 @@ TEST(IncludeGraph, FoldersHaveFewSources) {
   for (const auto& [room, count] : counts) EXPECT_LE(count, MOST) << room << " wants walls";
 }
 
-// In a unity build, a directive of one source would also hold for the next ones. The examples and
-// benchmarks are compiled separately.
+// In a unity build, such a directive would also affect the sources that follow. The examples and
+// the benchmarks are never built in this way.
 TEST(IncludeGraph, SourcesLeakNoNamespaceAndNoPragma) {
   for (const Source& source : sources()) {
     if (source.room == "experiments/examples" || source.room == "tests/benchmarks") continue;
@@ -195,7 +197,7 @@ TEST(IncludeGraph, IncludesAreFromTheRoot) {
       }
 }
 
-// True if a walk along the edges from `at` returns to a node on its own path.
+// True if the edges lead from `at` back to a node that is already on the way.
 bool has_cycle(const Edges& edges, const std::string& at, std::vector<std::string>& way,
                std::set<std::string>& done) {
   if (std::ranges::find(way, at) != way.end()) return true;
@@ -233,7 +235,8 @@ TEST(IncludeGraph, HasNoCycleOfFoldersNorOfFiles) {
   expect_no_cycle(files);
 }
 
-// A dependency: the prefixes of its headers, and the only files that may include them.
+// An external library: the beginnings of its headers' names, and the only files that may include
+// them.
 struct Door {
   std::vector<std::string> headers;
   std::regex files;
@@ -241,8 +244,8 @@ struct Door {
 
 TEST(IncludeGraph, DependenciesEnterThroughTheirDoors) {
   const Door doors[] = {
-      // (raw_simgrid.cpp measures SimGrid alone, for comparison. forecast_test.cpp makes SimGrid
-      // contradict forecasts.)
+      // Two tests use SimGrid directly: raw_simgrid.cpp measures SimGrid alone for comparison, and
+      // forecast_test.cpp makes SimGrid contradict forecasts.
       {{"simgrid/", "xbt/"},
        std::regex("simulator/machine/carriers/simgrid\\.cpp|tests/simulator/machine/carriers/"
                   "forecast_test\\.cpp|"

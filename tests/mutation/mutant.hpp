@@ -1,6 +1,6 @@
 #pragma once
-// Switch between the mutants of a build (sites.py). Every source includes this before everything
-// else.
+// Selects one of the mutants that are compiled into the program (see sites.py). Every source
+// includes this header before anything else.
 
 #include <fcntl.h>
 #include <sys/mman.h>
@@ -14,7 +14,7 @@ namespace mutation {
 constexpr int UNKNOWN = -1, NONE = 0, MOST = 1 << 20;
 
 inline constinit int active = UNKNOWN;
-// flag for each mutant, in a file shared by all processes of a test
+// one flag for each mutant, in a file that all processes of a test share
 inline constinit char* reached = nullptr;
 
 inline void load() {
@@ -31,7 +31,7 @@ inline void load() {
 
 }  // namespace mutation
 
-/// True if the active mutant has this number; always false in constant expressions.
+/// True if the mutant with this number is active. Always false in constant expressions.
 constexpr bool is_mutant(int number) {
   if (std::is_constant_evaluated()) return false;
   if (mutation::active == mutation::UNKNOWN) mutation::load();
