@@ -14,14 +14,14 @@ INTERRUPTED = 130  # exit code after an interrupt
 
 def find():
     """The program's path: from $TLAB, else in the same build tree or installation, else on PATH."""
-    given = os.environ.get("TLAB")  # takes precedence, so that it overrides an installed program
+    given = os.environ.get("TLAB")  # takes precedence over an installed program
     if given:
         found = shutil.which(given)
         if not found:
             raise NotFound(f"TLAB is {given}, expected the path of the program tlab")
         return pathlib.Path(found)
     package = pathlib.Path(__file__).parent
-    # paths of the program in a build tree and in an installation
+    # where the program is, relative to this package, in a build tree and in an installation
     beside = (package / "../../tlab", package / "../../../../bin/tlab")
     found = next(filter(None, map(shutil.which, (*beside, "tlab"))), None)
     if not found:
@@ -66,7 +66,7 @@ def start(arguments):
         try:
             process.communicate()
         finally:
-            process.kill()  # stops tlab after a second interrupt
+            process.kill()  # a second interrupt has ended the wait for tlab
         raise
     if process.returncode == INTERRUPTED:
         raise KeyboardInterrupt

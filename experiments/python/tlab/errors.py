@@ -39,5 +39,5 @@ class NotFound(Error):
     """The program `tlab` was not found."""
 
 
-# The exception for each exit code of the command. Other codes mean a defect of tlab.
+# The exception for each exit code of the command. Any other exit code means a defect of tlab.
 OF_EXIT_CODE = {kind.exit_code: kind for kind in (CheckFailed, BadInput, SimulatedFault)}

@@ -12,7 +12,7 @@ from tlab import _native
 from tlab.running import run as _run
 from tlab.spelling import plain
 
-# Short names of keys that most programs share, each with its key and default.
+# Short names for keys that most programs have: for each, the key and its default value.
 _COMMON = {"model": ("machine.model", "t805-25")}
 _NETWORK = {"topology": ("network.topology", "tree"), "workers": ("network.workers", 7)}
 
@@ -21,8 +21,8 @@ def _common_of(program):
     return {**_COMMON, **(_NETWORK if program["network"] else {})}
 
 
-# Maps short names to a program's parameters. If a short name is not unique, the whole key is used
-# instead, with _ for its dots.
+# Maps short names to the parameters of a program. A parameter whose short name is not unique gets
+# its whole key as its name, with _ for each dot.
 def _names_of(program):
     keys = [parameter["key"] for parameter in program["parameters"]]
     short = [key.rpartition(".")[2] for key in keys]

@@ -21,7 +21,7 @@ def pytest_collect_file(file_path, parent):
     return None
 
 
-# The number of tables [[check]]; 0 for a file that is no TOML.
+# The number of tables [[check]] in a file; 0 if the file is not TOML.
 def _count_checks(path):
     try:
         checks = tomllib.loads(path.read_text(encoding="utf-8")).get("check")

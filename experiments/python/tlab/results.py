@@ -11,13 +11,13 @@ import pandas
 from tlab.pictures import read_image
 
 
-# Integers as tlab writes them. Labels of processors such as 007 or 1_2 do not match.
+# Integers in the way that tlab writes them. Labels of processors, such as 007 or 1_2, do not match.
 WHOLE = re.compile(r"-?(0|[1-9][0-9]*)")
 NUMBER = re.compile(r"-?(0|[1-9][0-9]*)(\.[0-9]+)?(e[-+]?[0-9]+)?")
 FLAGS = {"0": False, "1": True, "false": False, "true": True}
 
-# For each type of results.schema.json: a test of a cell's text, its conversion, and the column's
-# dtype without and with missing values.
+# For each type in results.schema.json: a test whether a cell has the type, the conversion of its
+# text, and the dtypes of the column without and with missing values.
 TYPES = {"boolean": (FLAGS.__contains__, FLAGS.get, "bool", "boolean"),
          "integer": (WHOLE.fullmatch, int, "int64", "Int64"),
          "number": (NUMBER.fullmatch, float, "float64", "float64"),
@@ -56,7 +56,7 @@ class Result:
     def __init__(self, folder, output="", files=None):
         self.folder = pathlib.Path(folder)
         self.output = output
-        self._files = files  # keeps the temporary folder alive
+        self._files = files  # keeps the temporary folder until this object is deleted
         self.record = json.loads((self.folder / "run.json").read_text(encoding="utf-8"))
         self.table = self._read("results")
 

@@ -46,18 +46,20 @@ class _Files:
         return text
 
 
-# Returns the name if it is free, else the name followed by the lowest number that makes it free.
+# Returns the name if it is not taken, else the name followed by the lowest number with which it is
+# not.
 def _find_free(name, is_taken):
     names = itertools.chain([name], (f"{name}-{number}" for number in itertools.count(2)))
     return next(free for free in names if not is_taken(free))
 
 
-# True for TOML text, which contains a line end or =. Paths contain neither.
+# True if the argument is the text of an experiment, not a path: only TOML text contains a line end
+# or "=".
 def _is_text(experiment):
     return isinstance(experiment, str) and ("\n" in experiment or "=" in experiment)
 
 
-# The path of the experiment's file. Text is written to a new file.
+# The path of the experiment's file. A text or a dict is first written to a new file.
 def _file_of(experiment, files):
     if isinstance(experiment, dict):
         text = spell_file(files.put_networks(experiment, absolute=False))
@@ -70,7 +72,7 @@ def _file_of(experiment, files):
     return path
 
 
-# Identifies a file, to detect that another file has replaced it.
+# The identity of a file on disk, which changes when another file replaces it.
 def _identity(path):
     try:
         status = path.stat()

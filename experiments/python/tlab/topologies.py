@@ -10,7 +10,7 @@ from tlab import _native
 from tlab.errors import BadInput
 from tlab.spelling import whole
 
-# A link: its lower processor with its port, its higher processor with its port.
+# A link: the lower processor and its port, then the higher processor and its port.
 Link = collections.namedtuple("Link", "a port_a b port_b")
 
 
@@ -22,8 +22,8 @@ class Topology:
 
     def __init__(self, native, spec=None, nodes=()):
         self._native = native
-        self.spec = spec  # the spec that stands for it in an experiment, or None
-        self._nodes = list(nodes)  # of the graph that it was made from
+        self.spec = spec  # the text that stands for this topology in an experiment, or None
+        self._nodes = list(nodes)  # the nodes of the graph from which the topology was made
 
     @property
     def name(self):
@@ -114,7 +114,7 @@ class Topology:
             raise BadInput(f"{path}: cannot be written: {error.strerror}") from None
 
     @functools.cached_property
-    def _numbers(self):  # number of each name, and of the text of each name
+    def _numbers(self):  # the processor's number for each name, and for each name as a string
         named = list(zip(self.names, range(self.processors)))
         return {**{str(name): number for name, number in named}, **dict(named)}
 
@@ -128,7 +128,7 @@ class Topology:
             if processor in self._numbers and not isinstance(processor, bool):
                 return self._numbers[processor]
         except TypeError:
-            pass  # a list is no name
+            pass  # an unhashable value, such as a list, is no name
         if not isinstance(processor, str):
             number = whole(processor, f"{self.name}: processor")
             if str(number) in self._numbers:
@@ -197,7 +197,7 @@ def generators():
     return dict(_native.generators())
 
 
-# An attribute's value as a text, as a file would contain it; "" without one.
+# The value of an attribute as a string, spelled as in a file; "" if the attribute is missing.
 def _spell(attributes, name):
     value = attributes.get(name)
     if isinstance(value, float) and value.is_integer():
