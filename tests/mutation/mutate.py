@@ -26,14 +26,14 @@ from sites import Site, find_sites
 
 ROOT = Path(__file__).resolve().parents[2]
 BUILD = ROOT / "build" / "mutation"
-# The mutated sources are compiled below the build tree under the paths of a normal build, so that a
-# compiler cache serves all unmutated files.
+# Mutated sources are compiled below the build tree, under the same relative paths as in a normal
+# build. A compiler cache can then serve all files without a mutant.
 SOURCE = BUILD / "source"
 TREE = SOURCE / "build" / "release"
 RESULTS = BUILD / "results.json"
 ROOMS = ["base", "topologies", "renderer", "simulator", "experiments"]
 JUDGED = Path(__file__).parent / "judged.toml"
-# Tests that are not run: of source text, of other programs, and of tests like this one.
+# Tests that are not run: tests of the source text, of other programs, and tests that run tests.
 NOT_RUN = re.compile(r"^(Kills|Fuzz|IncludeGraph|Docs|Consumer|Install)\b|Spin|HaveAtMost100Lines")
 
 
@@ -97,7 +97,8 @@ def choose(rooms, number, seed):
     drawn = {file: draw_apart(sites[file], share, draw) for file in files}
     chosen, some = [], True
     while some and len(chosen) < number:
-        # Each round takes one place from each room, from the source with the fewest so far.
+        # In each round, takes one place from each room, from the source with the fewest places so
+        # far.
         some = False
         for room in draw.sample(sorted(by_room), len(by_room)):
             left = [file for file in files if drawn[file] and room_of(file) == room]
@@ -129,7 +130,7 @@ def write_sources(mutants, left_out=()):
     for folder in {SOURCE / Path(file).parts[0] for file in filter(None, listed) if "/" in file}:
         for path in folder.rglob("*"):
             if path.is_file() and str(path.relative_to(SOURCE)) not in listed:
-                path.unlink()  # remains of an earlier call
+                path.unlink()  # left by an earlier call
     header = Path(__file__).with_name("mutant.hpp")
     if not (SOURCE / header.name).exists() or (SOURCE / header.name).read_bytes() != header.read_bytes():
         shutil.copy(header, SOURCE)
@@ -146,12 +147,13 @@ def build(mutants, targets):
                               text=True, capture_output=True)
         if made.returncode == 0:
             return left_out
-        # Finds the mutants on the lines with errors; if there are none, all mutants in these files.
+        # The mutants on the lines with errors; if there are none, all mutants in the files with
+        # errors.
         wrong, files = set(), set()
         for file, line in set(re.findall(r"([\w/.-]+\.cpp):(\d+):\d+: error", made.stdout + made.stderr)):
             path = (TREE / file).resolve()
             files.add(str(path.relative_to(SOURCE)))
-            # the text has two more lines before line 1
+            # two lines are inserted before line 1 of each file
             text = "\n".join(path.read_text().split("\n")[int(line) - 1:int(line) + 2])
             wrong |= {int(n) for n in re.findall(r"is_mutant\((\d+)\)", text)}
         wrong = (wrong - left_out) or ({n for n, s in mutants.items() if s.file in files} - left_out)
@@ -166,7 +168,7 @@ class Test:
     command: tuple
     folder: str
     environment: tuple
-    source: str  # source of a gtest suite; empty for other tests
+    source: str  # source file of a gtest suite; "" for other tests
     version: str  # hash of the source
 
 
@@ -186,7 +188,7 @@ def list_tests(wanted):
     suites, tests = find_suites(), []
     for test in json.loads(shown)["tests"]:
         properties = {p["name"]: p["value"] for p in test.get("properties", [])}
-        # A test name that shows a parameter's bytes differs in every build.
+        # A name that contains the bytes of a parameter is different in each build.
         filters = [word for word in test.get("command", []) if word.startswith("--gtest_filter=")]
         name = filters[0].partition("=")[2] if filters else test["name"]
         if "command" not in test or NOT_RUN.search(name) or not re.search(wanted, name):
@@ -243,7 +245,7 @@ def try_mutant(number, plan, limit_s):
     for test, took in plan:
         if time.monotonic() - begin > limit_s:
             break
-        # Runs a failed test twice, since tests of interrupts and of time may fail by chance on a
+        # Repeats a failed test, because tests of interrupts and of time may fail by chance on a
         # busy host.
         if not any(run_test(test, {"TLAB_MUTANT": str(number)}, 10 + 10 * took) for _ in range(2)):
             return {"killer": test.name, "passed": passed, "left": 0}

@@ -9,7 +9,7 @@ COMPARISONS = {"<": ["<=", ">"], "<=": ["<", ">="], ">": [">=", "<"], ">=": [">"
 LOGIC = {"&&": ["||"], "||": ["&&"]}
 ARITHMETIC = {"+": ["-"], "-": ["+"], "*": ["+"], "%": ["+"]}
 NUMBERS = set(range(TypeKind.CHAR_U.value, TypeKind.LONGDOUBLE.value + 1))
-# Syntax nodes that are evaluated at compile time, and so cannot be switched.
+# Syntax nodes that are evaluated at compile time. A mutant in them could not be switched on.
 CONSTANT = {Kind.STATIC_ASSERT, Kind.CASE_STMT, Kind.ENUM_CONSTANT_DECL, Kind.TEMPLATE_TYPE_PARAMETER,
             Kind.TEMPLATE_NON_TYPE_PARAMETER, Kind.FIELD_DECL, Kind.PARM_DECL}
 

@@ -38,7 +38,7 @@ class InstallTest(unittest.TestCase):
                              ["history.ipynb", "lecture.ipynb", "study.ipynb"])
             files = [path for path in prefix.rglob("*") if path.is_file()]
             self.assertFalse([path for path in files if path.is_symlink()])
-            for path in files:  # no installed file may name the build tree
+            for path in files:  # no installed file may contain a path of the build tree
                 self.assertNotIn(str(BUILD).encode(), path.read_bytes() if path.name != "tlab" else b"", path.name)
 
 

@@ -22,7 +22,7 @@ class ManualTest(unittest.TestCase):
         folder = tempfile.TemporaryDirectory()
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
-        # the folder is as in a clone, and nothing writes to it
+        # makes the folder look like a clone of the repository, which no command may change
         (self.folder / "experiments").symlink_to(ROOT / "experiments")
         (self.folder / "build").mkdir()
         (self.folder / "build/release").symlink_to(BUILD)

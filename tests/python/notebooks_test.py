@@ -15,13 +15,13 @@ from support import ROOT
 import tlab.command
 
 NOTEBOOKS = ROOT / "experiments/notebooks"
-# finished notebooks in the build tree, beside the package
+# folder for executed notebooks, in the build tree beside the package
 SHOWN = pathlib.Path(tlab.command.__file__).parents[1] / "notebooks"
 
 
 class NotebooksTest(unittest.TestCase):
     def setUp(self):
-        # makes the package available to the kernel of the notebook
+        # lets the notebook's kernel find the package
         os.environ["PYTHONPATH"] = os.pathsep.join(sys.path)
         os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
 
@@ -45,7 +45,7 @@ class NotebooksTest(unittest.TestCase):
         pictures, text = [], ""
         for output in (output for cell in book.cells for output in cell.get("outputs", [])):
             if output.output_type == "stream":
-                # readers of the notebook must not see warnings
+                # warnings would be shown to readers of the notebook
                 self.assertEqual(output.name, "stdout", output.text)
                 text += output.text
             elif "image/png" in output.get("data", {}):

@@ -10,7 +10,7 @@ from support import ROOT, tlab_command
 
 import tlab
 
-# Each case is a scene, a size, and options in the form for Python and in that for the command.
+# Cases: a scene, a size, and the same options for Python and for the command.
 CASES = [("spheres:200", (160, 120), {}, []), ("spheres:1", (1, 1), {}, []), ("hills:200", (31, 17), {}, []),
          ("room:2", (24, 40), {"depth": 3}, ["--depth", "3"]),
          ("spheres:30", (40, 30), {"min_influence": 0.2, "sample": "center", "feelers": "front", "ambient": 0.3},

@@ -10,7 +10,7 @@ from support import tlab_command
 import tlab
 from tlab import _native as native
 
-# Programs whose defaults run quickly and need no file.
+# Programs that are fast with their default parameters and need no file.
 QUICK = ["message", "soft", "both_ways", "unicast", "pipeline", "sources", "broadcast", "request", "alternative",
          "interrupt", "commstime", "flops", "metrics", "census", "law", "task_farm", "global_", "in_path"]
 
@@ -19,7 +19,7 @@ def help_on(program):
     """Keys with their defaults, and columns, from `tlab help`."""
     text = tlab_command("help", program).stdout
     if text.startswith("print") or "The program, in an experiment file:" in text:
-        # radiosity is also a command, whose help comes first
+        # "radiosity" is also a command, and help on the command comes first
         text = text.split("The program, in an experiment file:")[1]
     keys, columns = text.split("\nResults of ")
     found = {}
@@ -51,7 +51,7 @@ class FunctionsTest(unittest.TestCase):
                 for key, default in keys.items():
                     short = key.rpartition(".")[2]
                     if key.split(".")[0] in ("order", "stage") or short in ("order", "stage") and default is None:
-                        continue  # skips tables with one row for each stage or order
+                        continue  # skips tables that have one row for each stage or order
                     value = (parameters.get(short) or parameters[key.replace(".", "_")]).default
                     if default is not None:
                         self.assertEqual(*_comparable(value, default), key)

@@ -45,11 +45,11 @@ class PytestTest(unittest.TestCase):
         self.assertEqual(code, 1, output)
         self.assertIn("latency.toml::quick PASSED", output)
         self.assertIn("latency.toml::too strict FAILED", output)
-        self.assertIn("FAILED   too strict: latency_s at 2 point(s)", output)  # the message, without a traceback
+        self.assertIn("FAILED   too strict: latency_s at 2 point(s)", output)  # only the message, without a traceback
         self.assertNotIn("pytest_plugin.py", output)
         self.assertIn("1 failed, 1 passed", output)
         self.assertEqual({path.name for path in self.folder.iterdir()} - {"__pycache__"},
-                         {"conftest.py", "latency.toml"})  # results are temporary
+                         {"conftest.py", "latency.toml"})  # the results are in a temporary folder
 
     def test_an_experiment_that_does_not_run_fails_with_the_message(self):
         code, output = self.collect(wrong=EXPERIMENT.replace("bytes = [", "byts = ["))
@@ -60,7 +60,7 @@ class PytestTest(unittest.TestCase):
     def test_other_files_are_not_collected(self):
         code, output = self.collect(pyproject='[project]\nname = "x"\n', broken="=", quick="check = 3\n",
                                     experiment=EXPERIMENT.partition("[[check]]")[0])
-        self.assertEqual(code, 5, output)  # no tests were collected
+        self.assertEqual(code, 5, output)  # pytest's exit code if it collects no tests
 
 
 if __name__ == "__main__":

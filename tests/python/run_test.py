@@ -232,7 +232,7 @@ class ErrorsTest(FolderTest):
         self.assertIn("none", str(error))
 
     def test_an_interrupt_ends_the_command_and_keeps_what_there_is(self):
-        # Interrupts a child process during a long sweep, as soon as a first point is recorded.
+        # Interrupts a child process during a long sweep, as soon as the first point has a record.
         results = self.folder / "results"
         code = ("import sys, tlab\n"
                 "try: tlab.run({'scene': {'objects': 800}, 'sweep': {'workers': list(range(1, 60))}}, "

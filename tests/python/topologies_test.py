@@ -45,7 +45,7 @@ def _add_edge(graph, a, b, free, source):
     if not with_ports:
         graph.add_edge(a, b)
         return
-    first = min(a, b, key=list(graph.nodes).index)  # ends in the order of graph.edges
+    first = min(a, b, key=list(graph.nodes).index)  # the ends in the order of graph.edges
     graph.add_edge(a, b, port_a=port[first], port_b=port[b if first == a else a])
 
 
