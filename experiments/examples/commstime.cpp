@@ -42,8 +42,8 @@ void next() {
   for (auto instruction : {"ldlp", "ldc", "prefix", "lend"}) charge(instruction);
 }
 
-Proc prefix(Ints& b, Ints& a) {  // a coroutine, which has no stack of its own; the other processes
-                                 // show the usual form
+// a coroutine, which has no stack of its own; the other processes show the usual form
+Proc prefix(Ints& b, Ints& a) {
   co_await a.output(Int{0});
   for (;; again()) co_await a.output(co_await b.input());
 }
@@ -59,8 +59,8 @@ void delta(Ints& a, Ints& c, Ints& d) {
 void succ(Ints& c, Ints& b) {
   for (Int x;; again()) {
     in(c, x);
-    charge("ldc");  // ldc takes as long as adc, which adds 1; `out` includes the loads of x and of
-                    // b's address
+    // ldc takes as long as adc, which adds 1; `out` includes the loads of x and of b's address
+    charge("ldc");
     out(b, Int{x.value + 1});
   }
 }

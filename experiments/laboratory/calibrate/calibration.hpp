@@ -11,8 +11,8 @@ namespace laboratory {
 struct CalibrationTask {
   std::string model;         ///< The name or file of the model to fit.
   std::string measurements;  ///< A CSV file: columns of experiment keys, and one column of results.
-  std::string experiment;    ///< The experiment file to simulate; "": an experiment that runs the
-                             ///< program "message".
+  /// The experiment file to simulate; "": an experiment that runs the program "message".
+  std::string experiment;
   std::vector<std::string> entries;  ///< Names of the entries to fit, such as "link.one_way_20".
 };
 
@@ -28,9 +28,9 @@ struct Calibration {
   /// one row for each measurement: its settings, measured result, fitted result and relative error
   /// in percent
   Table compared;
-  double rms = 0;                   ///< root mean square of the relative errors
-  std::vector<std::string> unused;  ///< names of CSV columns that are neither experiment keys nor
-                                    ///< the measured result
+  double rms = 0;  ///< root mean square of the relative errors
+  /// names of CSV columns that are neither experiment keys nor the measured result
+  std::vector<std::string> unused;
 };
 
 /// Fits the entries so that the sum of squares of log(simulated / measured) is least, which assumes

@@ -134,16 +134,16 @@ Converted convert_apart(const std::string& source, const std::function<Converted
   const auto job = [&](std::size_t) {
     const rlimit limit{limit_s, limit_s + 1};
     setrlimit(RLIMIT_CPU, &limit);
-    alarm(static_cast<unsigned>(20 + 10 * limit_s));  // limit on real time: reading a pipe without
-                                                      // a writer would block forever
+    // limit on real time: reading a pipe without a writer would block forever
+    alarm(static_cast<unsigned>(20 + 10 * limit_s));
     if (!std::freopen("/dev/null", "w", stderr)) throw std::runtime_error("/dev/null");
     const auto [texts, left_out, remarks] = convert();
     // Checks in this process, because only it knows which files Assimp has read.
     for (const auto& [path, text] : texts) base::check_no_input(path);
     nlohmann::json json = {{"left_out", left_out}, {"remarks", remarks}};
     for (const auto& [path, text] : texts) json["texts"].push_back({path, text});
-    std::string bytes;  // encoded as CBOR, not as JSON text, because a file name may be invalid
-                        // UTF-8
+    // encoded as CBOR, not as JSON text, because a file name may be invalid UTF-8
+    std::string bytes;
     nlohmann::json::to_cbor(json, bytes);
     return bytes;
   };

@@ -137,8 +137,8 @@ RunOptions run_watched(const RunOptions& options, const ExperimentFile& file, Se
   try {
     result = run_point(file.points[0], options, results_folder(options) / records_folder(),
                        {.controller = &session});
-  } catch (const machine::Fault&) {  // the caller simulates the recording again, which reports the
-                                     // fault
+  } catch (const machine::Fault&) {
+    // the caller simulates the recording again, which reports the fault
   } catch (...) {
     failure = std::current_exception();
   }

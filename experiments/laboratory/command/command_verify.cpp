@@ -36,9 +36,9 @@ struct VerifyOptions {
 
 struct Candidate {
   std::string file;
-  fs::path name;       // name of the results folder inside the output folder
-  bool named = false;  // true if the user named the file itself, false if the user named a folder
-                       // that contains it
+  fs::path name;  // name of the results folder inside the output folder
+  // true if the user named the file itself, false if the user named a folder that contains it
+  bool named = false;
 };
 
 std::vector<Candidate> find_candidates(const std::string& path) {

@@ -17,16 +17,16 @@ struct NamedTable {
 /// one run that differ only in the seed are samples of the same point.
 struct MatchedRuns {
   struct Point {
-    std::vector<Value> at;                       ///< values of the axes at this point
-    std::vector<std::vector<std::size_t>> rows;  ///< for each run, the numbers of its rows at this
-                                                 ///< point
+    std::vector<Value> at;  ///< values of the axes at this point
+    /// for each run, the numbers of its rows at this point
+    std::vector<std::vector<std::size_t>> rows;
   };
   std::vector<NamedTable> runs;
-  std::vector<std::string> axes;      ///< axes that take several values in at least one run
-  std::string seed;                   ///< name of the seed that takes several values; "": none
-  std::vector<Point> points;          ///< points common to all runs, in the order of the first run
-  std::vector<std::size_t> left_out;  ///< for each run, the number of its rows whose point is
-                                      ///< missing in another run
+  std::vector<std::string> axes;  ///< axes that take several values in at least one run
+  std::string seed;               ///< name of the seed that takes several values; "": none
+  std::vector<Point> points;      ///< points common to all runs, in the order of the first run
+  /// for each run, the number of its rows whose point is missing in another run
+  std::vector<std::size_t> left_out;
 };
 
 /// Groups the rows of the runs by point. Throws BadInput if an axis with several values in one run

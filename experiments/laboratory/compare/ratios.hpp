@@ -40,9 +40,9 @@ struct Spread {
   const MatchedRuns::Point *least_at = nullptr, *most_at = nullptr;
   std::size_t intervals = 0;  ///< number of points whose ratio has an interval
   std::size_t below = 0;      ///< number of intervals that end below 1
-  std::size_t above = 0;      ///< number of points that have no ratio and at which the two runs
-                              ///< differ
-  std::size_t others = 0;     ///< number of points without a ratio at which the two runs differ
+  std::size_t above = 0;      ///< number of intervals that begin above 1
+  /// number of points that have no ratio and at which the two runs differ
+  std::size_t others = 0;
   const MatchedRuns::Point* other = nullptr;  ///< first of the points counted in `others`
 
   bool is_same() const { return (points == 0 || (least == 1 && most == 1)) && others == 0; }

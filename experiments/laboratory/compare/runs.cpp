@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 
 using Texts = std::vector<std::string>;
 
-constexpr const char* BY_DEFAULT = "by default";  // shown for a setting that the file does not set
-                                                  // and whose default is unknown
+// shown for a setting that the file does not set and whose default is unknown
+constexpr const char* BY_DEFAULT = "by default";
 
 // The components of a path, without "." and without a trailing separator.
 Texts parts_of(const std::string& folder) {

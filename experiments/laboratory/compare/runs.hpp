@@ -22,8 +22,8 @@ struct RecordedModel {
 /// The content of a results folder.
 struct ComparedRun {
   std::string folder;
-  std::string name;     ///< the shortest final part of the folder's path that no other compared run
-                        ///< has
+  /// the shortest final part of the folder's path that no other compared run has
+  std::string name;
   std::string command;  ///< the command that produced the results
   std::string version;  ///< version of tlab that produced the results
   Simulation simulation;

@@ -28,9 +28,10 @@ struct Check {
   std::string column;             ///< column of the reference that has the expected values
   std::string at_least, at_most;  ///< inclusive bounds, as expressions
   std::string where;              ///< expression; the check covers only points where it is not 0
-  std::string calibrated;         ///< expression; points where it is not 0 were used to fit the
-                                  ///< machine model, and are marked as such
-  std::optional<double> within;   ///< largest allowed relative error at any point
+  /// expression; points where it is not 0 were used to fit the machine model, and are marked as
+  /// such
+  std::string calibrated;
+  std::optional<double> within;       ///< largest allowed relative error at any point
   std::optional<double> within_mean;  ///< largest allowed mean of the relative errors
   std::optional<double> within_abs;   ///< largest allowed absolute error, in the column's unit
   /// least share of expected values, 0 to 1, that must lie in the 90 % intervals of the results on
@@ -48,8 +49,8 @@ struct Check {
 struct BaselineSpec {
   std::string name;   ///< the NAME in the name of the added column, "speedup_NAME"
   std::string place;  ///< position for errors, "e.toml:12: baseline \"NAME\""
-  std::string at;     ///< conditions that select the baseline row: AXIS = VALUE, ..., as in {COLUMN
-                      ///< @ AXIS = VALUE, ...}
+  /// conditions that select the baseline row: AXIS = VALUE, ..., as in {COLUMN @ AXIS = VALUE, ...}
+  std::string at;
   /// column to compare; the speed-up is its value in the baseline row / its value in the row
   std::string of = "time_s";
 
@@ -76,8 +77,8 @@ struct PlotSpec {
   std::string column;             ///< column of the reference that is plotted
   std::string reference_name;     ///< name of the reference in the plot's legend
   Law fit = Law::none;
-  std::string growth;    ///< expression for G(n), the growth of the work with n processors in Sun
-                         ///< and Ni's law
+  /// expression for G(n), the growth of the work with n processors in Sun and Ni's law
+  std::string growth;
   bool optimum = false;  ///< marks the largest y of each curve
 };
 
@@ -86,16 +87,16 @@ struct PlotSpec {
 /// comparison. Means count as equally good if their difference may be due to chance.
 struct BestSpec {
   std::string name;
-  std::string place;              ///< position for errors, "e.toml:12: best \"NAME\""
-  std::string of;                 ///< the quantity to optimise: a column, a name from [let] or an
-                                  ///< expression
+  std::string place;  ///< position for errors, "e.toml:12: best \"NAME\""
+  /// the quantity to optimise: a column, a name from [let] or an expression
+  std::string of;
   bool least = true;              ///< true: minimises `of`; false: maximises it
   std::vector<std::string> over;  ///< axes whose values compete
   /// axes whose values are separate cases, each with its own best
   std::vector<std::string> for_each;
   std::string where;
-  std::string pays;   ///< numeric axis; also finds the value up to which each doubling improves
-                      ///< `of` by at least `gain`
+  /// numeric axis; also finds the value up to which each doubling improves `of` by at least `gain`
+  std::string pays;
   double gain = 0.1;  ///< least relative improvement for which a doubling pays
 };
 

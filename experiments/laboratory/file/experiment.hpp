@@ -49,26 +49,26 @@ struct Experiment {
   std::any params;                             ///< parameters of the program
   /// model of the machine, from machine.model and [model]
   ModelSpec model{{"t805-25", "t805-25"}};
-  std::vector<OtherProcessor> others;     ///< processors with other models, from [[processor]]
-  base::Source topology{"tree", "tree"};  ///< name of a generator, which makes `workers`
-                                          ///< processors; a full specification such as "tree:7"; or
-                                          ///< a file
-  std::int64_t workers = 7;               ///< number of processors in the network
-  int switches = 0;  ///< C004 link switches on every link not listed in `switches_between`
+  std::vector<OtherProcessor> others;  ///< processors with other models, from [[processor]]
+  /// name of a generator, which makes `workers` processors; a full specification such as "tree:7";
+  /// or a file
+  base::Source topology{"tree", "tree"};
+  std::int64_t workers = 7;  ///< number of processors in the network
+  int switches = 0;          ///< C004 link switches on every link not listed in `switches_between`
   /// triples: two processors, counted from 0, and the number of switches on each link between them
   std::vector<std::array<int, 3>> switches_between;
-  base::Source routes;  ///< "xy"; or a file with some of the routes, all others being shortest
-                        ///< routes; "": shortest routes
+  /// "xy"; or a file with some of the routes, all others being shortest routes; "": shortest routes
+  base::Source routes;
   /// broadcast trees: "per_root" or "single"; "": "single" if `tree_links` is not empty, else
   /// "per_root"
   std::string tree;
   /// links of the single tree; if empty, the tree is found by breadth-first search from the root
   topologies::TreeLinks tree_links;
   std::vector<FaultSpec> faults;  ///< faults from [[fault]]
-  std::int64_t repetitions = 1;   ///< number of seeds to simulate each point with; the seeds become
-                                  ///< an axis of the sweep
-  bool is_timed = false;          ///< true if the key run.cost is "timed"
-  machine::EngineParams engine;   ///< from the keys run.engine and run.processes
+  /// number of seeds to simulate each point with; the seeds become an axis of the sweep
+  std::int64_t repetitions = 1;
+  bool is_timed = false;         ///< true if the key run.cost is "timed"
+  machine::EngineParams engine;  ///< from the keys run.engine and run.processes
   /// cycles of simulated work per second of host CPU time, for timed costs; no value until measured
   std::optional<double> cycles_per_host_s = {};
 };

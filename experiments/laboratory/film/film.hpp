@@ -34,8 +34,8 @@ void check_films(const FilmOptions& options, const Experiment& experiment);
 /// Position of the picture in a frame, in pixels. Each pixel of the picture becomes a square with
 /// the side `factor`.
 struct PicturePlace {
-  int x, y, factor, width, height;  ///< `x` and `y` of the picture's upper left corner; `width` and
-                                    ///< `height` of the frame
+  /// `x` and `y` of the picture's upper left corner; `width` and `height` of the frame
+  int x, y, factor, width, height;
 };
 PicturePlace place_picture(int width, int height);
 

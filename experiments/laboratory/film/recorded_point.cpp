@@ -104,8 +104,8 @@ PointResult run_recorded_point(const Point& point, const RunOptions& options,
   } catch (const machine::Fault&) {
     try {
       save_recordings(point, options, trace, film);
-    } catch (const std::exception& error) {  // complains only, because the fault is the exception
-                                             // to report
+    } catch (const std::exception& error) {
+      // complains only, because the fault is the exception to report
       complain(fmt::format("no trace or chart of the run so far: {}", describe_error(error)));
     }
     throw;

@@ -40,8 +40,8 @@ void show_seconds(const std::stop_token& stop, const std::string& what,
 
 ElapsedTime::ElapsedTime(std::string what, std::chrono::milliseconds after) {
   if (isatty(STDERR_FILENO) != 1) return;
-  const base::HeldSignals held(ASKS_TO_END);  // blocks these signals in the new thread, so that the
-                                              // main thread receives them
+  // blocks these signals in the new thread, so that the main thread receives them
+  const base::HeldSignals held(ASKS_TO_END);
   thread_ = std::jthread([what = base::make_readable(what), after](const std::stop_token& stop) {
     show_seconds(stop, what, after);
   });

@@ -20,9 +20,8 @@
 namespace laboratory {
 namespace {
 
-constexpr std::size_t RESERVE = std::size_t{2} << 20;  // bytes, freed when memory is exhausted:
-                                                       // enough to unwind the stack and to report
-                                                       // the error
+// bytes, freed when memory is exhausted: enough to unwind the stack and to report the error
+constexpr std::size_t RESERVE = std::size_t{2} << 20;
 
 std::atomic<void*> reserve = nullptr;
 pid_t main_process = 0;

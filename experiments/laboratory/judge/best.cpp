@@ -135,8 +135,8 @@ void compare(BestAnswer& answer, const BestSpec& spec, const Table& table,
     const auto gained = [&] {
       return share_gained(spec.least, first.value, group.points[next].value);
     };
-    std::set<std::string> named{name};  // names already seen; points that differ only in axes
-                                        // outside `over` have the same name
+    // names already seen; points that differ only in axes outside `over` have the same name
+    std::set<std::string> named{name};
     for (; next < group.points.size(); ++next) {
       const auto other = name_values(table, group.points[next].row, over);
       if (named.contains(other)) continue;

@@ -16,8 +16,8 @@ struct CheckPlan {
   };
   struct Comparison {
     Check check;
-    std::optional<Expression> of = {};  ///< the checked value as an expression; none if it is a
-                                        ///< column of the results
+    /// the checked value as an expression; none if it is a column of the results
+    std::optional<Expression> of = {};
     std::optional<Expression> formula = {}, at_least = {}, at_most = {};
     std::optional<Expression> where = {}, calibrated = {};
     std::optional<Table> reference = {};
@@ -39,8 +39,8 @@ struct CheckPlan {
     Expression of;
   };
   std::vector<Baseline> baselines;
-  std::vector<Let> lets;  ///< names of [let] with their formulas; each comes after the names that
-                          ///< it uses
+  /// names of [let] with their formulas; each comes after the names that it uses
+  std::vector<Let> lets;
   std::vector<Comparison> comparisons;
   std::vector<Figure> figures;      ///< compiled tables [[plot]]
   std::vector<Question> questions;  ///< compiled tables [[best]]

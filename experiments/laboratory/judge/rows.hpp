@@ -77,9 +77,9 @@ class Rows {
 
   const ExperimentFile& file_;
   const Table& table_;
-  std::map<std::string, Numbers> models_;  // numeric entries of each machine model, by the model's
-                                           // key
-  std::vector<const Numbers*> model_of_;   // for each row, the entries of its machine model
+  // numeric entries of each machine model, by the model's key
+  std::map<std::string, Numbers> models_;
+  std::vector<const Numbers*> model_of_;  // for each row, the entries of its machine model
   // names of [let], with their values by row
   std::map<std::string, std::vector<Evaluated>> lets_;
 };

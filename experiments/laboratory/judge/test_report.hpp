@@ -16,8 +16,8 @@ struct TestCase {
   std::string name;   ///< name of the check
   TestOutcome outcome = TestOutcome::passed;
   std::string summary;  ///< description in one line
-  std::string details;  ///< lines with the simulated and the expected value of each point; may be
-                        ///< empty
+  /// lines with the simulated and the expected value of each point; may be empty
+  std::string details;
 };
 
 /// Describes the outcome of a check; `suite` is its experiment file. The details list all points,

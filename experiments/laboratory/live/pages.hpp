@@ -105,9 +105,9 @@ class Page : public std::enable_shared_from_this<Page> {
   boost::beast::flat_buffer buffer_;
   Allowance allowance_;
   bool has_outline_ = false, wants_frame_ = false, looks_later_ = false, is_closed_ = false;
-  std::uint64_t number_ = 0;  // number of this page, counted from 1; 0: the page is not
-                              // authenticated
-  std::uint64_t sent_ = 0;    // number of the last frame sent to this page
+  // number of this page, counted from 1; 0: the page is not authenticated
+  std::uint64_t number_ = 0;
+  std::uint64_t sent_ = 0;  // number of the last frame sent to this page
   HostClock::time_point next_frame_at_;
   Picture shown_, sequential_;   // the pictures that the page has now
   std::deque<Waiting> waiting_;  // messages to send; the first of them is being written

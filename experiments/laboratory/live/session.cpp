@@ -19,18 +19,18 @@ using std::chrono_literals::operator""ms, std::chrono_literals::operator""ns;
 
 namespace {
 
-constexpr auto LOOK_EVERY = 50ms;  // host time between checks for interrupts while the run is
-                                   // paused
+// host time between checks for interrupts while the run is paused
+constexpr auto LOOK_EVERY = 50ms;
 // least host time between frames at full speed, because making frames slows the run
 constexpr auto FRAMES_AT_FULL_SPEED = 95ms;
 // host seconds by which a run may lag behind its set speed; beyond that, the lag is forgiven
 constexpr double MOST_ARREARS_S = 0.25;
-constexpr std::uint64_t CALLS_BETWEEN = 1024;  // number of events between two checks for commands
-                                               // while the machine runs
-constexpr std::size_t MOST_ASKED = 1024;       // limit on commands of pages that are queued for
-                                               // execution
-constexpr std::size_t MOST_TOLD_AT_END = 256;  // limit on processors that pages can still inspect
-                                               // after the end of the run
+// number of events between two checks for commands while the machine runs
+constexpr std::uint64_t CALLS_BETWEEN = 1024;
+// limit on commands of pages that are queued for execution
+constexpr std::size_t MOST_ASKED = 1024;
+// limit on processors that pages can still inspect after the end of the run
+constexpr std::size_t MOST_TOLD_AT_END = 256;
 
 // True if the experiment file has an [[order]] with which the simulated user leaves.
 bool has_leave(const ExperimentFile& file) {
@@ -182,8 +182,8 @@ Session::HostClock::duration Session::hold_back(double date) {
   }
   double allowed_s = paced_s();
   if (date <= allowed_s) {
-    if (allowed_s - date > MOST_ARREARS_S * speed_) {  // the host is too slow for the set speed:
-                                                       // forgives the lag
+    // if the host is too slow for the set speed, forgives the lag
+    if (allowed_s - date > MOST_ARREARS_S * speed_) {
       set_pace(speed_);
       allowed_s = date;
     }
@@ -353,8 +353,8 @@ void Session::end(const std::string& fault) {
   has_thrown_ = std::ranges::any_of(machine_->processors(),
                                     [](const auto& on) { return on->failure() != nullptr; });
   selected_.clear();
-  if (!has_thrown_) {  // keeps all processors, since pages may select some after the machine is
-                       // gone
+  // keeps all processors, since pages may select some after the machine is gone
+  if (!has_thrown_) {
     auto& all = selected_[0];
     all.resize(std::min(MOST_TOLD_AT_END, machine_->processors().size()));
     std::iota(all.begin(), all.end(), 0);

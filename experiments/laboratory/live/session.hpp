@@ -137,16 +137,16 @@ class Session : public observe::RunController {
   std::optional<Goal> goal_;
   double speed_;
   HostClock::time_point pace_since_;
-  double pace_from_s_ = 0;    // simulated time that corresponds to the host time pace_since_,
-                              // seconds
-  double next_s_ = 0;         // simulated time of the next event, seconds
-  double go_until_s_ = 0;     // simulated time before which events need no check of the set speed,
-                              // seconds
+  // simulated time that corresponds to the host time pace_since_, seconds
+  double pace_from_s_ = 0;
+  double next_s_ = 0;  // simulated time of the next event, seconds
+  // simulated time before which events need no check of the set speed, seconds
+  double go_until_s_ = 0;
   double fault_after_s_ = 0;  // simulated time of the last fault that the user caused, seconds
   HostClock::time_point next_frame_at_;
   RecentLoads loads_;
-  std::map<std::uint64_t, std::vector<int>> selected_;  // processors selected for description, by
-                                                        // number of the page
+  // processors selected for description, by number of the page
+  std::map<std::uint64_t, std::vector<int>> selected_;
   bool has_left_ = false, is_observing_ = true;
   std::string fault_;
   bool has_thrown_ = false;  // true: the fault that ended the run was an exception in a process

@@ -4,8 +4,8 @@ namespace laboratory {
 
 namespace {
 
-constexpr double SHORTEST_S = 1e-6;  // joins time spans of the same activity if the gap between
-                                     // them is shorter
+// joins time spans of the same activity if the gap between them is shorter
+constexpr double SHORTEST_S = 1e-6;
 
 void add_span(nlohmann::ordered_json& all, int processor, machine::Observer::Doing doing,
               double from_s, double to_s) {

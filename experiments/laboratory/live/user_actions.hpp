@@ -11,8 +11,8 @@ namespace laboratory {
 /// An executed [[order]] or [[fault]].
 struct UserAction {
   std::string table;  ///< table of the experiment file: "order" or "fault"
-  double at_s = 0;    ///< simulated time of its execution in seconds, as in the key at_s of the
-                      ///< file
+  /// simulated time of its execution in seconds, as in the key at_s of the file
+  double at_s = 0;
   /// keys of the order or fault except at_s, with their values as TOML spells them
   std::vector<std::pair<std::string, std::string>> keys;
 };

@@ -7,8 +7,8 @@
 namespace laboratory {
 
 struct FramesOptions {
-  std::string frames;         ///< frames to render, "A-B", counted from 0; "": render a single
-                              ///< image
+  /// frames to render, "A-B", counted from 0; "": render a single image
+  std::string frames;
   double rate = 25;           ///< frames per second
   bool is_confirmed = false;  ///< true: the user gave --yes, to render even if it takes long
 };

@@ -21,13 +21,13 @@ using renderer::progressive::Order;
 using renderer::progressive::Refinement;
 
 constexpr double KEY_PERCENTS[] = {1, 5, 25, 100};
-constexpr double STATE_PERCENT = 5;    // writes a state at each multiple of this share of the
-                                       // samples
-constexpr double STATE_SECONDS = 2;    // also writes a state after this time since the last one
-constexpr double STATE_SHARE = 0.05;   // largest share of the time that may be spent on writing
-                                       // states
-constexpr double STEP_SECONDS = 0.05;  // desired time between two checks of the clock and of
-                                       // interrupts
+// writes a state at each multiple of this share of the samples
+constexpr double STATE_PERCENT = 5;
+constexpr double STATE_SECONDS = 2;  // also writes a state after this time since the last one
+// largest share of the time that may be spent on writing states
+constexpr double STATE_SHARE = 0.05;
+// desired time between two checks of the clock and of interrupts
+constexpr double STEP_SECONDS = 0.05;
 
 std::uint64_t samples_at(double percent, std::uint64_t all) {
   return static_cast<std::uint64_t>(std::ceil(percent / 100 * static_cast<double>(all)));
@@ -105,8 +105,8 @@ class KeyImages {
 
  private:
   const std::string folder_;
-  std::map<std::uint64_t, std::string> names_;  // file names of the intermediate pictures, by
-                                                // sample count
+  // file names of the intermediate pictures, by sample count
+  std::map<std::uint64_t, std::string> names_;
 };
 
 // Number of samples to render between two checks, adapted to the time that they take.

@@ -10,8 +10,8 @@ namespace laboratory {
 
 /// Limits at which a rendering ends before it is complete.
 struct Budget {
-  double percent = 100;           ///< share of all samples of the image, in percent, including the
-                                  ///< samples of earlier runs
+  /// share of all samples of the image, in percent, including the samples of earlier runs
+  double percent = 100;
   std::optional<double> seconds;  ///< time limit for this run, host seconds
 };
 

@@ -78,10 +78,10 @@ Table average_seeds(const Table& table) {
   for (const auto c : kept) means.columns.push_back(table.columns[c]);
   means.columns.emplace_back(SEEDS);
   const auto groups = group_samples(table, all_rows(table));
-  std::vector<std::vector<std::optional<double>>> half_widths;  // by row of the means, then by kept
-                                                                // column
-  std::set<std::size_t> spread;                                 // indices in `kept` of columns
-                                                                // whose samples differ
+  // by row of the means, then by kept column
+  std::vector<std::vector<std::optional<double>>> half_widths;
+  // indices in `kept` of columns whose samples differ
+  std::set<std::size_t> spread;
   for (const auto& rows : groups) {
     auto& row = means.rows.emplace_back();
     auto& halves = half_widths.emplace_back();

@@ -11,13 +11,15 @@ namespace laboratory {
 
 /// An image of a point: its files beside the records, and its file among the results.
 struct SavedImage {
-  std::string name;            ///< name given by the program
-  std::optional<double> at_s;  ///< simulated time, in seconds, at which an intermediate image was
-                               ///< complete; none for a final image
-  std::string file, exr;       ///< names of its PNG and EXR files beside the records, hashes of the
-                               ///< content; exr: "" if there is none
-  bool is_named = false;       ///< true if the name alone describes the content, as for key images
-  std::string path = {};       ///< file name in the results folder; "" until place_images() sets it
+  std::string name;  ///< name given by the program
+  /// simulated time, in seconds, at which an intermediate image was complete; none for a final
+  /// image
+  std::optional<double> at_s;
+  /// names of its PNG and EXR files beside the records, hashes of the content; exr: "" if there is
+  /// none
+  std::string file, exr;
+  bool is_named = false;  ///< true if the name alone describes the content, as for key images
+  std::string path = {};  ///< file name in the results folder; "" until place_images() sets it
   std::string caption = {};
 };
 
@@ -37,16 +39,16 @@ struct PointResult {
   int exit_code = 0;     ///< exit code after a failure
   std::string topology;  ///< name of the network, if the program uses one
   int processors = 0;
-  base::Row described;          ///< values of result columns that are known before the simulation
-  std::vector<base::Row> rows;  ///< measured rows of the results table; empty if nothing was
-                                ///< measured
+  base::Row described;  ///< values of result columns that are known before the simulation
+  /// measured rows of the results table; empty if nothing was measured
+  std::vector<base::Row> rows;
   std::vector<std::string> notes;
   std::vector<SavedImage> images;
-  std::vector<base::Row> growth;   ///< rows of growth.csv
-  nlohmann::ordered_json use;      ///< loads of processors and links; only in records, null
-                                   ///< otherwise
-  nlohmann::ordered_json kernels;  ///< counts and times of kernels (the numerical code); only if
-                                   ///< costs are timed
+  std::vector<base::Row> growth;  ///< rows of growth.csv
+  /// loads of processors and links; only in records, null otherwise
+  nlohmann::ordered_json use;
+  /// counts and times of kernels (the numerical code); only if costs are timed
+  nlohmann::ordered_json kernels;
   HostCost host;
   /// Time in seconds of the same machine with a single worker, the basis of the speed-up. Only for
   /// networks that define their own size. Not stored in records.

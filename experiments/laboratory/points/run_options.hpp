@@ -13,8 +13,8 @@ struct FilmOptions {
   /// file of the film (.webp), or NAME.png for the frames NAME-0001.png ...; "": no film
   std::string picture, network;
   int frames = 100;
-  bool is_confirmed = false;  ///< true: the user gave --yes, to draw the films even if it takes
-                              ///< long
+  /// true: the user gave --yes, to draw the films even if it takes long
+  bool is_confirmed = false;
 
   bool is_asked() const { return !picture.empty() || !network.empty(); }
 };
@@ -23,18 +23,18 @@ inline constexpr int MIN_FRAMES = 2, MAX_FRAMES = 1000;
 
 /// The options of tlab run. Simulated times are in seconds from the start of the program.
 struct RunOptions {
-  std::string file;         ///< experiment file
-  std::string output;       ///< results folder; "": results/NAME, where NAME is that of the
-                            ///< experiment file
+  std::string file;  ///< experiment file
+  /// results folder; "": results/NAME, where NAME is that of the experiment file
+  std::string output;
   Overrides overrides;      ///< values of --set
   bool is_reduced = false;  ///< true: use the values of [reduced]
-  unsigned jobs = 1;        ///< number of processes that simulate points or draw networks at the
-                            ///< same time
-  unsigned threads = 1;     ///< threads that simulate each point; results do not depend on their
-                            ///< number
+  /// number of processes that simulate points or draw networks at the same time
+  unsigned jobs = 1;
+  /// threads that simulate each point; results do not depend on their number
+  unsigned threads = 1;
   bool profile = false;
-  double until_s = std::numeric_limits<double>::infinity();  ///< simulated time at which a
-                                                             ///< simulation ends at the latest
+  /// simulated time at which a simulation ends at the latest
+  double until_s = std::numeric_limits<double>::infinity();
   double from_s = 0;     ///< simulated time at which trace, timeline and films start
   std::string trace;     ///< trace file of the only point: .json (Perfetto) or .paje; "": none
   std::string timeline;  ///< file of the Gantt chart (.svg) of the only point; "": none

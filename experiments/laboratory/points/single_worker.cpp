@@ -80,8 +80,8 @@ void run_missing(const PointsPlan& plan, Results& results) {
 
 void measure_single_workers(const PointsPlan& plan, Results& results, SingleWorker single_worker) {
   ExperimentFile file = without_network(plan.file);
-  std::map<std::string, double> times;  // simulation times of single workers, by the name of their
-                                        // point, in seconds
+  // simulation times of single workers, by the name of their point, in seconds
+  std::map<std::string, double> times;
   // by the name of a single worker's point: the points that need its time
   std::map<std::string, std::vector<std::size_t>> needed;
   for (std::size_t i = 0; i < results.size(); ++i) {

@@ -15,8 +15,8 @@ struct TableView {
   std::size_t least = 0;  ///< number of columns that are shown even on narrow terminals
   /// Names and values of the inputs that have the same value in all rows.
   std::vector<std::pair<std::string, std::string>> constants;
-  std::vector<std::string> unknown;  ///< one sentence for each name in [report] that is not a
-                                     ///< column
+  /// one sentence for each name in [report] that is not a column
+  std::vector<std::string> unknown;
 };
 
 /// Chooses the columns to display. If the file has `columns` in [report], these are the axes and

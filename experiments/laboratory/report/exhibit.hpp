@@ -12,15 +12,15 @@ namespace laboratory {
 /// A plot with the tables that are shown below it. Tables without rows are not shown.
 struct Exhibit {
   Plot plot;
-  Table differences = {};  ///< for each point with a published value: simulated value, published
-                           ///< value, difference in percent
-  Table fits = {};         ///< for each curve and fitted parameter: its value and 95 % confidence
-                           ///< interval
-  Table optima = {};       ///< for each curve: its maximum, and how the curve goes on after it
+  /// for each point with a published value: simulated value, published value, difference in percent
+  Table differences = {};
+  /// for each curve and fitted parameter: its value and 95 % confidence interval
+  Table fits = {};
+  Table optima = {};  ///< for each curve: its maximum, and how the curve goes on after it
   /// notes about points that were left out and laws that could not be fitted
   std::vector<std::string> notes = {};
-  std::vector<std::string> findings = {};  ///< one sentence for each result of the comparison, the
-                                           ///< fits and the maxima
+  /// one sentence for each result of the comparison, the fits and the maxima
+  std::vector<std::string> findings = {};
 };
 
 /// Makes the plots that have points, in the order of the file. Adds a note to `nothing` about each

@@ -110,8 +110,8 @@ std::string tell_bends(const Plot& plot) {
 struct Limit {
   const Series* curve;
   const programs::Load* load;  // the busiest resource of the curve's last point
-  double from;                 // x of the first point from which on this resource is always the
-                               // limit
+  // x of the first point from which on this resource is always the limit
+  double from;
 };
 
 // The name under which points limited by this resource are counted. All links have the same name,
@@ -142,8 +142,8 @@ std::optional<Limit> find_limit_of(const Series& s, const Table& table,
 // Describes from which x on the same resource limits several curves: "from 4 workers on for line,
 // throughout for ring".
 std::string tell_since(const Plot& plot, const std::vector<Limit>& limits, std::size_t all) {
-  std::map<std::pair<bool, double>, Curves> since;  // key: false if the limit holds throughout, and
-                                                    // the x from which on it holds
+  // key: false if the limit holds throughout, and the x from which on it holds
+  std::map<std::pair<bool, double>, Curves> since;
   for (const auto& limit : limits) {
     const bool is_later = limit.from > limit.curve->x.front();
     since[{is_later, is_later ? limit.from : 0}].push_back(limit.curve);

@@ -24,8 +24,8 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-constexpr int MAX_SHOWN = 1024;  // most workers of a network that is shown in the report (2 MB of
-                                 // SVG)
+// most workers of a network that is shown in the report (2 MB of SVG)
+constexpr int MAX_SHOWN = 1024;
 
 // Shares of time that processors were busy, by name. They are limited to at most 1, because
 // rounding can make them slightly larger.
@@ -174,8 +174,8 @@ NetworkDrawings draw_networks(const fs::path& folder, const RunOptions& options,
   make_folders(folder / "networks");
   std::map<std::string, std::size_t> known;  // by network_key(): the index of the network in `made`
   std::vector<Network> made;
-  std::vector<std::pair<std::size_t, std::size_t>> asked;  // points to draw, each with the index of
-                                                           // its network in `made`
+  // points to draw, each with the index of its network in `made`
+  std::vector<std::pair<std::size_t, std::size_t>> asked;
   for (std::size_t i = 0; i < s.file.points.size(); ++i) {
     if (!s.results[i].is_complete() || (s.file.report.networks == "largest" && !is_largest[i]))
       continue;

@@ -14,8 +14,8 @@ struct NetworkDrawings {
   /// drawings for the report; only of points with the most workers
   std::vector<Report::Drawing> drawings;
   std::vector<std::string> failures;  ///< points that could not be drawn, with the reasons
-  std::vector<std::string> notes;     ///< notes about points whose networks are too large for the
-                                      ///< report
+  /// notes about points whose networks are too large for the report
+  std::vector<std::string> notes;
 };
 
 /// Writes networks/NAME.svg into `folder`, which holds the records of the points. The key

@@ -97,8 +97,8 @@ void average_points(std::vector<Series>& all, const Table& table) {
   const auto group_of = number_samples(table);
   for (auto& series : all) {
     std::vector<RowSamples> samples;
-    std::map<std::pair<std::size_t, double>, std::size_t> known;  // indices in `samples`, by the
-                                                                  // row's group and x
+    // indices in `samples`, by the row's group and x
+    std::map<std::pair<std::size_t, double>, std::size_t> known;
     std::vector<double> xs;
     for (std::size_t i = 0; i < series.x.size(); ++i) {
       const auto at = std::pair(group_of[series.rows[i]], series.x[i]);

@@ -28,15 +28,15 @@ struct Series {
   /// Index of the curve that this series belongs to, and whose colour and symbol it has. Unused if
   /// the series is itself a curve.
   std::size_t of = 0;
-  RowList rows = {};  ///< for a curve: the table row of each point; for a mean over seeds, the row
-                      ///< of its first sample
+  /// for a curve: the table row of each point; for a mean over seeds, the row of its first sample
+  RowList rows = {};
   std::string column = {};  ///< for a curve: the table column of y; "": y is an expression
   /// For a curve: the ends of an interval at each point; empty without intervals. An interval
   /// either contains 90 % of the results on randomly drawn machines, or is the confidence interval
   /// of a mean over seeds.
   std::vector<double> low = {}, high = {};
-  bool has_bars = false;  ///< how intervals are drawn: true: as error bars; false: as a band along
-                          ///< the curve
+  /// how intervals are drawn: true: as error bars; false: as a band along the curve
+  bool has_bars = false;
   /// for a curve of means over seeds: the samples of each point; else empty
   std::vector<RowSamples> samples = {};
   /// result of a fit, which follows the name in the legend: "s = 0.01 ± 0.02"
@@ -55,8 +55,8 @@ struct Plot {
   std::string difference_label = {};  ///< label of the lower panel's y axis
   std::optional<double> level = {};   ///< y of an additional dashed horizontal line
   bool ideal_line = false;            ///< true: adds the dashed line y = x with the name "ideal"
-  bool is_speedup = false;            ///< true if the plot shows speed-up over the number of
-                                      ///< processors
+  /// true if the plot shows speed-up over the number of processors
+  bool is_speedup = false;
   bool log_x = false, log_y = false;
   std::optional<double> y_min, y_max;  ///< ends of the y axis; no value: chosen from the points
 };

@@ -363,8 +363,8 @@ std::string make_gnuplot_script(const Plot& plot) {
     throw std::invalid_argument(fmt::format("plot {}: no points to draw", plot.name));
   const Axes axes = measure_axes(plot);
   const Panel upper = make_upper(plot), lower = make_lower(plot);
-  const int bottom = choose_height(plot) - ABOVE - UPPER;  // distance of the upper panel from the
-                                                           // lower edge of the drawing, pixels
+  // distance of the upper panel from the lower edge of the drawing, pixels
+  const int bottom = choose_height(plot) - ABOVE - UPPER;
   const Key key = arrange_key(plot);
   const auto edge = [&](int pixels) {
     return fmt::format("{:.4f}", pixels / static_cast<double>(choose_height(plot)));

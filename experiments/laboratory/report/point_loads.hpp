@@ -11,9 +11,9 @@
 namespace laboratory {
 
 struct PointLoads {
-  std::string name;   ///< values of the point's axes, "topology = tree, workers = 7"; "" for the
-                      ///< only point
-  std::string ended;  ///< how the simulation ended (see PointResult)
+  /// values of the point's axes, "topology = tree, workers = 7"; "" for the only point
+  std::string name;
+  std::string ended;                  ///< how the simulation ended (see PointResult)
   std::vector<programs::Load> loads;  ///< loads that are not zero, the busiest resource first
 };
 

@@ -149,8 +149,8 @@ data make_results(const Report& report) {
 
 // Enlarges small images by a whole factor, so that every pixel becomes a square.
 data make_image(const Report::Image& image) {
-  constexpr unsigned ENLARGED = 400;  // size of enlarged images in pixels, about the width of the
-                                      // page's text
+  // size of enlarged images in pixels, about the width of the page's text
+  constexpr unsigned ENLARGED = 400;
   const auto bytes = base::read_own_text(image.file);
   const bool is_webp = image.file.extension() == ".webp";
   const auto size = is_webp ? read_webp_size(bytes, image.file.string())

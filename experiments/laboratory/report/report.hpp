@@ -22,17 +22,17 @@ struct Report {
 
   struct Drawing {
     std::string caption;
-    std::string svg;        ///< content of the SVG file
-    Part numbers = {};      ///< tables shown below the drawing; without a heading
-    std::string data = {};  ///< JSON from make_plot_data() for the page's script; "": the plot is
-                            ///< only a drawing
+    std::string svg;    ///< content of the SVG file
+    Part numbers = {};  ///< tables shown below the drawing; without a heading
+    /// JSON from make_plot_data() for the page's script; "": the plot is only a drawing
+    std::string data = {};
   };
 
   struct Image {
     std::string caption;
     std::filesystem::path file;  ///< a PNG or an animated WebP file
-    bool is_step = false;        ///< true: an intermediate image, shown smaller and beside the
-                                 ///< others
+    /// true: an intermediate image, shown smaller and beside the others
+    bool is_step = false;
   };
 
   struct ModelRow {
@@ -49,12 +49,12 @@ struct Report {
   Table means;  ///< means over seeds, which the page shows instead of `table`; no columns: it shows
                 ///< `table`
   std::vector<std::string> shown_columns;  ///< columns of the table that the page shows; empty: all
-  std::vector<PointLoads> points;  ///< details of the points, shown on a click on a row; empty:
-                                   ///< none
+  /// details of the points, shown on a click on a row; empty: none
+  std::vector<PointLoads> points;
   /// columns of a second table, which is folded at first; empty: no such table
   std::vector<std::string> load_columns;
-  std::vector<Part> checks;       ///< checks; each heading tells whether the check holds, and how
-                                  ///< well
+  /// checks; each heading tells whether the check holds, and how well
+  std::vector<Part> checks;
   std::vector<Drawing> networks;  ///< drawings of networks with their loads
   std::vector<Image> images;
   std::vector<std::string> notes;

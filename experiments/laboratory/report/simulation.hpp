@@ -17,8 +17,8 @@ namespace laboratory {
 struct Simulation {
   ExperimentFile file;     ///< the experiment; its points are only those that were simulated
   HostSpeeds host_speeds;  ///< measured speeds of the host for cost = "timed"
-  Results results;         ///< result of each point; its member `use` is empty, since only the
-                           ///< record has it
+  /// result of each point; its member `use` is empty, since only the record has it
+  Results results;
   /// path of the record of each point, relative to the results folder
   std::vector<std::filesystem::path> records;
   Table table;
@@ -27,10 +27,10 @@ struct Simulation {
   std::string ended;                 ///< a sentence that says why the run ended
   bool complete = false;             ///< true if all points were completed
   std::size_t there = 0;             ///< number of points whose results were recorded already
-  std::size_t asked = 0;             ///< number of points of the run, including those of randomly
-                                     ///< drawn machines
-  std::size_t left_out = 0;          ///< number of randomly drawn machines whose points are not all
-                                     ///< complete
+  /// number of points of the run, including those of randomly drawn machines
+  std::size_t asked = 0;
+  /// number of randomly drawn machines whose points are not all complete
+  std::size_t left_out = 0;
   double wall_s = 0;
 };
 

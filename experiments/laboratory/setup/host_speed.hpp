@@ -23,8 +23,8 @@ struct HostSpeed {
   std::vector<Workload> workloads;
   double clock_interval_s = 0;  ///< least time between two readings of the host's clock, seconds
 };
-using HostSpeeds = std::map<std::string, HostSpeed>;  ///< host speeds by model_key() of the machine
-                                                      ///< model
+/// host speeds by model_key() of the machine model
+using HostSpeeds = std::map<std::string, HostSpeed>;
 
 /// Measures the host's speed for each machine model that a point with cost = "timed" uses. Sets
 /// cycles_per_host_s of all these points.

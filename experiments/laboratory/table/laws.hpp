@@ -33,8 +33,8 @@ struct Estimate {
 
 /// A trend in the residuals of a fit, which shows that the law does not describe the points.
 struct Misfit {
-  double t = 0;          ///< t statistic of a term added to the law: log n, or its square if the
-                         ///< law has log n itself
+  /// t statistic of a term added to the law: log n, or its square if the law has log n itself
+  double t = 0;
   double limit = 0;      ///< 97.5 % quantile of Student's t distribution, which |t| exceeds
   double deviation = 0;  ///< largest relative deviation of the law from a point
 };

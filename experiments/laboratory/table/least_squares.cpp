@@ -11,8 +11,8 @@ namespace {
 constexpr int MOST_MOVES = 200;
 constexpr double TOLERANCE = 1e-10;
 
-using Columns = std::vector<std::vector<double>>;  // the Jacobian matrix, with one column for each
-                                                   // parameter
+// the Jacobian matrix, with one column for each parameter
+using Columns = std::vector<std::vector<double>>;
 
 bool are_finite(const std::vector<double>& values) {
   return std::ranges::all_of(values, [](double value) { return std::isfinite(value); });

@@ -6,9 +6,9 @@ namespace laboratory {
 
 /// The fit of values by a sum of terms, each multiplied by a factor.
 struct LinearFit {
-  std::vector<double> factors;    ///< factor of each term; 0 if the term depends on earlier ones
-  std::vector<double> spreads;    ///< for each factor, its variance divided by the variance of a
-                                  ///< single value
+  std::vector<double> factors;  ///< factor of each term; 0 if the term depends on earlier ones
+  /// for each factor, its variance divided by the variance of a single value
+  std::vector<double> spreads;
   std::vector<double> residuals;  ///< residual of each value
   double squares = 0;             ///< sum of the squared residuals
 

@@ -16,11 +16,11 @@ using Value = std::variant<std::monostate, std::int64_t, double, std::string>;
 
 struct Table {
   std::vector<std::string> columns;  ///< names of the columns, distinct and not empty
-  std::size_t axes = 0;              ///< number of axes of the sweep; the axes are the first
-                                     ///< columns
+  /// number of axes of the sweep; the axes are the first columns
+  std::size_t axes = 0;
   std::vector<std::vector<Value>> rows;
-  std::vector<std::size_t> points = {};  ///< for each row, the number of its point, ascending;
-                                         ///< empty: row i belongs to point i
+  /// for each row, the number of its point, ascending; empty: row i belongs to point i
+  std::vector<std::size_t> points = {};
 
   std::size_t point_of(std::size_t row) const;
   std::size_t row_of(std::size_t point) const;  ///< the first row of a point; every point has a row

@@ -163,8 +163,8 @@ std::vector<Weight> weigh(const ConfidenceTables& confidence, const std::string&
   std::map<std::string, double> values;  // results of the nominal model, by the row's axes
   each_of(confidence.intervals, column,
           [&](const Reader& row) { values[row.axes()] = row.number("value"); });
-  std::map<std::string, std::vector<double>> shares;  // relative influences of each entry, one for
-                                                      // each row
+  // relative influences of each entry, one for each row
+  std::map<std::string, std::vector<double>> shares;
   each_of(confidence.assumptions, column, [&](const Reader& row) {
     const auto value = values.find(row.axes());
     if (value != values.end() && value->second != 0)
@@ -182,8 +182,8 @@ std::vector<std::string> describe_confidence(const ConfidenceTables& confidence,
                                              const std::vector<std::string>& columns) {
   std::vector<std::string> sentences;
   for (const auto& column : columns) {
-    std::vector<double> below, above;  // for each row, distances of the interval's ends from the
-                                       // value, relative to the value
+    // for each row, distances of the interval's ends from the value, relative to the value
+    std::vector<double> below, above;
     each_of(confidence.intervals, column, [&](const Reader& row) {
       const double value = row.number("value");
       if (value == 0) return;

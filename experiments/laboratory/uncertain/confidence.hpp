@@ -10,8 +10,8 @@ namespace laboratory {
 
 struct Confidence {
   std::vector<Interval> intervals;
-  std::vector<std::string> entries;            ///< names of the model entries that were drawn at
-                                               ///< random
+  /// names of the model entries that were drawn at random
+  std::vector<std::string> entries;
   std::vector<std::vector<double>> quantiles;  ///< for each entry, its quantile on each machine
   std::size_t machines = 0;                    ///< number of machines that completed all points
   std::size_t left_out = 0;                    ///< number of machines that did not

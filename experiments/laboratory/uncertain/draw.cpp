@@ -140,14 +140,14 @@ ExperimentFile spread(const ExperimentFile& file) {
   ExperimentFile all = file;
   all.sweep.push_back({{"machine", "uncertain.machine", {}}});
   const auto seed = static_cast<std::uint64_t>(file.uncertain.seed);
-  std::map<std::string, std::vector<double>> quantiles;  // for each entry, its quantile on each
-                                                         // machine
+  // for each entry, its quantile on each machine
+  std::map<std::string, std::vector<double>> quantiles;
   for (const auto& entry : drawn_entries(file))
     quantiles[entry] = draw_quantiles(seed, entry, machines);
   for (std::size_t machine = 0; machine < machines; ++machine) {
     const auto number = make_node(static_cast<std::int64_t>(machine + 1));
-    std::map<std::string, machine::Overrides> known;  // by model of the file: the overrides that
-                                                      // realise this machine
+    // by model of the file: the overrides that realise this machine
+    std::map<std::string, machine::Overrides> known;
     for (Point point : file.points) {
       const auto draw = [&](ModelSpec& spec) {
         auto [found, is_new] = known.try_emplace(model_key(spec));

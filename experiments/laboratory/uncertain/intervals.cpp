@@ -12,8 +12,8 @@ namespace laboratory {
 namespace {
 
 constexpr double LOW = 0.05, HIGH = 0.95;
-constexpr double CHANCE = 0.05;  // probability that an entry is selected although no entry has an
-                                 // effect
+// probability that an entry is selected although no entry has an effect
+constexpr double CHANCE = 0.05;
 constexpr std::size_t MOST_CHOSEN = 8;
 
 // The row of `table` with the same axis values as `row`; no value if there is none. Tries the row
