@@ -18,8 +18,8 @@ namespace {
 namespace fs = std::filesystem;
 
 struct Source {
-  std::string path, room;  // path from the root of the repository, and the room to which the file
-                           // belongs
+  // path from the root of the repository, and the room to which the file belongs
+  std::string path, room;
   std::vector<std::string> includes;  // the included paths, as spelled in the source
 };
 

@@ -12,8 +12,8 @@ using renderer::Scene;
 
 namespace {
 
-constexpr float EPSILON = 1e-4F;  // least distance of a hit, in scene units, so that a ray does not
-                                  // hit the surface it starts on
+// least distance of a hit, in scene units, so that a ray does not hit the surface it starts on
+constexpr float EPSILON = 1e-4F;
 
 void attach(RTCDevice device, RTCScene scene, RTCGeometry geometry) {
   rtcSetGeometryBuildQuality(geometry, RTC_BUILD_QUALITY_HIGH);

@@ -15,8 +15,8 @@ using namespace renderer;
 namespace {
 
 constexpr int SIZE = 96;
-constexpr int OURS = 16;        // samples per pixel of tlab's picture; its error is the value that
-                                // POV-Ray must reach
+// samples per pixel of tlab's picture; its error is the value that POV-Ray must reach
+constexpr int OURS = 16;
 constexpr int REFERENCE = 256;  // samples per pixel of the pictures that count as exact
 
 Scene make_scene() {

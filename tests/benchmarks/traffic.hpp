@@ -35,8 +35,8 @@ struct Traffic {
   // for each node, the numbers of messages that leave it in each direction, from which processes
   // know when they are done
   std::vector<std::array<int, DIRECTIONS>> leaving{NODES};
-  std::vector<int> arriving = std::vector<int>(NODES);  // for each node, the number of messages
-                                                        // that arrive
+  // for each node, the number of messages that arrive
+  std::vector<int> arriving = std::vector<int>(NODES);
   std::uint64_t hops = 0;
 };
 

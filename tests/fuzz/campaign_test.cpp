@@ -88,8 +88,8 @@ TEST(FuzzCampaign, CountsWhatIsRefused) {
   const auto told = run(fail_at_fourth([] { throw base::BadInput("line 1"); }), 10);
   EXPECT_TRUE(told.numbers.empty());
   EXPECT_EQ(told.counts.cases, 10u);
-  EXPECT_EQ(told.counts.refused, 1u);  // all texts are read by one child process, in which the
-                                       // reader refuses the fourth
+  // all texts are read by one child process, in which the reader refuses the fourth
+  EXPECT_EQ(told.counts.refused, 1u);
   EXPECT_EQ(told.counts.accepted, 9u);
 }
 

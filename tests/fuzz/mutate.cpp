@@ -274,8 +274,8 @@ Corpus make_corpus(std::vector<std::string> texts) {
 
 std::string mutate(const Corpus& corpus, Random& random) {
   std::string text = choose(corpus.texts, random);
-  int changes = random.below(4);  // few changes, because each one makes it more probable that the
-                                  // text is refused early
+  // few changes, because each one makes it more probable that the text is refused early
+  int changes = random.below(4);
   if (random.below(8) == 0) changes = random.below(13);
   for (; changes > 0; --changes) {
     choose(CHANGES, random)(text, corpus, random);

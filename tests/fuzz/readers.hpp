@@ -17,8 +17,8 @@ struct Broken : std::logic_error {
 };
 
 struct Reader {
-  std::string name;    ///< name of the reader, and of the folder in tests/fuzz/corpus with texts
-                       ///< for it
+  /// name of the reader, and of the folder in tests/fuzz/corpus with texts for it
+  std::string name;
   std::string ending;  ///< extension of the files that the reader reads
   /// folders below experiments/ and simulator/ whose files with this extension are used as texts
   /// too

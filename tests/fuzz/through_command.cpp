@@ -42,9 +42,9 @@ struct Way {
   std::string name;
   Task task = Task::read;
   std::string corpus;  // name of the reader whose corpus is used
-  std::string file;    // name of the file that gets the text; "": the text replaces the argument
-                       // TEXT
-  fs::path beside;     // folder whose files are copied beside the file; "": none
+  // name of the file that gets the text; "": the text replaces the argument TEXT
+  std::string file;
+  fs::path beside;  // folder whose files are copied beside the file; "": none
   // the commands, one of which is executed; a file name after -o and similar options is an output
   std::vector<Arguments> commands;
 };
@@ -111,8 +111,8 @@ Outcome run(const Start& how, Arguments arguments, Task task) {
   std::vector<char*> argv;
   for (auto& argument : arguments) argv.push_back(argument.data());
   argv.push_back(nullptr);
-  prctl(PR_SET_CHILD_SUBREAPER, 1);  // this process becomes the parent of processes that the child
-                                     // leaves behind
+  // this process becomes the parent of processes that the child leaves behind
+  prctl(PR_SET_CHILD_SUBREAPER, 1);
   const pid_t pid = fork();
   if (pid < 0) throw std::runtime_error("no child process");
   if (pid == 0) start(how, std::move(argv));

@@ -10,8 +10,8 @@ namespace radiosity::reference {
 
 namespace {
 
-constexpr int VERSION = 1;  // of the file format and of the path tracer's results; a new version
-                            // makes old files invalid
+// of the file format and of the path tracer's results; a new version makes old files invalid
+constexpr int VERSION = 1;
 
 std::uint64_t hash(const std::string& text) {
   std::uint64_t sum = 0;

@@ -14,16 +14,16 @@ inline constexpr double OFF = 0.15;
 /// max(0, e^2 - s^2), where s is the reference's standard error.
 struct Deviation {
   double rmse = 0;  ///< root mean square of the differences, relative to the mean radiosity
-  double bias = 0;  ///< mean of the differences, relative to the mean radiosity; negative if the
-                    ///< picture is too dark
+  /// mean of the differences, relative to the mean radiosity; negative if the picture is too dark
+  double bias = 0;
   /// root mean square of the reference's standard errors, relative to the mean radiosity
   double noise = 0;
-  double p99 = 0;    ///< 99th percentile of the errors of pixels in the interior of a face (see
-                     ///< find_inner)
+  /// 99th percentile of the errors of pixels in the interior of a face (see find_inner)
+  double p99 = 0;
   double worst = 0;  ///< largest error of a pixel in the interior of a face
-  double edges = 0;  ///< 99th percentile of the errors of the other pixels, which are at the
-                     ///< borders of faces
-  int group = 0;     ///< number of pixels in the largest connected group of wrong pixels
+  /// 99th percentile of the errors of the other pixels, which are at the borders of faces
+  double edges = 0;
+  int group = 0;  ///< number of pixels in the largest connected group of wrong pixels
 };
 
 /// Excludes pixels whose ray passes so close to an edge that Embree's single precision cannot tell

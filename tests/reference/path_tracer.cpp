@@ -347,8 +347,8 @@ class Painter {
   const renderer::Params pixels_;
   const std::vector<Numbers::Point> points_;
   Reference made_;
-  std::vector<char> emits_;  // not vector<bool>, whose neighbouring elements threads must not write
-                             // at the same time
+  // not vector<bool>, whose neighbouring elements threads must not write at the same time
+  std::vector<char> emits_;
 };
 
 }  // namespace

@@ -14,19 +14,19 @@ namespace radiosity::reference {
 /// because these pixels share paths.
 struct TracerParams {
   int width = 0, height = 0;  ///< size of the picture in pixels; 0: the size of the view
-  int samples = 256;          ///< number of paths per pixel; rounded to whole rounds with at least
-                              ///< one path each
-  int rounds = 8;             ///< number of rounds, at least 2
-  int depth = 8;              ///< limit on the number of mirrors that a ray from the eye may meet
-  int threads = 0;            ///< number of threads, on which results do not depend; 0: as many as
-                              ///< the host has
+  /// number of paths per pixel; rounded to whole rounds with at least one path each
+  int samples = 256;
+  int rounds = 8;  ///< number of rounds, at least 2
+  int depth = 8;   ///< limit on the number of mirrors that a ray from the eye may meet
+  /// number of threads, on which results do not depend; 0: as many as the host has
+  int threads = 0;
   std::uint64_t seed = 1;
 };
 
 /// Result of trace_paths(). The pixel (x, y), with rows from the top, has the index y * width + x.
 struct Reference {
-  Picture picture;            ///< linear radiosity in the middle of each pixel, as in
-                              ///< trace_picture()
+  /// linear radiosity in the middle of each pixel, as in trace_picture()
+  Picture picture;
   std::vector<double> error;  ///< standard error of the mean of a pixel's colour components
   std::vector<bool> emits;    ///< for each pixel: true if it shows an emitter
   /// For each pixel, the number of the visible face; 0: nothing is visible. A face that is seen

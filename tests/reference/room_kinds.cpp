@@ -146,8 +146,8 @@ class KindBuilder {
 
   // Adds boxes on the floor that keep away from each other and from the positions of the views.
   void add_boxes(int count) {
-    constexpr double CLEAR = 0.5;  // distance from the walls; the eyes of the views are nearer to
-                                   // the walls
+    // distance from the walls; the eyes of the views are nearer to the walls
+    constexpr double CLEAR = 0.5;
     std::vector<std::array<double, 3>> done;
     for (int attempt = 0; attempt < 50 && static_cast<int>(done.size()) < count; ++attempt) {
       const double along = range(0.12, 0.35), across = range(0.12, 0.35);
@@ -347,8 +347,8 @@ class KindBuilder {
   base::Random random_;
   double step_ = 0.5;
   Vec size_;
-  std::vector<Vec> eyes_, ats_;  // for each view, the position of the eye and the point at which it
-                                 // looks
+  // for each view, the position of the eye and the point at which it looks
+  std::vector<Vec> eyes_, ats_;
   std::string text_;
 };
 

@@ -39,8 +39,8 @@ TEST(ExperimentsUntil, TheLimitIsInSimulatedSecondsAndTheResultsSayThatTheyAreIn
     if (until == std::string("0.1")) {
       const double setup = *as_number(table.rows[0][*table.find("setup_s")]);
       const double time = *as_number(table.rows[0][*table.find("time_s")]);
-      EXPECT_NEAR(setup + time, 0.1, 1e-9);  // the point has results up to the limit on simulated
-                                             // time, 0.1 s
+      // the point has results up to the limit on simulated time, 0.1 s
+      EXPECT_NEAR(setup + time, 0.1, 1e-9);
       EXPECT_GT(*as_number(table.rows[0][*table.find("rays")]), 0);
     }
   }

@@ -138,8 +138,8 @@ TEST(Ratios, AreListedAsNumbers) {
     if (i < 2) {
       for (std::size_t column = 4; column < 7; ++column) EXPECT_EQ(to_string(row[column]), "");
     } else {
-      const double ratio = i == 2 ? 2 : 3;  // the ratio is equal for all pairs of samples, so the
-                                            // interval has no width
+      // the ratio is equal for all pairs of samples, so the interval has no width
+      const double ratio = i == 2 ? 2 : 3;
       EXPECT_NEAR(*as_number(row[2]), ratio * std::cbrt(6), 1e-12);
       EXPECT_NEAR(*as_number(row[3]), std::cbrt(6), 1e-12);
       for (std::size_t column = 4; column < 7; ++column)

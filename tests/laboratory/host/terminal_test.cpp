@@ -60,8 +60,8 @@ TEST(Terminal, NothingFromAFileReachesItUnescaped) {
       for (auto& word : words) argv.push_back(word.data());
       run_tlab(static_cast<int>(argv.size()), argv.data());
     });
-    const std::string own = "\r\x1b[K";  // the only sequence of tlab itself: it erases the line of
-                                         // the progress bar
+    // the only sequence of tlab itself: it erases the line of the progress bar
+    const std::string own = "\r\x1b[K";
     for (std::size_t at; (at = text.find(own)) != text.npos;) text.erase(at, own.size());
     EXPECT_FALSE(text.empty());
     for (const char* control : {"\x1b", "\x07", "\xc2\x9b"})

@@ -61,8 +61,8 @@ TEST(TestReport, EachCheckIsACaseWithItsPoints) {
   EXPECT_EQ(elements[2].attributes["name"], "quick & <new>");
   EXPECT_EQ(elements[4].attributes["name"], "slow #1");
   EXPECT_TRUE(contains(elements[5].attributes["message"], "slow #1: latency_s at 2 point(s)"));
-  EXPECT_TRUE(contains(xml, "bytes  simulated")) << xml;  // the table of simulated and expected
-                                                          // values
+  // the table of simulated and expected values
+  EXPECT_TRUE(contains(xml, "bytes  simulated")) << xml;
 
   const auto tap = read_file(folder.path / "e.tap");
   EXPECT_TRUE(tap.starts_with("TAP version 13\n1..2\nok 1 - e.toml: quick & <new>\n")) << tap;

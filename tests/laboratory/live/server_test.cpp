@@ -182,8 +182,8 @@ TEST(LiveServer, APageSeesTheRunAndSteersIt) {
     say(socket, "{\"want\": \"frame\"}");
     std::string tiles = hear(socket);
     ASSERT_GT(tiles.size(), 9u);
-    EXPECT_EQ(tiles[0], 0);  // the tiles belong to the picture of the run, not to the sequential
-                             // picture
+    // the tiles belong to the picture of the run, not to the sequential picture
+    EXPECT_EQ(tiles[0], 0);
     EXPECT_EQ(tiles.size(), 1 + 8 + 3 * 16 * 12u);
     const auto state = nlohmann::json::parse(hear(socket)).at("state");
     EXPECT_EQ(state.at("state"), "over");
@@ -251,8 +251,8 @@ TEST(LiveServer, IsIdleWithoutDescriptors) {
     rlimit before{};
     getrlimit(RLIMIT_NOFILE, &before);
     rlimit none = before;
-    none.rlim_cur = 3;  // the process already has descriptors with these numbers, so it can open no
-                        // more
+    // the process already has descriptors with these numbers, so it can open no more
+    none.rlim_cur = 3;
     setrlimit(RLIMIT_NOFILE, &none);
     socket.connect({asio::ip::address_v4::loopback(), port});
     const double from_s = cpu_seconds();
@@ -332,8 +332,8 @@ std::string random_request(base::Random& random, const std::string& host) {
     case 3:
       return "GET /" + std::string(static_cast<std::size_t>(random.below(20'000)), 'a');
     default:
-      return request + random_bytes(random, 200);  // sends random bytes after the request, as
-                                                   // frames of a web socket
+      // sends random bytes after the request, as frames of a web socket
+      return request + random_bytes(random, 200);
   }
 }
 
@@ -369,8 +369,8 @@ TEST(LiveServer, HostileClientsDoNotGetInNorStopIt) {
   }
   half_open.clear();
   EXPECT_LT(memory_kb() - before_kb, 32 * 1024);
-  for (int tries = 0; tries < 100; ++tries) {  // until the server has closed the half-open
-                                               // connections
+  // until the server has closed the half-open connections
+  for (int tries = 0; tries < 100; ++tries) {
     try {
       EXPECT_EQ(served.get("/", served.host()).result(), http::status::ok);
       return;
