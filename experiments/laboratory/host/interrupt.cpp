@@ -23,7 +23,7 @@ std::atomic<int> interrupts = 0, guards = 0;
 // id of the process that has an InterruptWatch, or 0; child processes have no watch, so they
 // compare it with getpid()
 std::atomic<pid_t> watched = 0;
-int wake[2] = {-1, -1};  // pipe that wakes the thread which ends the program
+int wake[2] = {-1, -1};  // pipe to the thread that ends the program
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);
 
 void send(char what) {
