@@ -30,6 +30,7 @@ class Routing {
   /// The port of processor `at` on the route to `to`. If several links lead to that neighbour,
   /// their lowest port. Returns -1 if `at` is `to` or if no route is left.
   int port_to(int at, int to) const { return routes_.next_port(at, to); }
+  const topologies::RoutingTable& routes() const { return routes_; }
   int distance(int from, int to) const { return routes_.distance(from, to); }
   Kind kind() const { return kind_; }
   /// Mean number of links on a route, over all pairs of processors that are connected.

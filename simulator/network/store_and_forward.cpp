@@ -70,8 +70,8 @@ Proc send(Channel<Pointer>& from_queue, Channel<Signal>& sent, Channel<Packet>* 
 }  // namespace
 
 StoreAndForward::StoreAndForward(machine::Machine& machine, const topologies::Topology& topology,
-                                 int first)
-    : topology_(topology), routes_(make_routes(topology)), parallel_(parallel_ports(topology)) {
+                                 topologies::RoutingTable routes, int first)
+    : topology_(topology), routes_(std::move(routes)), parallel_(parallel_ports(topology)) {
   const auto& processors = machine.processors();
   const auto at = [&](int id) -> machine::Processor& { return *processors.at(first + id); };
   const auto joined = join(machine, topology, at);

@@ -1,6 +1,6 @@
 #pragma once
-// Store-and-forward routing of packets on shortest routes between all processors. A processor may
-// also send packets to itself.
+// Store-and-forward routing of packets between all processors, on shortest or given routes. A
+// processor may also send packets to itself.
 //
 //               links             the processor                        links
 //             ---------> receiver ---.            .--> sender ------------>
@@ -41,7 +41,11 @@ class StoreAndForward {
  public:
   /// Links the machine's processors `first`, `first` + 1, ... as the topology says, and starts the
   /// routers. The topology must be valid (topologies::check).
-  StoreAndForward(machine::Machine& machine, const topologies::Topology& topology, int first = 0);
+  StoreAndForward(machine::Machine& machine, const topologies::Topology& topology, int first = 0)
+      : StoreAndForward(machine, topology, make_routes(topology), first) {}
+  /// As above, with given routes instead of shortest ones. All pairs need a route.
+  StoreAndForward(machine::Machine& machine, const topologies::Topology& topology,
+                  topologies::RoutingTable routes, int first = 0);
 
   Channel<Pointer>& into(int processor) { return into_.at(processor); }
   Channel<Pointer>& delivered(int processor) { return delivered_.at(processor); }

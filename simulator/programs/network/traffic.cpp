@@ -2,30 +2,51 @@
 
 #include "base/random.hpp"
 #include "simulator/network/store_and_forward.hpp"
+#include "simulator/observe/latencies.hpp"
 #include "simulator/observe/mean.hpp"
 #include "simulator/programs/declare/support.hpp"
 
 namespace programs {
 
-std::vector<Arrival> make_uniform_traffic(int processors, double packets_per_s, double window_us,
-                                          std::uint64_t seed) {
+std::vector<Arrival> make_random_traffic(int processors, const network::Destinations& destinations,
+                                         double packets_per_s, double window_us,
+                                         std::uint64_t seed) {
   std::vector<Arrival> arrivals;
-  for (int from = 0; from < processors && processors > 1; ++from) {
+  for (int from = 0; from < processors; ++from) {
     base::Random random(seed, from);
     for (double at = 0;;) {
       at += random.exponential() / packets_per_s * 1e6;
       if (at > window_us) break;
-      arrivals.push_back({std::llround(at), from, random.other_than(from, processors)});
+      const auto to = destinations.draw(from, random);
+      if (!to) break;
+      arrivals.push_back({std::llround(at), from, *to});
     }
   }
   return arrivals;
 }
 
+std::vector<Arrival> make_uniform_traffic(int processors, double packets_per_s, double window_us,
+                                          std::uint64_t seed) {
+  if (processors == 1) return {};
+  topologies::Topology any;
+  any.processors = processors;
+  return make_random_traffic(processors, network::Destinations({}, any), packets_per_s, window_us,
+                             seed);
+}
+
+namespace {
+
+topologies::RoutingTable routes_of(const Setup& setup) {
+  return setup.routes.rule ? setup.routes : topologies::make_routes(setup.topology);
+}
+
+}  // namespace
+
 TrafficResult run_traffic(const Setup& setup, const std::vector<Arrival>& arrivals,
                           std::uint64_t bytes) {
   const int n = setup.topology.processors;
   Machine machine(setup, n);
-  network::StoreAndForward network(machine, setup.topology);
+  network::StoreAndForward network(machine, setup.topology, routes_of(setup));
   TrafficResult result;
   result.deliveries.resize(arrivals.size());
   // Indices into `arrivals`, by sending processor.
@@ -71,15 +92,20 @@ double mean_inside(const std::vector<Delivery>& deliveries, double from_s, doubl
 
 struct Params {
   std::uint64_t bytes = 100, seed = 1;
-  double load = 0.1, window_s = 0.1;
+  double load = 0.1, window_s = 0.1, warm_up = 0.5;
+  network::PatternParams pattern;
+
+  double warm_up_s() const { return warm_up * window_s; }
 };
 
 struct Measured {
   std::optional<double> latency_s = {};
+  observe::Latencies latencies = {};
   std::size_t packets = 0;
   double links_mean = 0, inside_mean = 0;
   std::size_t longest_queue = 0;
   double link_busy_max = 0;
+  std::optional<double> saturation_load = {};
   bool is_saturated = false;
 };
 
@@ -88,69 +114,103 @@ constexpr double MOST_PACKETS = 1e7;  // a packet takes about 100 bytes of host 
 std::vector<Arrival> make_arrivals(const Setup& setup, const Params& params) {
   const int n = setup.topology.processors;
   const double rate = setup.model.link.one_way_rate, bytes = static_cast<double>(params.bytes);
+  const network::Destinations destinations(params.pattern, setup.topology);
   const double packets = n * params.load * rate / bytes * params.window_s;
   if (packets > MOST_PACKETS)
     base::refuse("program.load, window_s and bytes",
                  "found {:.3g} packets, expected at most {:.3g}", packets, MOST_PACKETS);
-  auto arrivals =
-      make_uniform_traffic(n, params.load * rate / bytes, params.window_s * 1e6, params.seed);
+  auto arrivals = make_random_traffic(n, destinations, params.load * rate / bytes,
+                                      params.window_s * 1e6, params.seed);
   if (arrivals.empty())
     base::refuse("program.window_s",
                  "found a time in which no packet is sent, expected a longer one");
   return arrivals;
 }
 
+// Packets sent after the warm-up.
+std::vector<observe::Passage> find_measured(const std::vector<Delivery>& deliveries,
+                                            const Params& params) {
+  std::vector<observe::Passage> passages;
+  for (const auto& d : deliveries)
+    if (d.sent_s > params.warm_up_s()) passages.push_back({d.sent_s, d.received_s - d.sent_s});
+  return passages;
+}
+
+bool check_saturated(const Setup& setup, const Params& params,
+                     const std::vector<Delivery>& deliveries, double later) {
+  const double earlier = mean_inside(deliveries, params.window_s / 4, params.window_s / 2);
+  return later > 1.6 * earlier && later > setup.topology.processors;
+}
+
 Outcome<Measured> run(const Setup& setup, const Params& params) {
   const auto arrivals = make_arrivals(setup, params);
   const auto result = run_traffic(setup, arrivals, params.bytes);
-  const double window_s = params.window_s;
-  // Counts only packets sent in the second half of the window. By then the queues have reached
-  // their usual length.
-  double sum_s = 0, count = 0;
-  for (const auto& d : result.deliveries)
-    if (d.sent_s > window_s / 2) sum_s += d.received_s - d.sent_s, ++count;
-  const double earlier = mean_inside(result.deliveries, window_s / 4, window_s / 2);
-  const double later = mean_inside(result.deliveries, 3 * window_s / 4, window_s);
-  const bool is_saturated = later > 1.6 * earlier && later > setup.topology.processors;
-  const double links = static_cast<double>(result.links) / static_cast<double>(arrivals.size());
-  Outcome<Measured> outcome(Measured{observe::eval_mean(sum_s, count), arrivals.size(), links,
-                                     later, result.longest_queue, result.link_busy_max,
-                                     is_saturated});
-  outcome.is_saturated = is_saturated;
+  const auto passages = find_measured(result.deliveries, params);
+  double sum_s = 0;
+  for (const auto& passage : passages) sum_s += passage.latency_s;
+  const auto packets = arrivals.size();
+  const double later = mean_inside(result.deliveries, 3 * params.window_s / 4, params.window_s);
+  Measured m{
+      .latency_s = observe::eval_mean(sum_s, static_cast<double>(passages.size())),
+      .latencies = observe::eval_latencies(passages, params.warm_up_s(), params.window_s),
+      .packets = packets,
+      .links_mean = static_cast<double>(result.links) / static_cast<double>(packets),
+      .inside_mean = later,
+      .longest_queue = result.longest_queue,
+      .link_busy_max = result.link_busy_max,
+      .saturation_load = eval_saturation_load(params.pattern, setup.topology, routes_of(setup)),
+      .is_saturated = check_saturated(setup, params, result.deliveries, later)};
+  const auto drift = describe_drift(m.latencies);
+  Outcome<Measured> outcome(m);
+  outcome.is_saturated = m.is_saturated;
+  if (!drift.empty() && !m.is_saturated) outcome.notes.push_back(drift);
   return outcome;
+}
+
+base::Fields<Params> make_fields() {
+  using D = base::Declare<Params>;
+  return base::join<base::Field<Params>>(
+      {bytes_field<Params>(&Params::bytes),
+       D::number("load", &Params::load, 1e-6, 100, "",
+                 "bytes that each processor offers, over the capacity of a link direction"),
+       D::number("window_s", &Params::window_s, 1e-4, 1e4, "s",
+                 "time during which packets are offered"),
+       D::number("warm_up", &Params::warm_up, 0, 0.99, "",
+                 "part of this time that passes before latencies are measured"),
+       seed_field<Params>(&Params::seed, "seed for times and destinations")},
+      {base::lift_all<Params>(network::pattern_fields(), &Params::pattern)});
+}
+
+base::Columns<Measured> make_columns() {
+  return base::join<base::Column<Measured>>(
+      {column("latency_s", &Measured::latency_s,
+              "mean time of the packets sent after the warm-up; empty if there are none")},
+      {base::lift_columns<Measured>(observe::latency_columns(), &Measured::latencies),
+       {column("packets", &Measured::packets, "packets sent"),
+        column("links_mean", &Measured::links_mean, "mean number of links that a packet passes"),
+        column("inside_mean", &Measured::inside_mean,
+               "mean number of packets in the network, over the last quarter of the window"),
+        column("longest_queue", &Measured::longest_queue,
+               "largest number of packets that waited for one link"),
+        column("link_busy_max", &Measured::link_busy_max,
+               "share of the time that the busiest direction of a link was busy"),
+        network::saturation_load_column(&Measured::saturation_load),
+        column("saturated", &Measured::is_saturated, "1 if queues grow without bound, else 0")}});
 }
 
 }  // namespace traffic
 
 Program make_traffic() {
   using namespace traffic;
-  using D = base::Declare<Params>;
-  return make_program<Params, Measured>(
-      {.name = "traffic",
-       .help = "uniform random traffic over store-and-forward routers",
-       .uses = {.network = true, .threads = true},
-       .fields = {bytes_field<Params>(&Params::bytes),
-                  D::number(
-                      "load", &Params::load, 1e-6, 100, "",
-                      "bytes that each processor offers, over the capacity of a link direction"),
-                  D::number("window_s", &Params::window_s, 1e-4, 1e4, "s",
-                            "time during which packets are offered"),
-                  seed_field<Params>(&Params::seed, "seed for times and destinations")},
-       .columns =
-           {column("latency_s", &Measured::latency_s,
-                   "mean time of the packets sent in the second half of the window; empty if there "
-                   "are none"),
-            column("packets", &Measured::packets, "packets sent"),
-            column("links_mean", &Measured::links_mean,
-                   "mean number of links that a packet passes"),
-            column("inside_mean", &Measured::inside_mean,
-                   "mean number of packets in the network, over the last quarter of the window"),
-            column("longest_queue", &Measured::longest_queue,
-                   "largest number of packets that waited for one link"),
-            column("link_busy_max", &Measured::link_busy_max,
-                   "share of the time that the busiest direction of a link was busy"),
-            column("saturated", &Measured::is_saturated, "1 if queues grow without bound, else 0")},
-       .run = &run});
+  return make_program<Params, Measured>({.name = "traffic",
+                                         .help = "random traffic over store-and-forward routers",
+                                         .uses = {.network = true, .routes = true, .threads = true},
+                                         .fields = make_fields(),
+                                         .columns = make_columns(),
+                                         .run = &run,
+                                         .voids = [](const Params& params, const std::string& key) {
+                                           return find_void(params.pattern, key);
+                                         }});
 }
 
 }  // namespace programs

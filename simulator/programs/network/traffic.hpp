@@ -2,6 +2,7 @@
 // Packets that processors send at given dates over a network of routers, and their delays.
 #include <vector>
 
+#include "simulator/network/destinations.hpp"
 #include "simulator/programs/declare/program.hpp"
 
 namespace programs {
@@ -12,9 +13,14 @@ struct Arrival {
   int from, to;
 };
 
-/// Makes uniform traffic: during `window_us` microseconds, each processor sends a Poisson stream of
-/// `packets_per_s` packets to other processors chosen at random. The packets depend only on the
-/// arguments, not on the machine's speed.
+/// Makes random traffic: during `window_us` microseconds, each processor sends a Poisson stream of
+/// `packets_per_s` packets to random destinations. Processors without destinations send none. The
+/// packets depend only on the arguments, not on the machine's speed.
+std::vector<Arrival> make_random_traffic(int processors, const network::Destinations& destinations,
+                                         double packets_per_s, double window_us,
+                                         std::uint64_t seed);
+/// The same with all other processors as equally probable destinations. A single processor sends
+/// none.
 std::vector<Arrival> make_uniform_traffic(int processors, double packets_per_s, double window_us,
                                           std::uint64_t seed);
 
@@ -30,7 +36,8 @@ struct TrafficResult {
 };
 
 /// Simulates store-and-forward routing of packets with `bytes` bytes on the topology of `setup`,
-/// until all packets have arrived.
+/// until all packets have arrived. Packets follow the routes of `setup`, or shortest routes if it
+/// has none.
 TrafficResult run_traffic(const Setup& setup, const std::vector<Arrival>& arrivals,
                           std::uint64_t bytes);
 
