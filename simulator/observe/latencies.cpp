@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "base/quantile.hpp"
 #include "simulator/observe/mean.hpp"
+#include "simulator/observe/quantile.hpp"
 
 namespace observe {
 
@@ -32,7 +32,7 @@ Latencies eval_latencies(const std::vector<Passage>& passages, double from_s, do
   std::vector<double> ascending;
   for (const auto& passage : passages) ascending.push_back(passage.latency_s);
   std::ranges::sort(ascending);
-  const auto at = [&](double share) { return base::find_quantile(ascending, share); };
+  const auto at = [&](double share) { return find_quantile(ascending, share); };
   return {at(0.5), at(0.95), at(0.99), at(1), eval_drift(passages, (from_s + to_s) / 2)};
 }
 

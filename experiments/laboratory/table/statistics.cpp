@@ -7,8 +7,8 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "base/quantile.hpp"
 #include "experiments/laboratory/table/linear_fit.hpp"
+#include "simulator/observe/quantile.hpp"
 
 namespace laboratory {
 namespace {
@@ -43,7 +43,7 @@ double find_mean(const std::vector<double>& samples) {
 double find_median(std::vector<double> samples) {
   check_count(samples, 1);
   std::ranges::sort(samples);
-  return base::find_quantile(samples, 0.5);
+  return observe::find_quantile(samples, 0.5);
 }
 
 double find_variance(const std::vector<double>& samples) {

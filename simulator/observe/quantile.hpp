@@ -5,13 +5,13 @@
 
 #include "base/errors.hpp"
 
-namespace base {
+namespace observe {
 
 /// The quantile of samples in ascending order. The first sample is the quantile for `share` = 0,
 /// the last for `share` = 1. Interpolates linearly between samples. Throws InvariantBroken without
 /// samples.
 inline double find_quantile(const std::vector<double>& ascending, double share) {
-  if (ascending.empty()) throw InvariantBroken("a quantile of no samples");
+  if (ascending.empty()) throw base::InvariantBroken("a quantile of no samples");
   const double place = share * static_cast<double>(ascending.size() - 1);
   const auto low = static_cast<std::size_t>(place);
   if (low + 1 == ascending.size()) return ascending[low];
@@ -19,4 +19,4 @@ inline double find_quantile(const std::vector<double>& ascending, double share) 
   return (1 - rest) * ascending[low] + rest * ascending[low + 1];
 }
 
-}  // namespace base
+}  // namespace observe
