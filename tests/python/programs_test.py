@@ -10,7 +10,7 @@ from support import tlab_command
 import tlab
 from tlab import _native as native
 
-# Programs that are fast with their default parameters and need no file.
+# Programs whose defaults run quickly and need no file.
 QUICK = ["message", "soft", "both_ways", "unicast", "pipeline", "sources", "broadcast", "request", "alternative",
          "interrupt", "commstime", "flops", "metrics", "census", "law", "task_farm", "global_", "in_path"]
 
@@ -18,9 +18,8 @@ QUICK = ["message", "soft", "both_ways", "unicast", "pipeline", "sources", "broa
 def help_on(program):
     """Keys with their defaults, and columns, from `tlab help`."""
     text = tlab_command("help", program).stdout
-    if text.startswith("print") or "The program, in an experiment file:" in text:
-        # "radiosity" is also a command, and help on the command comes first
-        text = text.split("The program, in an experiment file:")[1]
+    # commands and topics have the same names as some programs
+    text = next(part for part in text.split("In an experiment file:\n") if "\nResults of " in part).rstrip()
     keys, columns = text.split("\nResults of ")
     found = {}
     for line in keys.strip().splitlines()[1:]:
@@ -51,7 +50,7 @@ class FunctionsTest(unittest.TestCase):
                 for key, default in keys.items():
                     short = key.rpartition(".")[2]
                     if key.split(".")[0] in ("order", "stage") or short in ("order", "stage") and default is None:
-                        continue  # skips tables that have one row for each stage or order
+                        continue  # skips tables with one row for each stage or order
                     value = (parameters.get(short) or parameters[key.replace(".", "_")]).default
                     if default is not None:
                         self.assertEqual(*_comparable(value, default), key)

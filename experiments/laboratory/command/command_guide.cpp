@@ -13,6 +13,7 @@
 #include "experiments/laboratory/guide/catalogue.hpp"
 #include "experiments/laboratory/guide/keys.hpp"
 #include "experiments/laboratory/guide/templates.hpp"
+#include "experiments/laboratory/guide/topics.hpp"
 #include "experiments/laboratory/host/streams.hpp"
 
 namespace laboratory {
@@ -54,53 +55,83 @@ void add_list_command(CLI::App& app) {
   command->callback([o] { list(*o); });
 }
 
-// Finds the help on the command or program named `word`, or on both if they share the name. The
-// word "keys" stands for the keys of all experiment files and programs.
+// The names of everything that `tlab help` explains: commands, programs, topics and "keys".
+std::vector<std::string> help_names(const CLI::App& app) {
+  std::set<std::string> names{"keys"};
+  for (const auto* command : app.get_subcommands({})) names.insert(command->get_name());
+  for (const auto& program : programs::all_programs()) names.insert(program.name);
+  for (const auto& topic : topics()) names.insert(topic.name);
+  return {names.begin(), names.end()};
+}
+
+[[noreturn]] void refuse_topic(const CLI::App& app, const std::string& word) {
+  const auto known = help_names(app);
+  const auto near = find_near_topics(word, known);
+  throw base::BadInput(fmt::format(
+      "help: found \"{}\"{}", word,
+      near.empty() ? base::suggest(word, known)
+                   : fmt::format(", the nearest {} \"{}\"", near.size() == 1 ? "is" : "are",
+                                 fmt::join(near, "\", \""))));
+}
+
+// Finds the help on a command, a program and a topic (all of them that share the name), on a key,
+// or on all keys.
 std::string find_help(const CLI::App& app, const std::string& word) {
   if (word == "keys") return describe_keys() + "\n" + describe_programs();
-  std::string text;
-  std::set<std::string> known{"keys"};
-  for (const auto* command : app.get_subcommands({})) {
-    known.insert(command->get_name());
-    if (command->get_name() == word) text += command->help("tlab");
-  }
-  for (const auto& program : programs::all_programs()) {
-    known.insert(program.name);
-    if (program.name != word) continue;
-    if (!text.empty()) text += "\nThe program, in an experiment file:\n";
-    text += fmt::format("{}\nResults of {}", describe_program(program), describe_columns(program));
-  }
-  if (text.empty())
-    throw base::BadInput(fmt::format("help: found \"{}\"{}", word,
-                                     base::suggest(word, {known.begin(), known.end()})));
-  return text;
+  std::vector<std::string> parts;
+  for (const auto* command : app.get_subcommands({}))
+    if (command->get_name() == word) parts.push_back(command->help("tlab"));
+  const auto start = [&] { return parts.empty() ? "" : "In an experiment file:\n"; };
+  if (const auto* program = programs::find_program(word))
+    parts.push_back(fmt::format("{}{}\nResults of {}", start(), describe_program(*program),
+                                describe_columns(*program)));
+  const bool is_topic = std::ranges::find(topics(), word, &Topic::name) != topics().end();
+  if (const auto topic = describe_topic(word); !topic.empty() && (is_topic || parts.empty()))
+    parts.push_back(start() + topic);
+  if (parts.empty()) refuse_topic(app, word);
+  return fmt::format("{}", fmt::join(parts, "\n"));
 }
 
 std::string find_help(const CLI::App& app, const std::vector<std::string>& words) {
-  if (words.empty()) return app.help();
+  if (words.empty())
+    return fmt::format(
+        "{}\n{}\nPrograms: tlab list programs. Keys: tlab help KEY, tlab help keys.\n", app.help(),
+        list_topics());
   if (words.size() == 1) return find_help(app, words[0]);
   const auto* program = programs::find_program(words[1]);
   base::require(
       words[0] == "run" && program, "help",
-      "found \"{} {}\", expected a command, a program, \"keys\", or \"run\" and a program",
+      "found \"{} {}\", expected a command, a program, a topic, \"keys\", or \"run\" and a program",
       words[0], words[1]);
-  return fmt::format("{}\n{}\nThe program:\n{}", find_help(app, "run"), describe_keys(),
-                     describe_program(*program));
+  return fmt::format("{}\n{}\nThe program:\n{}", app.get_subcommand("run")->help("tlab"),
+                     describe_keys(), describe_program(*program));
 }
 
 void add_help_command(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "help",
-      "help on a command, a program (farm, radiosity ...), or the keys of experiment files");
-  auto words = std::make_shared<std::vector<std::string>>();
-  command->add_option("TOPIC", *words, "a command; a program; run PROGRAM; keys")
+      "help", "help on a command, a program (farm ...), a topic (plot, seed ...) or a key");
+  struct Options {
+    std::vector<std::string> words;
+    bool names = false;
+  };
+  auto o = std::make_shared<Options>();
+  command->add_option("TOPIC", o->words, "a command; a program; a topic; a key; run PROGRAM; keys")
       ->expected(0, 2)
       ->option_text("...");
-  command->footer(
-      "Examples:\n  tlab help run\n  tlab help farm        # its keys and its results\n  tlab help "
-      "run farm    # with the keys common to all programs\n  tlab help keys        # all keys of "
-      "all programs");
-  command->callback([words, &app] { print_paged(find_help(app, *words)); });
+  command->add_flag("--names", o->names, "only the names of all topics, one per line")
+      ->excludes("TOPIC");
+  command->footer(R"(Examples:
+  tlab help             # all commands and topics
+  tlab help run
+  tlab help plot        # a section of experiment files
+  tlab help seed
+  tlab help farm        # its keys and its results
+  tlab help run farm    # with the keys common to all programs
+  tlab help keys        # all keys of all programs)");
+  command->callback([o, &app] {
+    print_paged(o->names ? fmt::format("{}\n", fmt::join(help_names(app), "\n"))
+                         : find_help(app, o->words));
+  });
 }
 
 void add_init_command(CLI::App& app) {

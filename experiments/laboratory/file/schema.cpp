@@ -131,6 +131,7 @@ const std::vector<Section>& sections() {
        [](Experiment& e, const Place& at) { e.faults = read_faults(at); }},
       {"processor", "[[processor]]: a processor of the network with another model than the machine",
        [](Experiment& e, const Place& at) { e.others = read_others(at); }},
+      {"sweep", "[sweep]: axes, keys with several values each; every combination is a point"},
       {"let", "[let]: names for expressions in checks"},
       {"check", "[[check]]: comparison of results with a formula, bounds or a reference"},
       {"plot", "[[plot]]: a plot of the report; replaces the default plots"},

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "experiments/laboratory/file/experiment.hpp"
 
 namespace laboratory {
@@ -28,6 +30,24 @@ std::string describe(const Setting& setting, int indent) {
   return text + "\n";
 }
 
+// All keys of a program, including those of its lists such as [[stage]].
+std::vector<Setting> settings_of(const programs::Program& program) {
+  std::vector<Setting> all;
+  for (const auto& p : program.parameters)
+    all.push_back({programs::key_of(p), p.help, p.unit, p.domain, p.get(program.defaults)});
+  for (const auto& list : program.lists) {
+    all.push_back({list.key, list.help});
+    add_settings(all, list.fields, list.key + ".", list.make_record());
+  }
+  return all;
+}
+
+bool is_named(const std::string& key, const std::string& word) {
+  const auto last = key.substr(key.rfind('.') + 1);
+  return (key.starts_with(word + ".") && word != "program") || last == word || key == word ||
+         last.ends_with("_" + word);
+}
+
 }  // namespace
 
 std::string describe_keys() {
@@ -38,16 +58,27 @@ std::string describe_keys() {
   return text;
 }
 
+std::string describe_keys_of(const std::string& word) {
+  std::string text;
+  for (const auto& setting : settings())
+    if (is_named(setting.key, word)) text += describe(setting, 2);
+  std::vector<std::pair<std::string, std::vector<std::string>>> lines;  // with their programs
+  for (const auto& program : programs::all_programs())
+    for (const auto& setting : settings_of(program)) {
+      if (program.name == word || !is_named(setting.key, word)) continue;
+      const auto line = describe(setting, 2);
+      auto found = std::ranges::find(lines, line, &decltype(lines)::value_type::first);
+      if (found == lines.end()) found = lines.insert(lines.end(), {line, {}});
+      found->second.push_back(program.name);
+    }
+  for (const auto& [line, names] : lines)
+    text += fmt::format("{}; of {}\n", line.substr(0, line.size() - 1), fmt::join(names, ", "));
+  return text;
+}
+
 std::string describe_program(const programs::Program& program) {
   std::string text = fmt::format("  {:<30} {}\n", program.name, program.help);
-  for (const auto& p : program.parameters)
-    text += describe({programs::key_of(p), p.help, p.unit, p.domain, p.get(program.defaults)}, 4);
-  for (const auto& list : program.lists) {
-    text += describe({list.key, list.help}, 4);
-    std::vector<Setting> fields;
-    add_settings(fields, list.fields, list.key + ".", list.make_record());
-    for (const auto& field : fields) text += describe(field, 4);
-  }
+  for (const auto& setting : settings_of(program)) text += describe(setting, 4);
   return text;
 }
 

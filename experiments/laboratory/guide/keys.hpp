@@ -1,16 +1,21 @@
 #pragma once
-// Help on the keys of the experiment file.
+// Help on the keys of the experiment file, both common ones and those of programs.
 #include <string>
 
 #include "simulator/programs/programs.hpp"
 
 namespace laboratory {
 
-/// Formats a heading, and one line for each key that does not belong to a program.
+/// Formats a heading and one line for each key common to all experiments.
 std::string describe_keys();
 
-/// Formats the program's name and description, and one line for each of its keys with meaning,
-/// unit, range and default.
+/// Formats one line for each key, of any program, whose section or last part is `word`, or whose
+/// last part ends with "_" and `word`. Leaves out the keys of the program `word`, and those of the
+/// section [program]. Keys that not all experiments have are followed by their programs.
+std::string describe_keys_of(const std::string& word);
+
+/// Formats the program's name and description, and one line for each of its keys: meaning, unit,
+/// range and default.
 std::string describe_program(const programs::Program& program);
 
 /// Formats a heading and the description of each program.

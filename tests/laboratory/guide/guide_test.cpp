@@ -1,10 +1,14 @@
 // `tlab list`, `tlab help` and `tlab init`: the names that they print exist, and the files that
 // they write work.
 
+#include <algorithm>
+
 #include "base/text.hpp"
+#include "experiments/laboratory/file/experiment.hpp"
 #include "experiments/laboratory/guide/catalogue.hpp"
 #include "experiments/laboratory/guide/keys.hpp"
 #include "experiments/laboratory/guide/templates.hpp"
+#include "experiments/laboratory/guide/topics.hpp"
 #include "simulator/machine/model.hpp"
 #include "simulator/programs/programs.hpp"
 #include "tests/laboratory/support/tlab.hpp"
@@ -83,6 +87,74 @@ TEST(Guide, HelpOnAProgramIsOfThatAlone) {
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_TRUE(contains(unknown.err, "the nearest is \"farm\"")) << unknown.err;
 }
+
+// A topic explains a section and lists its keys. Topics, programs and commands share names.
+TEST(Guide, HelpOnATopic) {
+  const TemporaryFolder folder;
+  const auto help = [&](const char* word) {
+    const auto outcome = tlab(folder.path, {"help", word});
+    EXPECT_EQ(outcome.exit_code, 0) << word << outcome.err;
+    return outcome.out;
+  };
+  for (const auto* text : {"[[plot]]: a plot of the report", "name = \"speedup\"", "  plot.fit "})
+    EXPECT_TRUE(contains(help("plot"), text)) << text;
+  EXPECT_FALSE(contains(help("plot"), "best.gain"));
+  for (const auto* text : {"Usage: tlab report", "report.networks"})
+    EXPECT_TRUE(contains(help("report"), text)) << text;
+  for (const auto* text : {"repetitions = 5", "uncertain.seed ", "of traffic, router_load\n"})
+    EXPECT_TRUE(contains(help("seed"), text)) << text;
+  EXPECT_TRUE(help("within_abs").starts_with("Keys:\n  check.within_abs "));
+  EXPECT_TRUE(help("check.within").starts_with("Keys:\n  check.within "));
+  // "in_path" is a program, and "data.in_path" a key; "data" is a program and a topic
+  EXPECT_FALSE(contains(help("in_path"), "data.in_path"));
+  EXPECT_TRUE(contains(help("data"), "In an experiment file:\nScene data"));
+  const auto all = tlab(folder.path, {"help"}).out;
+  for (const auto& topic : topics())
+    EXPECT_TRUE(contains(all, "\n  " + topic.name + " ")) << topic.name;
+}
+
+TEST(Guide, AnUnknownTopicNamesTheNearest) {
+  const TemporaryFolder folder;
+  for (const auto& [word, text] : {std::pair("plto", "the nearest is \"plot\""),
+                                   {"figure", "the nearest is \"plot\""},
+                                   {"Confidence", "the nearest is \"seed\""},
+                                   {"checks", "the nearest are \"check\", \"formula\", \"let\""},
+                                   {"zzzzzzzzzz", "expected one of alternative, baseline, "}}) {
+    const auto outcome = tlab(folder.path, {"help", word});
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_TRUE(contains(outcome.err, text)) << outcome.err;
+  }
+}
+
+TEST(Guide, EverySectionIsATopicOrAProgram) {
+  std::vector<std::string> keys;
+  for (const auto& setting : settings()) keys.push_back(setting.key);
+  for (const auto& program : programs::all_programs())
+    for (const auto& parameter : program.parameters) keys.push_back(programs::key_of(parameter));
+  for (const auto& key : keys) {
+    const auto section = key.substr(0, key.find('.'));
+    if (section == "title" || section == "question") continue;
+    EXPECT_TRUE(programs::find_program(section) ||
+                std::ranges::find(topics(), section, &Topic::name) != topics().end())
+        << key;
+  }
+}
+
+struct TopicExample : testing::TestWithParam<Topic> {};
+
+TEST_P(TopicExample, IsShortAndRuns) {
+  const auto& topic = GetParam();
+  const TemporaryFolder folder;
+  const auto lines = std::ranges::count(topic.example, '\n');
+  EXPECT_TRUE(lines >= 3 && lines <= 8) << lines;
+  EXPECT_LE(topic.about.size(), 100u);
+  write_file(folder.path / "e.toml", topic.example);
+  const auto outcome = tlab(folder.path, {"run", "e.toml"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+}
+
+INSTANTIATE_TEST_SUITE_P(Topics, TopicExample, testing::ValuesIn(topics()),
+                         [](const auto& info) { return info.param.name; });
 
 enum class Paint { red, green };
 
