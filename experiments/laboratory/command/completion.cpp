@@ -17,24 +17,28 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// Maps a command to the kind of names that its arguments are, one of the kinds of `tlab list`. The
-// arguments of all other commands are files.
-const std::map<std::string, std::string> NAMES = {
-    {"topology", "topologies"}, {"model", "models"},      {"render", "scenes"},
-    {"columns", "programs"},    {"help", "programs"},     {"run", "experiments"},
-    {"live", "experiments"},    {"verify", "experiments"}};
+// Maps a command to the command that lists the names that its arguments denote, with --names.
+// Other commands take files.
+const std::map<std::string, std::string> NAMES = {{"topology", "list topologies"},
+                                                  {"model", "list models"},
+                                                  {"render", "list scenes"},
+                                                  {"columns", "list programs"},
+                                                  {"help", "help"},
+                                                  {"run", "list experiments"},
+                                                  {"live", "list experiments"},
+                                                  {"verify", "list experiments"}};
 
 std::string names_of(const CLI::App& command) {
   const auto found = NAMES.find(command.get_name());
-  return found == NAMES.end() ? "" : fmt::format("tlab list {} --names", found->second);
+  return found == NAMES.end() ? "" : fmt::format("tlab {} --names", found->second);
 }
 
-// Keeps the first line of a help text, without characters that are special to shells.
+// Joins a help text to one line and removes characters that are special to shells.
 std::string plain(const std::string& help) {
   return std::regex_replace(help.substr(0, help.find('\n')), std::regex("['\"`\\\\:\\[\\]$]"), "");
 }
 
-// The spellings of an option, such as "-o" and "--output"; none for a positional argument.
+// The option's names, such as "-o" and "--output". Positional arguments have none.
 Names option_names(const CLI::Option& option) {
   Names names;
   for (const auto& name : option.get_snames()) names.push_back("-" + name);
@@ -97,7 +101,7 @@ std::string for_zsh(const std::vector<const CLI::App*>& commands) {
 # zsh completion of tlab; made by: tlab completion zsh
 _tlab_names() {{
   local -a names
-  names=(${{(f)"$(tlab list $1 --names 2>/dev/null)"}})
+  names=(${{(f)"$(tlab $@ --names 2>/dev/null)"}})
   compadd -- $names
   _files
 }}

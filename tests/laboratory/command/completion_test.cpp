@@ -23,7 +23,7 @@ std::string script_for(const std::string& shell) {
   return made.out;
 }
 
-// The scripts contain every option that the help of a command shows.
+// Compares every option of every command with the command's help.
 TEST(Completion, KnowsAllCommandsAndOptions) {
   const TemporaryFolder folder;
   const auto script = script_for("bash"), zsh = script_for("zsh"), fish = script_for("fish");
@@ -47,7 +47,7 @@ TEST(Completion, KnowsAllCommandsAndOptions) {
   EXPECT_EQ(tlab(folder.path, {"completion", "tcsh"}).exit_code, 2);
 }
 
-// The words that bash offers for the last, unfinished word of a line.
+// The completions that bash offers for the last, unfinished word of a line.
 std::string complete(const std::filesystem::path& folder, const std::string& line) {
   std::ofstream(folder / "try.sh") << "source ./tlab.bash\nCOMP_WORDS=(" << line
                                    << ")\nCOMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n_tlab\n"
@@ -67,8 +67,19 @@ TEST(Completion, BashOffersWhatBeginsSo) {
   EXPECT_EQ(complete(folder.path, "tlab merge a"), "a b.toml") << "one name";
 }
 
-// A name is only text, even if it looks like a shell command. A substitute for tlab prints the
-// names.
+// `help` is completed with commands, programs and topics. The built program lists them.
+TEST(Completion, HelpOffersTopics) {
+  const TemporaryFolder folder;
+  std::filesystem::create_symlink(::test::in_build("tlab"), folder.path / "tlab");
+  std::ofstream(folder.path / "tlab.bash") << "PATH=$PWD:$PATH\n" << script_for("bash");
+  EXPECT_EQ(complete(folder.path, "tlab help pl"), "plot");
+  EXPECT_EQ(complete(folder.path, "tlab help se"), "seed");
+  EXPECT_EQ(complete(folder.path, "tlab help me"), "merge\nmessage\nmetrics");
+  EXPECT_TRUE(contains(script_for("zsh"), "'*: :_tlab_names help'"));
+  EXPECT_TRUE(contains(script_for("fish"), "-a '(tlab help --names 2>/dev/null)'"));
+}
+
+// A name is text, even if it looks like a command. The names come from a stand-in for tlab.
 TEST(Completion, NoNameIsExecuted) {
   const TemporaryFolder folder;
   const auto names = folder.path / "names", owned = folder.path / "owned";
@@ -92,7 +103,7 @@ TEST(Completion, NoNameIsExecuted) {
   run("fish", "source tlab.fish\ncomplete -C 'tlab run ' > offered\n");
   run("zsh",
       "compdef() { :; }\n_files() { :; }\ncompadd() { shift; print -rl -- \"$@\" > offered; }\n"
-      "source ./tlab.zsh\n_tlab_names experiments\n");
+      "source ./tlab.zsh\n_tlab_names list experiments\n");
 }
 
 }  // namespace
