@@ -131,6 +131,7 @@ endforeach()
 target_sources(docs_barrier PRIVATE docs/examples/run_barrier.cpp)
 add_test(NAME Docs.GeneratedPagesAreUpToDate
          COMMAND ${PROJECT_SOURCE_DIR}/docs/generate --check $<TARGET_FILE:tlab>)
+add_test(NAME Docs.LinksAndSearch COMMAND ${PROJECT_SOURCE_DIR}/docs/check)
 
 # The manual's tutorials, command by command; tutorial-program uses the installed library.
 foreach(page lecture topology board)
