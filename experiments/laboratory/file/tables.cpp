@@ -231,8 +231,7 @@ const base::Fields<BestSpec>& best_fields() {
                "axes for whose values the search is repeated; default: all others"),
       D::text("where", &S::where, "an expression: selects the points where it is not 0"),
       D::text("pays", &S::pays, "numeric axis: finds how far doubling it pays"),
-      D::number("gain", &S::gain, 0, 1, "",
-                "smallest share that a doubling must gain to pay; 0..1"),
+      D::number("gain", &S::gain, 0, 1, "", "smallest share that a doubling must gain to pay"),
   };
   return all;
 }
@@ -244,9 +243,8 @@ const base::Fields<BaselineSpec>& baseline_fields() {
       D::text("name", &S::name, "NAME in the column speedup_NAME, which is added to the results"),
       D::text("at", &S::at,
               "row to compare with: AXIS = VALUE, ...; other axes keep the value of each row"),
-      D::text(
-          "of", &S::of,
-          "column to compare: its value in that row, divided by the value in each row [time_s]"),
+      D::text("of", &S::of,
+              "column to compare: its value in that row, divided by the value in each row"),
   };
   return all;
 }
@@ -268,8 +266,8 @@ const base::Fields<Uncertain>& uncertain_fields() {
   constexpr double MOST = 10'000, LAST_SEED = 0x1p53 - 1;
   static const base::Fields<Uncertain> all = {
       D::whole("machines", &Uncertain::machines, 2, MOST, "",
-               "how many machines are drawn from the ranges of their models' numbers; 2..10000"),
-      D::whole("seed", &Uncertain::seed, 0, LAST_SEED, "", "seed for the drawn machines [1]"),
+               "how many machines are drawn from the ranges of their models' numbers"),
+      D::whole("seed", &Uncertain::seed, 0, LAST_SEED, "", "seed for the drawn machines"),
   };
   return all;
 }
