@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "simulator/observe/mean.hpp"
-#include "simulator/observe/quantile.hpp"
 
 namespace observe {
 
@@ -32,7 +32,10 @@ Latencies eval_latencies(const std::vector<Passage>& passages, double from_s, do
   std::vector<double> ascending;
   for (const auto& passage : passages) ascending.push_back(passage.latency_s);
   std::ranges::sort(ascending);
-  const auto at = [&](double share) { return find_quantile(ascending, share); };
+  const auto count = static_cast<double>(ascending.size());
+  const auto at = [&](double share) {
+    return ascending[static_cast<std::size_t>(std::ceil(share * count)) - 1];
+  };
   return {at(0.5), at(0.95), at(0.99), at(1), eval_drift(passages, (from_s + to_s) / 2)};
 }
 

@@ -7,8 +7,8 @@
 
 namespace observe {
 
-/// Percentiles of the latencies of messages in seconds, and how far the mean still changes during
-/// the measurement. No value without messages.
+/// Percentiles of the latencies of messages in seconds (nearest rank), and how far the mean still
+/// changes during the measurement. No value without messages.
 struct Latencies {
   std::optional<double> p50_s = {}, p95_s = {}, p99_s = {}, longest_s = {};
   /// Mean of the second half of the measured messages over that of the first half, minus 1.

@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "experiments/laboratory/table/linear_fit.hpp"
-#include "simulator/observe/quantile.hpp"
 
 namespace laboratory {
 namespace {
@@ -43,7 +42,7 @@ double find_mean(const std::vector<double>& samples) {
 double find_median(std::vector<double> samples) {
   check_count(samples, 1);
   std::ranges::sort(samples);
-  return observe::find_quantile(samples, 0.5);
+  return find_quantile(samples, 0.5);
 }
 
 double find_variance(const std::vector<double>& samples) {
@@ -60,6 +59,15 @@ double find_variance(const std::vector<double>& samples) {
 
 double find_deviation(const std::vector<double>& samples) {
   return std::sqrt(find_variance(samples));
+}
+
+double find_quantile(const std::vector<double>& ascending, double share) {
+  check_count(ascending, 1);
+  const double place = share * static_cast<double>(ascending.size() - 1);
+  const auto low = static_cast<std::size_t>(place);
+  if (low + 1 == ascending.size()) return ascending[low];
+  const double rest = place - static_cast<double>(low);
+  return (1 - rest) * ascending[low] + rest * ascending[low + 1];
 }
 
 double correlate_ranks(const std::vector<double>& a, const std::vector<double>& b) {

@@ -6,7 +6,6 @@
 #include "base/errors.hpp"
 #include "experiments/laboratory/table/linear_fit.hpp"
 #include "experiments/laboratory/table/statistics.hpp"
-#include "simulator/observe/quantile.hpp"
 
 namespace laboratory {
 
@@ -86,7 +85,7 @@ std::vector<Interval> find_intervals(const Table& table, const std::vector<Table
       const auto at = [&](double share) {
         const auto n = static_cast<double>(sorted.size());
         const double place = std::clamp((share * (n + 1) - 1) / (n - 1), 0.0, 1.0);
-        return observe::find_quantile(sorted, place);
+        return find_quantile(sorted, place);
       };
       intervals.push_back({row, column, *value, at(LOW), at(0.5), at(HIGH), std::move(all)});
     }
