@@ -206,6 +206,14 @@ class ErrorsTest(FolderTest):
         self.assertIn("program.bytes", str(self.check_message(tlab.BadInput, MESSAGE, program={"byts": 3})))
         self.assertIn("found <object", str(self.check_message(tlab.BadInput, MESSAGE, title=object())))
 
+    def test_messages_on_a_dict_or_text_do_not_name_a_temporary_file(self):
+        self.assertEqual(str(self.check_message(tlab.BadInput, {"image": {"width": -3}})),
+                         "image.width: found -3, expected a whole number from 1 to 65536")
+        self.assertRegex(str(self.check_message(tlab.BadInput, MESSAGE, program={"byts": 3})),
+                         "^unknown key \"program.byts\"")
+        self.assertRegex(str(self.check_message(tlab.BadInput, "[image]\nwidth = -3\n")),
+                         "^line 2 of the text: image.width: found -3")
+
     def test_a_check_that_fails_leaves_results(self):
         error = self.check_message(tlab.CheckFailed, TOO_STRICT)
         self.assertIn("1 of 1 check(s) do not hold", str(error))

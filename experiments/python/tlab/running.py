@@ -72,6 +72,13 @@ def _file_of(experiment, files):
     return path
 
 
+# A message without the path of the temporary file that holds the experiment. Lines of a dict have no numbers.
+def _hide_file(message, path, experiment):
+    if isinstance(experiment, dict):
+        return re.sub(rf"{re.escape(str(path))}(:\d+)?(, with --set)?: ", "", message)
+    return re.sub(rf"{re.escape(str(path))}:(\d+): ", r"line \1 of the text: ", message)
+
+
 # The identity of a file on disk, which changes when another file replaces it.
 def _identity(path):
     try:
@@ -107,6 +114,8 @@ def run(experiment, /, *, folder=None, jobs=None, until=None, **settings):
             arguments += [option, str(value)]
     before = _identity(folder / "run.json")
     done = command.start(arguments)
+    if is_ours:
+        done.errors = _hide_file(done.errors, path, experiment)
     has_results = _identity(folder / "run.json") not in (None, before)
     result = Result(folder, done.output, files) if has_results else None
     if failure := done.failure(result):
