@@ -8,6 +8,9 @@ namespace base {
 
 namespace {
 
+// Upper limits of whole numbers from here on are those of the type, so texts omit them.
+constexpr double LARGEST_SHOWN = 9e18;
+
 // The value of a numeric scalar, converted to double.
 double number_of(const Scalar& value) {
   if (const auto* flag = std::get_if<bool>(&value)) return *flag ? 1 : 0;
@@ -36,7 +39,8 @@ std::string Domain::describe() const {
     case Kind::flag:
       return "true or false, or 1 or 0";
     case Kind::whole:
-      return fmt::format("a whole number from {} to {}", low, high);
+      return high < LARGEST_SHOWN ? fmt::format("a whole number from {} to {}", low, high)
+                                  : fmt::format("a whole number, at least {}", low);
     case Kind::number:
       return fmt::format("a number from {} to {}", low, high);
     case Kind::choice:

@@ -100,6 +100,8 @@ struct Setting {
   base::Domain domain = {base::Domain::Kind::any};
   base::Scalar standard = {};  ///< the default
 };
+/// A default for help: that of a flag is true or false.
+std::string describe_default(const base::Domain& domain, const base::Scalar& standard);
 /// The keys that do not depend on the program.
 std::vector<Setting> settings();
 

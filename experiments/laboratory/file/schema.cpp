@@ -294,6 +294,12 @@ Programs programs_in_play(const toml::table& file, const std::vector<Coupled>& s
   return found;
 }
 
+std::string describe_default(const base::Domain& domain, const base::Scalar& standard) {
+  const auto text = base::to_text(standard);
+  if (domain.kind != base::Domain::Kind::flag) return text;
+  return text == "1" ? "true" : text == "0" ? "false" : text;
+}
+
 std::vector<Setting> settings() {
   std::vector<Setting> all;
   add_settings(all, common_fields(), "");

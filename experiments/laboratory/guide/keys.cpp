@@ -18,13 +18,14 @@ std::string describe(const Setting& setting, int indent) {
   if (!unit.empty()) text += "; " + unit;
   if (domain.kind == base::Domain::Kind::choice)
     text += fmt::format("; one of {}", fmt::join(domain.choices, ", "));
+  constexpr double LARGEST_SHOWN = 9e18;  // higher limits are those of the type
   if (is_whole || domain.kind == base::Domain::Kind::number)
-    text += domain.high < 1e300
-                ? fmt::format("; {}{}..{}", is_whole ? "whole, " : "", domain.low, domain.high)
-                : fmt::format("; at least {}", domain.low);
+    text += fmt::format("; {}{}", is_whole ? "whole, " : "",
+                        domain.high < LARGEST_SHOWN ? fmt::format("{}..{}", domain.low, domain.high)
+                                                    : fmt::format("at least {}", domain.low));
   if (domain.kind == base::Domain::Kind::flag) text += "; true or false";
   if (domain.kind == base::Domain::Kind::file) text += "; a file";
-  const auto value = to_text(standard);
+  const auto value = describe_default(domain, standard);
   if (!domain.is_required && domain.kind != base::Domain::Kind::any && !value.empty())
     text += fmt::format(" [{}]", value);
   return text + "\n";

@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 using DomainKind = base::Domain::Kind;
 
 base::Scalar parse_scalar(const std::string& text, DomainKind kind) {
-  if (kind == DomainKind::whole || kind == DomainKind::number) {
+  if (kind == DomainKind::flag && (text == "true" || text == "false")) return text == "true";
+  if (kind == DomainKind::flag || kind == DomainKind::whole || kind == DomainKind::number) {
     if (const auto whole = base::parse_number<std::int64_t>(text)) return *whole;
     if (const auto number = base::parse_number<double>(text)) return *number;
   }
@@ -25,6 +26,7 @@ base::Scalar parse_scalar(const std::string& text, DomainKind kind) {
 
 std::string describe(const base::Domain& domain) {
   if (domain.kind == DomainKind::choice) return fmt::format("{}", fmt::join(domain.choices, "|"));
+  if (domain.kind == DomainKind::flag) return "true|false";
   if (domain.high == std::numeric_limits<double>::max()) return "NUMBER";
   return domain.kind == DomainKind::text ? "TEXT" : fmt::format("{}..{}", domain.low, domain.high);
 }
@@ -89,7 +91,7 @@ CLI::Option* add_field_option(CLI::App& app, const std::string& name, const std:
       throw CLI::ValidationError(option, fmt::format("found {}, expected {}", text, expected));
   };
   return app.add_option_function<std::string>(option, set, help)
-      ->option_text(fmt::format("{} [{}]", describe(domain), base::to_text(standard)));
+      ->option_text(fmt::format("{} [{}]", describe(domain), describe_default(domain, standard)));
 }
 
 CLI::Option* add_key_option(CLI::App& app, const std::string& name, const std::string& key,

@@ -161,6 +161,7 @@ enum class Paint { red, green };
 struct PainterParams {
   std::int64_t coats = 3;
   double width = 0.5;
+  std::int64_t seed = 1;
   bool is_dry = true;
   Paint paint = Paint::green;
   std::string name = "none";
@@ -174,6 +175,7 @@ TEST(Guide, HelpOnAKeySaysWhatItMayBe) {
   const base::Fields<P> fields = {
       D::whole("coats", &P::coats, 1, 9, "", "how many coats"),
       D::number("width", &P::width, 0, 2, "m", "of the brush"),
+      D::whole("seed", &P::seed, 0, 9223372036854775807., "", "of the brush strokes"),
       D::flag("is_dry", &P::is_dry, "whether it dries"),
       D::choice("paint", &P::paint,
                 base::Names<Paint>{{"red", Paint::red}, {"green", Paint::green}}, "of the wall"),
@@ -191,7 +193,8 @@ TEST(Guide, HelpOnAKeySaysWhatItMayBe) {
             "  painter" + std::string(24, ' ') + "paints\n" +
                 line("program.coats", "how many coats; whole, 1..9 [3]") +
                 line("program.width", "of the brush; m; 0..2 [0.5]") +
-                line("program.is_dry", "whether it dries; true or false [1]") +
+                line("program.seed", "of the brush strokes; whole, at least 0 [1]") +
+                line("program.is_dry", "whether it dries; true or false [true]") +
                 line("program.paint", "of the wall; one of red, green [green]") +
                 line("program.name", "the painter's [none]") +
                 line("program.wall", "what is painted; a file"));
