@@ -5,6 +5,7 @@
 #include "base/text.hpp"
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/command/run.hpp"
+#include "experiments/laboratory/guide/catalogue.hpp"
 #include "experiments/laboratory/options/options.hpp"
 
 namespace laboratory {
@@ -55,7 +56,10 @@ void read_films(const std::vector<std::string>& texts, RunOptions& options) {
 void add_run_command(CLI::App& app) {
   auto* command = app.add_subcommand("run", "run an experiment: one run or a sweep");
   auto o = std::make_shared<RunOptions>();
-  command->add_option("EXPERIMENT", o->file, "the experiment file (TOML)")->required();
+  command
+      ->add_option("EXPERIMENT", o->file,
+                   "the experiment file (TOML), or a name that tlab list shows, such as farm")
+      ->required();
   add_run_options(*command, *o, "results folder [results/EXPERIMENT's name]",
                   "key.path=value: replaces a key of the experiment");
   auto* list = command->add_flag(
@@ -123,6 +127,7 @@ void add_run_command(CLI::App& app) {
       "--uncertain 64      # with confidence intervals\n  tlab help farm                     # "
       "keys of a program; tlab help keys: of all programs");
   command->callback([o, films, jobs] {
+    o->file = find_listed(o->file);
     if (jobs->count() == 0) o->jobs = std::max(1u, o->jobs / o->threads);
     if (o->list) return list_points(*o);
     read_films(*films, *o);

@@ -21,6 +21,12 @@ namespace fs = std::filesystem;
 
 using Entries = std::vector<Catalogue::Entry>;
 
+// The path, relative to the current folder if it is inside.
+fs::path show_near(const fs::path& file) {
+  const auto near = fs::absolute(file).lexically_normal().lexically_proximate(fs::current_path());
+  return near.begin() != near.end() && *near.begin() != ".." ? near : file;
+}
+
 // Lists the files below a folder that have one of these extensions, sorted by name. The path of a
 // file inside the current folder becomes relative to it.
 std::vector<fs::path> find_files(const fs::path& folder, const std::vector<std::string>& endings) {
@@ -32,10 +38,7 @@ std::vector<fs::path> find_files(const fs::path& folder, const std::vector<std::
         std::ranges::find(endings, at->path().extension().string()) != endings.end())
       files.push_back(at->path());
   if (error) throw base::BadInput(fmt::format("{}: {}", folder.string(), error.message()));
-  for (auto& file : files) {
-    const auto near = fs::absolute(file).lexically_normal().lexically_proximate(fs::current_path());
-    if (near.begin() != near.end() && *near.begin() != "..") file = near;
-  }
+  for (auto& file : files) file = show_near(file);
   std::ranges::sort(files);
   return files;
 }
@@ -126,6 +129,15 @@ std::optional<fs::path> find_experiments() {
   for (const auto& place : {folder / "../../experiments", folder / "../share/tlab/experiments"})
     if (fs::exists(place / "farm.toml", error)) return place.lexically_normal();
   return std::nullopt;
+}
+
+std::string find_listed(const std::string& name) {
+  std::error_code error;
+  const auto folder = find_experiments();
+  if (!folder || fs::exists(name, error)) return name;
+  auto file = *folder / name;
+  if (file.extension() != ".toml") file += ".toml";
+  return fs::is_regular_file(file, error) ? show_near(file).string() : name;
 }
 
 Catalogue make_catalogue(const std::string& kind, const std::optional<fs::path>& folder) {

@@ -25,6 +25,10 @@ const std::vector<std::string>& catalogue_kinds();
 /// the installation. No value if there is only the executable.
 std::optional<std::filesystem::path> find_experiments();
 
+/// The path of an included experiment that `tlab list` shows, such as "farm" or "formulas/request";
+/// any other name unchanged.
+std::string find_listed(const std::string& name);
+
 /// Lists all entries of a kind. Experiments and scenes are files below `folder`, and their names
 /// begin with its path. Without a folder, there are no experiments, and only scenes that tlab
 /// generates. Throws BadInput for an unknown kind or an unreadable folder.

@@ -68,6 +68,15 @@ TEST(Guide, ListsAFolder) {
   EXPECT_TRUE(contains(unknown.err, "the nearest is \"topologies\"")) << unknown.err;
 }
 
+TEST(Guide, RunFindsListedExperimentsByName) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(tlab(folder.path, {"run", "formulas/message", "--list"}).exit_code, 0);
+  EXPECT_TRUE(contains(tlab(folder.path, {"run", "formulas/none"}).err, "cannot be read"));
+  // a file in the current folder takes precedence
+  write_file(folder.path / "farm", "[image]\nwidht = 3\n");
+  EXPECT_TRUE(contains(tlab(folder.path, {"run", "farm"}).err, "tlab: farm:2: unknown key"));
+}
+
 TEST(Guide, HelpOnAProgramIsOfThatAlone) {
   const TemporaryFolder folder;
   const auto farm = tlab(folder.path, {"help", "farm"});
