@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <thread>
 
 #include "base/text.hpp"
 #include "experiments/laboratory/command/commands.hpp"
 #include "experiments/laboratory/command/run.hpp"
 #include "experiments/laboratory/guide/catalogue.hpp"
+#include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/options/options.hpp"
 
 namespace laboratory {
@@ -49,6 +51,14 @@ void read_films(const std::vector<std::string>& texts, RunOptions& options) {
   const auto &picture = options.films.picture, &network = options.films.network;
   check_apart("--animate", picture, {network, options.trace, options.timeline});
   check_apart("--animate", network, {options.trace, options.timeline});
+}
+
+// More threads than processors only slow the run.
+void note_threads(unsigned threads) {
+  const unsigned processors = std::max(1u, std::thread::hardware_concurrency());
+  if (threads > processors)
+    complain(fmt::format("--threads: found {}, but this computer runs {} at a time", threads,
+                         processors));
 }
 
 }  // namespace
@@ -128,6 +138,7 @@ void add_run_command(CLI::App& app) {
       "keys of a program; tlab help keys: of all programs");
   command->callback([o, films, jobs] {
     o->file = find_listed(o->file);
+    note_threads(o->threads);
     if (jobs->count() == 0) o->jobs = std::max(1u, o->jobs / o->threads);
     if (o->list) return list_points(*o);
     read_films(*films, *o);

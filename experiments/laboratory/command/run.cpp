@@ -215,8 +215,10 @@ void judge_chosen(const PointsPlan& plan, const std::vector<std::size_t>& number
 }  // namespace
 
 void run_experiment(const RunOptions& options) {
-  write_and_judge(options, load_experiment(options.file, options.overrides, options.is_reduced),
-                  Missing::run);
+  const auto file = load_experiment(options.file, options.overrides, options.is_reduced);
+  if (file.content->empty())
+    complain(fmt::format("{}: found no keys; the program farm runs with its defaults", file.path));
+  write_and_judge(options, file, Missing::run);
 }
 
 void list_points(const RunOptions& options) {

@@ -21,6 +21,17 @@ TEST(ThreadsOption, LeavesTheResultsAsTheyAre) {
     EXPECT_EQ(results_of(threads), on_one) << threads;
 }
 
+TEST(ThreadsOption, MoreThanTheHostRunsAreReported) {
+  const TemporaryFolder folder;
+  write_file(folder.path / "e.toml",
+             "[program]\nname = \"traffic\"\nwindow_s = 1e-4\n"
+             "[network]\ntopology = \"ring:4\"\n[run]\nengine = \"direct\"\n");
+  const auto outcome = tlab(folder.path, {"run", "e.toml", "--threads", "1024"});
+  EXPECT_EQ(outcome.exit_code, 0);
+  EXPECT_TRUE(contains(outcome.err, "--threads: found 1024, but this computer runs "))
+      << outcome.err;
+}
+
 TEST(ThreadsOption, IsRefusedWhereAPointRunsOnOne) {
   const TemporaryFolder folder;
   const auto error_of = [&](std::vector<std::string> arguments) {

@@ -77,6 +77,14 @@ TEST(Guide, RunFindsListedExperimentsByName) {
   EXPECT_TRUE(contains(tlab(folder.path, {"run", "farm"}).err, "tlab: farm:2: unknown key"));
 }
 
+TEST(Guide, AnEmptyExperimentIsReported) {
+  const TemporaryFolder folder;
+  write_file(folder.path / "e.toml", "# nothing\n");
+  const auto outcome = tlab(folder.path, {"run", "e.toml", "--until", "1e-6"});
+  EXPECT_TRUE(contains(outcome.err, "tlab: e.toml: found no keys; the program farm runs"))
+      << outcome.err;
+}
+
 TEST(Guide, HelpOnAProgramIsOfThatAlone) {
   const TemporaryFolder folder;
   const auto farm = tlab(folder.path, {"help", "farm"});
