@@ -57,7 +57,7 @@ enum class Mode { null, interactive, non_interactive, aborted, ended };
 class Coordinator {
  public:
   Coordinator(const CoordinationSetup& setup, CoordinationChannels channels, Progress& progress)
-      : setup_(setup), to_(channels), progress_(progress), limits_(setup.stages[0]) {
+      : setup_(setup), to_(channels), progress_(progress) {
     if (is_adaptive(setup.params.sampling)) ledger_.emplace(setup.params);
   }
 
@@ -148,7 +148,7 @@ class Coordinator {
           if (progress_.note_order()) keep(save.name);
         },
         [&](const Limits& limits) {
-          heed(limits == limits_ ? "its limits were already set" : "", [&] {
+          heed(limits == progress_.limits ? "its limits were already set" : "", [&] {
             set_limits(limits, number_of_order());
             if (mode_ == Mode::null) mode_ = Mode::interactive;
           });
@@ -319,7 +319,7 @@ class Coordinator {
   }
 
   void set_limits(const Limits& limits, std::uint8_t order = 0) {
-    limits_ = limits;
+    progress_.limits = limits;
     out(to_.into_database, DatabaseRequest{SetLimits{limits, order}, bytes_of(limits)});
     rays_db_is_empty_ = false;
   }
@@ -348,7 +348,6 @@ class Coordinator {
   Shaded shaded_, scratch_;
   std::optional<Ledger> ledger_;  // only for adaptive sampling
   Progress& progress_;
-  Limits limits_;  // limits now in force
   // Number of the object hit, by sample number.
   std::unordered_map<std::uint32_t, std::uint32_t> seen_;
 };

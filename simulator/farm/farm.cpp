@@ -234,6 +234,7 @@ Centre::Centre(machine::Machine& machine, const Setup& setup, const renderer::Sc
                      occam::Protocol::variant),
       into_visualisation_("display.inp", machine.link(on_.coordinator, on_.display),
                           occam::Protocol::variant) {
+  progress_.limits = params.stages[0];
   if (!params.block) check_initial_rays(on_.database, params, bytes_.ray);
   allocate_image(on_.display, params.image);
   on_.display.memory().allocate(display_bytes(machine.model(), scene, params),
@@ -264,6 +265,7 @@ observe::ControlPanel Centre::make_view() {
     return has_no_ray || progress_.phase == Progress::Phase::ended;
   };
   if (params_.block) return view;
+  view.limits = [this] { return std::any(progress_.limits); };
   orders_.show(
       view, [this] { return progress_.is_null; },
       [this](const std::vector<Order>& script) {

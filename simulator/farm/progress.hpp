@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "renderer/trace/render.hpp"
+#include "simulator/farm/rays/ray_stores.hpp"
 #include "simulator/observe/use.hpp"
 
 namespace farm {
@@ -18,6 +19,7 @@ struct Progress {
   explicit Progress(const machine::Machine& machine) : observed(machine) {}
 
   const machine::Machine& observed;
+  Limits limits;  ///< limits in force
   Phase phase = Phase::setup;
   bool is_null = false;  ///< no ray within the limits is left, and the process waits for an order
   renderer::RayCounts rays;

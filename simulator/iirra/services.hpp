@@ -18,7 +18,8 @@ class Coordinator {
   /// Completes the record of a run at the date `at_s` in seconds. The run may have been cut short.
   void end(double at_s);
   bool is_null() const { return is_null_; }
-  std::string phase() const;  ///< short name of the present phase
+  const Limits& limits() const { return limits_; }  ///< limits of the interactive phase
+  std::string phase() const;                        ///< short name of the present phase
 
  private:
   void hand_out();

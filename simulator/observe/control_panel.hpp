@@ -53,6 +53,8 @@ struct ControlPanel {
   TakeOrder take_order;  ///< empty (no function) if the program takes no orders
   /// Ends commands of the live page; only orders of the file remain.
   std::function<void()> close_orders;
+  /// Limits in force, as a record of the program's list "stage".
+  std::function<std::any()> limits;
   std::function<std::string()> phase;  ///< short description of what the program is doing
   /// True if the run can continue only after a command of the user.
   std::function<bool()> waits_for_user;
