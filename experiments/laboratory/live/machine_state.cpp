@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "experiments/laboratory/live/user_actions.hpp"
 #include "experiments/laboratory/places/places.hpp"
@@ -30,12 +31,18 @@ bool is_of_network(const observe::ControlPanel& view, int processor) {
   return view.network.empty() || std::ranges::find(view.network, processor) != view.network.end();
 }
 
-ordered_json subtract(const std::vector<double>& after_s, const std::vector<double>& before_s,
-                      double time_s) {
-  auto shares = ordered_json::array();
+std::vector<double> find_shares(const std::vector<double>& after_s,
+                                const std::vector<double>& before_s, double time_s) {
+  std::vector<double> shares;
   for (std::size_t i = 0; i < after_s.size(); ++i)
-    shares.push_back(time_s > 0 ? per_mille((after_s[i] - before_s[i]) / time_s) : 0);
+    shares.push_back(time_s > 0 ? std::clamp((after_s[i] - before_s[i]) / time_s, 0., 1.) : 0);
   return shares;
+}
+
+ordered_json list_per_mille(const std::vector<double>& shares) {
+  auto list = ordered_json::array();
+  for (const double share : shares) list.push_back(per_mille(share));
+  return list;
 }
 
 }  // namespace
@@ -77,7 +84,7 @@ ordered_json make_outline(const ExperimentFile& file, const machine::Machine& ma
                           {"has_user", has_user}};
   if (view.picture)
     outline["picture"] = {{"width", view.picture->width}, {"height", view.picture->height}};
-  if (has_user) outline["limits"] = describe_limits(*program.find_list("stage"), file);
+  if (has_user) outline["limits"] = describe_limits(*program.find_list("stage"));
   return outline;
 }
 
@@ -113,23 +120,11 @@ ordered_json describe_deadlock(const machine::Machine& machine) {
   return {{"processors", processors}, {"processes", processes}};
 }
 
-ordered_json RecentLoads::describe(const machine::Machine& machine, double now_s) {
+void RecentLoads::update(const machine::Machine& machine, double now_s) {
   Busy now{now_s, {}, {}};
-  auto queues = ordered_json::array(), moving = queues, cut = queues, stopped = queues;
-  for (const auto& processor : machine.processors()) {
+  for (const auto& processor : machine.processors())
     now.cpus_s.push_back(processor->cpu().use_by({now_s}).busy().value);
-    queues.push_back(processor->cpu().ready());
-    if (processor->stopped()) stopped.push_back(processor->id());
-  }
-  for (std::size_t i = 0; i < machine.links().size(); ++i) {
-    const auto& link = *machine.links()[i];
-    now.links_s.push_back(link.use_by({now_s}).busy.value);
-    if (link.is_busy()) {
-      moving.push_back(i);
-      moving.push_back(per_mille(link.passed({now_s})));
-    }
-    if (link.is_cut()) cut.push_back(i);
-  }
+  for (const auto& link : machine.links()) now.links_s.push_back(link->use_by({now_s}).busy.value);
   const std::size_t numbers = now.cpus_s.size() + now.links_s.size() + 1;
   const std::size_t most = MOST_BUSY / numbers + 2;
   while (busy_.size() > 1 && (busy_[1].at_s <= now_s - interval_s_ || busy_.size() > most))
@@ -138,18 +133,43 @@ ordered_json RecentLoads::describe(const machine::Machine& machine, double now_s
     busy_.push_back(
         {0, std::vector<double>(now.cpus_s.size()), std::vector<double>(now.links_s.size())});
   const Busy& before = busy_.front();
-  const double time_s = now.at_s - before.at_s;
-  if (time_s > 0 || loads_.is_null())
-    loads_ = {{"interval_s", time_s},
-              {"cpus", subtract(now.cpus_s, before.cpus_s, time_s)},
-              {"links", subtract(now.links_s, before.links_s, time_s)}};
+  if (now_s > before.at_s || cpus_.empty()) {
+    time_s_ = now_s - before.at_s;
+    cpus_ = find_shares(now.cpus_s, before.cpus_s, time_s_);
+    links_ = find_shares(now.links_s, before.links_s, time_s_);
+  }
   if (now.at_s > busy_.back().at_s) busy_.push_back(std::move(now));
-  auto described = loads_;
-  described["queues"] = queues;
-  described["moving"] = moving;
-  described["cut"] = cut;
-  described["stopped"] = stopped;
-  return described;
+}
+
+double RecentLoads::mean_cpu() const {
+  return std::accumulate(cpus_.begin(), cpus_.end(), 0.) / static_cast<double>(cpus_.size());
+}
+
+double RecentLoads::max_link() const {
+  return links_.empty() ? NAN : *std::ranges::max_element(links_);
+}
+
+ordered_json RecentLoads::describe(const machine::Machine& machine, double now_s) const {
+  auto queues = ordered_json::array(), moving = queues, cut = queues, stopped = queues;
+  for (const auto& processor : machine.processors()) {
+    queues.push_back(processor->cpu().ready());
+    if (processor->stopped()) stopped.push_back(processor->id());
+  }
+  for (std::size_t i = 0; i < machine.links().size(); ++i) {
+    const auto& link = *machine.links()[i];
+    if (link.is_busy()) {
+      moving.push_back(i);
+      moving.push_back(per_mille(link.passed({now_s})));
+    }
+    if (link.is_cut()) cut.push_back(i);
+  }
+  return {{"interval_s", time_s_},
+          {"cpus", list_per_mille(cpus_)},
+          {"links", list_per_mille(links_)},
+          {"queues", queues},
+          {"moving", moving},
+          {"cut", cut},
+          {"stopped", stopped}};
 }
 
 }  // namespace laboratory

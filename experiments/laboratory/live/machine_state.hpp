@@ -25,15 +25,20 @@ nlohmann::ordered_json describe_deadlock(const machine::Machine& machine);
 /// Loads of all processors and links in a recent interval of simulated time.
 class RecentLoads {
  public:
-  /// Sets the length of the interval, in simulated seconds, over which loads are averaged. Its
-  /// start is rounded to a call of describe(). With 0, the interval begins at the previous call.
+  /// Sets the simulated time in s over which loads are averaged, rounded up to the next sample; 0:
+  /// since the last call of update().
   void set_interval(double interval_s) { interval_s_ = interval_s; }
 
-  /// Lists, in thousandths, the loads of every processor and link direction in the interval that
-  /// ends at `now_s`. Also lists the lengths of the queues of ready processes, the links that
-  /// transfer, the cut links and the stopped processors. All events before `now_s` must have
-  /// happened. Returns the previous loads if no simulated time has passed.
-  nlohmann::ordered_json describe(const machine::Machine& machine, double now_s);
+  /// Takes the loads of all processors and link directions up to `now_s`. No event before `now_s`
+  /// may follow. Keeps the previous loads if no time has passed.
+  void update(const machine::Machine& machine, double now_s);
+  /// The mean load of the processors, and the largest of a link direction (NaN without links), as
+  /// shares.
+  double mean_cpu() const;
+  double max_link() const;
+  /// Lists the loads taken by update(), in thousandths. Also lists queue lengths, links that
+  /// transfer, cut links and stopped processors at `now_s`.
+  nlohmann::ordered_json describe(const machine::Machine& machine, double now_s) const;
 
  private:
   struct Busy {
@@ -42,7 +47,9 @@ class RecentLoads {
   };
   double interval_s_ = 0;
   std::deque<Busy> busy_;
-  nlohmann::ordered_json loads_;
+  // shares taken by the last update(), and the time over which they are averaged
+  double time_s_ = 0;
+  std::vector<double> cpus_, links_;
 };
 
 }  // namespace laboratory

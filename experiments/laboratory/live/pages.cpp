@@ -198,6 +198,8 @@ void Page::send_frame(const Frame& frame) {
   next_frame_at_ = HostClock::now() + FRAME_EVERY;
   send_picture(PICTURE, frame.rgb8, shown_);
   send_picture(SEQUENTIAL, frame.sequential, sequential_);
+  const auto news = pages_.session.history().take_after(history_);
+  if (!news.is_null()) send_json({{"history", news}});
   send(pages_.dump(frame), /*is_text=*/true);
 }
 

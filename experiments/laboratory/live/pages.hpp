@@ -109,8 +109,9 @@ class Page : public std::enable_shared_from_this<Page> {
   std::uint64_t number_ = 0;
   std::uint64_t sent_ = 0;  // number of the last frame sent to this page
   HostClock::time_point next_frame_at_;
-  Picture shown_, sequential_;   // the pictures that the page has now
-  std::deque<Waiting> waiting_;  // messages to send; the first of them is being written
+  History::Place history_;       // the part of the history that the page has
+  Picture shown_, sequential_;   // pictures as the page has them
+  std::deque<Waiting> waiting_;  // messages to send; the first is being written
 };
 
 }  // namespace laboratory

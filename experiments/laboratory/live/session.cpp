@@ -23,7 +23,9 @@ namespace {
 constexpr auto LOOK_EVERY = 50ms;
 // least host time between frames at full speed, because making frames slows the run
 constexpr auto FRAMES_AT_FULL_SPEED = 95ms;
-// host seconds by which a run may lag behind its set speed; beyond that, the lag is forgiven
+// host time between samples of the growth curves while no frame is made
+constexpr auto SAMPLE_EVERY = 100ms;
+// host time by which a paced run may fall behind before its pace is reset
 constexpr double MOST_ARREARS_S = 0.25;
 // number of events between two checks for commands while the machine runs
 constexpr std::uint64_t CALLS_BETWEEN = 1024;
@@ -45,6 +47,7 @@ bool has_leave(const ExperimentFile& file) {
 Session::Session(const ExperimentFile& file, double speed)
     : file_(file),
       orders_(file.points.at(0).experiment.program->find_list("order")),
+      stages_(file.points[0].experiment.program->find_list("stage")),
       faults_(file.points[0].experiment.faults),
       speed_(speed),
       pace_since_(HostClock::now()) {}
@@ -92,9 +95,10 @@ void Session::begin(machine::Machine& machine, const observe::ControlPanel& view
   view_ = view;
   // a program may simulate several machines, one after the other
   if (phase_ == Phase::over) phase_ = Phase::running;
-  next_s_ = pace_from_s_ = 0;
+  next_s_ = pace_from_s_ = spans_from_s_ = 0;
   pace_since_ = HostClock::now();
   loads_ = {};
+  history_.clear_samples();
   selected_.clear();
   observe(true);
   {
@@ -132,6 +136,7 @@ bool Session::attend(double date) {
       leave();
       return actions_.size() == actions;
     }
+    if (phase_ == Phase::running && HostClock::now() >= next_sample_at_) take_sample();
     show();
     const auto rest = hold_back(date);
     if (rest <= HostClock::duration::zero()) return true;
@@ -276,12 +281,42 @@ std::shared_ptr<const std::vector<std::uint8_t>> Session::look() {
   return std::make_shared<const std::vector<std::uint8_t>>(now);
 }
 
+// The root mean square difference from the sequential picture, as a share of the range; NaN if
+// there is none.
+double Session::picture_error() const {
+  std::shared_ptr<const std::vector<std::uint8_t>> sequential;
+  {
+    const std::lock_guard lock(mutex_);
+    sequential = sequential_;
+  }
+  if (!sequential || !view_.picture) return NAN;
+  const auto& now = *view_.picture->rgb8();
+  std::uint64_t squares = 0;
+  for (std::size_t i = 0; i < now.size(); ++i) {
+    const int off = now[i] - (*sequential)[i];
+    squares += static_cast<std::uint64_t>(off * off);
+  }
+  return std::sqrt(static_cast<double>(squares) / static_cast<double>(now.size())) / 255;
+}
+
+// Adds the gauges, the loads and the picture's error to the growth curves.
+void Session::take_sample() {
+  next_sample_at_ = HostClock::now() + SAMPLE_EVERY;
+  const double now_s = shown_s();
+  loads_.update(*machine_, now_s);
+  std::vector<double> values;
+  for (const auto& gauge : view_.gauges) values.push_back(gauge.value());
+  values.insert(values.end(), {loads_.mean_cpu(), loads_.max_link(), picture_error()});
+  history_.add_sample(now_s, std::move(values));
+}
+
 void Session::make_frame() {
   const bool is_fast = phase_ == Phase::running && (goal_ || std::isinf(speed_));
   if (is_fast) next_frame_at_ = HostClock::now() + FRAMES_AT_FULL_SPEED;
   constexpr std::string_view NAMES[] = {"running", "paused", "waiting", "over"};
   auto made = std::make_shared<Frame>();
   made->number = ++frames_;
+  take_sample();
   const double now_s = shown_s();
   made->state = {{"t_s", now_s},
                  {"state", NAMES[static_cast<int>(phase_)]},
@@ -293,7 +328,9 @@ void Session::make_frame() {
   for (const auto& gauge : view_.gauges) gauges.push_back(gauge.value());
   made->state["gauges"] = gauges;
   made->state.update(loads_.describe(*machine_, now_s));
+  if (stages_ && view_.limits) made->state["limits"] = list_limits(*stages_, view_.limits());
   made->state["spans_cut"] = spans_.is_cut();
+  made->state["spans_from_s"] = std::exchange(spans_from_s_, now_s);
   made->state["spans"] = spans_.take();
   made->state["open"] = Spans::look_at(*machine_);
   if (!is_observing_) observe(true);

@@ -12,6 +12,7 @@
 #include <mutex>
 #include <thread>
 
+#include "experiments/laboratory/live/history.hpp"
 #include "experiments/laboratory/live/machine_state.hpp"
 #include "experiments/laboratory/live/spans.hpp"
 #include "experiments/laboratory/live/user_actions.hpp"
@@ -53,7 +54,9 @@ class Session : public observe::RunController {
   void want_frame();
   /// The newest frame; null if there is none yet.
   std::shared_ptr<const Frame> frame() const;
-  /// Sets the function that the simulation's thread calls after making a frame.
+  /// The growth curves and the user's actions since the start of the run.
+  const History& history() const { return history_; }
+  /// Sets the function that the simulation's thread calls for every new frame.
   void on_frame(std::function<void()> told);
 
   // --- for the simulation -------------------------------------------------------------------
@@ -118,14 +121,16 @@ class Session : public observe::RunController {
   void set_pace(double speed);
   double paced_s() const;
   double shown_s() const;
+  void take_sample();
+  double picture_error() const;
   void make_frame();
   std::shared_ptr<const std::vector<std::uint8_t>> look();
   void observe(bool is_told);
   std::uint64_t count_messages() const;
 
   const ExperimentFile& file_;
-  const programs::RecordList* orders_;
-  std::vector<FaultSpec> faults_;  // faults planned in the file, then those that the user caused
+  const programs::RecordList *orders_, *stages_;  // null if the program has none
+  std::vector<FaultSpec> faults_;                 // faults of the file, then those of the user
 
   // only the simulation's thread uses the following members
   machine::Machine* machine_ = nullptr;
@@ -137,13 +142,12 @@ class Session : public observe::RunController {
   std::optional<Goal> goal_;
   double speed_;
   HostClock::time_point pace_since_;
-  // simulated time that corresponds to the host time pace_since_, seconds
-  double pace_from_s_ = 0;
-  double next_s_ = 0;  // simulated time of the next event, seconds
-  // simulated time before which events need no check of the set speed, seconds
-  double go_until_s_ = 0;
-  double fault_after_s_ = 0;  // simulated time of the last fault that the user caused, seconds
-  HostClock::time_point next_frame_at_;
+  double pace_from_s_ = 0;    // simulated time at the host time pace_since_
+  double next_s_ = 0;         // simulated time of the next event
+  double go_until_s_ = 0;     // the simulated time before which pacing needs no check
+  double fault_after_s_ = 0;  // simulated time of the last fault
+  HostClock::time_point next_frame_at_, next_sample_at_;
+  double spans_from_s_ = 0;  // simulated time of the last frame
   RecentLoads loads_;
   // processors selected for description, by number of the page
   std::map<std::uint64_t, std::vector<int>> selected_;
@@ -152,7 +156,8 @@ class Session : public observe::RunController {
   bool has_thrown_ = false;  // true: the fault that ended the run was an exception in a process
   std::uint64_t calls_ = 0, frames_ = 0;
 
-  // All threads use the following members. The mutex guards those that are not atomic.
+  History history_;
+  // The members below are used by all threads. The mutex guards those that are not atomic.
   mutable std::mutex mutex_;
   std::condition_variable asked_anything_;
   std::deque<Asked> asked_;

@@ -156,6 +156,7 @@ void Session::obey_order(const Command& order) {
                 file_.points[0].experiment.program->name);
   const auto record = read_order(*orders_, order);
   const double at_s = view_.take_order(record, {shown_s()});
+  history_.add_action({{"t_s", shown_s()}, {"order", order}});
   actions_.push_back(make_action(at_s, order));
   has_left_ |= order.contains("leave");
 }
@@ -201,6 +202,8 @@ void Session::obey_fault(const Command& fault) {
     machine_->stop_processor(at(id), {at_s});
     action.keys.emplace_back("processor", fmt::format("{}", number));
   }
+  const char* what = fault.contains("link") ? "link" : "processor";
+  history_.add_action({{"t_s", at_s}, {what, fault[what]}});
   fault_after_s_ = at_s;
   actions_.push_back(std::move(action));
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "base/errors.hpp"
-#include "experiments/laboratory/file/values.hpp"
 
 namespace laboratory {
 
@@ -46,12 +45,6 @@ ordered_json to_json(const base::Scalar& value) {
       value);
 }
 
-// The last [[stage]] of the file; null if there is none.
-const toml::table* last_stage(const ExperimentFile& file) {
-  const auto* stages = (*file.content)["stage"].as_array();
-  return stages && !stages->empty() ? stages->back().as_table() : nullptr;
-}
-
 }  // namespace
 
 std::any read_order(const programs::RecordList& list, const ordered_json& order) {
@@ -75,10 +68,8 @@ UserAction make_action(double at_s, const ordered_json& order) {
   return action;
 }
 
-ordered_json describe_limits(const programs::RecordList& stages, const ExperimentFile& file) {
+ordered_json describe_limits(const programs::RecordList& stages) {
   using Kind = base::Domain::Kind;
-  const auto* given = last_stage(file);
-  const auto standard = stages.make_record();
   auto limits = ordered_json::array();
   for (const auto& field : stages.fields) {
     const bool is_number = field.domain.kind == Kind::number || field.domain.kind == Kind::whole;
@@ -88,13 +79,15 @@ ordered_json describe_limits(const programs::RecordList& stages, const Experimen
                           {"whole", field.domain.kind == Kind::whole},
                           {"expected", field.domain.describe()}};
     if (is_number) limit["range"] = {field.domain.low, field.domain.high};
-    const auto* node = given ? given->get(field.name) : nullptr;
-    limit["value"] =
-        to_json(node ? read_value({file.path, field.name, file.folder, *node}, field.domain)
-                     : field.get(standard));
     limits.push_back(std::move(limit));
   }
   return limits;
+}
+
+ordered_json list_limits(const programs::RecordList& stages, const std::any& limits) {
+  auto values = ordered_json::array();
+  for (const auto& field : stages.fields) values.push_back(to_json(field.get(limits)));
+  return values;
 }
 
 }  // namespace laboratory

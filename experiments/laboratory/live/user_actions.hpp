@@ -24,10 +24,10 @@ std::any read_order(const programs::RecordList& list, const nlohmann::ordered_js
 /// Converts an order from a page to the form of the experiment file.
 UserAction make_action(double at_s, const nlohmann::ordered_json& order);
 
-/// Describes, for the page, the limits of a [[stage]], which an order may also set: name, help,
-/// unit, type, range and initial value. The initial values are those of the file's last [[stage]],
-/// or else the defaults.
-nlohmann::ordered_json describe_limits(const programs::RecordList& stages,
-                                       const ExperimentFile& file);
+/// Describes the limits of a stage, which an order may also set, for the page: name, help, unit,
+/// type and range.
+nlohmann::ordered_json describe_limits(const programs::RecordList& stages);
+/// Lists the values of `limits`, a record of a stage, in the same order.
+nlohmann::ordered_json list_limits(const programs::RecordList& stages, const std::any& limits);
 
 }  // namespace laboratory

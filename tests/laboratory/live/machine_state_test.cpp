@@ -20,7 +20,10 @@ struct Portrait : testing::Test {
 TEST_F(Portrait, LoadsAreThereFromTheBeginningAndFollowTheRun) {
   start_two_processors(lab);
   RecentLoads loads;
-  const auto describe = [&] { return loads.describe(lab.machine, lab.machine.now().value); };
+  const auto describe = [&] {
+    loads.update(lab.machine, lab.machine.now().value);
+    return loads.describe(lab.machine, lab.machine.now().value);
+  };
   const auto begun = describe();
   EXPECT_EQ(begun.at("cpus"), ordered_json({0, 0}));
   EXPECT_EQ(begun.at("links"), ordered_json({0, 0}));
@@ -28,6 +31,8 @@ TEST_F(Portrait, LoadsAreThereFromTheBeginningAndFollowTheRun) {
   const auto ended = describe();
   EXPECT_EQ(ended.at("cpus"), ordered_json({250, 500}));
   EXPECT_EQ(ended.at("links"), ordered_json({250, 0}));
+  EXPECT_NEAR(loads.mean_cpu(), 0.375, 1e-5);
+  EXPECT_NEAR(loads.max_link(), 0.25, 1e-5);
   EXPECT_EQ(describe(), ended) << "no time has passed";
 }
 

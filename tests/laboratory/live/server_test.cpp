@@ -99,6 +99,24 @@ std::string enter(const Served& served, Socket& socket) {
   return hear(socket);
 }
 
+// Reads an update. Returns its history (null if the page has it) and state.
+std::pair<nlohmann::json, nlohmann::json> hear_update(Socket& socket) {
+  nlohmann::json history;
+  for (;;) {
+    const auto text = hear(socket);
+    if (!text.starts_with('{')) continue;  // a picture
+    const auto message = nlohmann::json::parse(text);
+    if (message.contains("history")) history = message.at("history");
+    if (message.contains("state")) return {history, message.at("state")};
+  }
+}
+
+// Requests an update and reads it.
+auto look(Socket& socket) {
+  say(socket, R"({"want": "frame"})");
+  return hear_update(socket);
+}
+
 bool is_closed_to(Socket& socket, const std::string& text) {
   try {
     say(socket, text);
@@ -115,7 +133,8 @@ TEST(LiveServer, GivesItsFilesAndNothingElse) {
   EXPECT_EQ(page.result(), http::status::ok);
   EXPECT_NE(page.body().find("<!DOCTYPE html>"), std::string::npos);
   EXPECT_NE(page["Content-Security-Policy"].find("default-src 'none'"), beast::string_view::npos);
-  for (const char* file : {"/live.js", "/live.css", "/picture.js", "/machine.js", "/charts.js"})
+  for (const char* file :
+       {"/live.js", "/live.css", "/picture.js", "/machine.js", "/charts.js", "/orders.js"})
     EXPECT_EQ(served.get(file, served.host()).result(), http::status::ok) << file;
   for (const char* path : {"/../../etc/passwd", "/%2e%2e/etc/passwd", "//etc/passwd", "/live.js/..",
                            "/results", "/index.html?x", "*", "/LIVE.JS"})
@@ -185,14 +204,61 @@ TEST(LiveServer, APageSeesTheRunAndSteersIt) {
     // the tiles belong to the picture of the run, not to the sequential picture
     EXPECT_EQ(tiles[0], 0);
     EXPECT_EQ(tiles.size(), 1 + 8 + 3 * 16 * 12u);
-    const auto state = nlohmann::json::parse(hear(socket)).at("state");
+    const auto state = hear_update(socket).second;
     EXPECT_EQ(state.at("state"), "over");
     EXPECT_EQ(state.at("cpus").size(), 5u);
     EXPECT_EQ(result.ended, "done");
   });
 }
 
-// The page asks for control again and again, but reads no answer.
+// Sends an order until the program accepts it, since orders before the first task are refused.
+void give(Socket& socket, const std::string& order) {
+  for (std::string reply; reply != "{\"reply\":2,\"refusal\":\"\"}";) {
+    say(socket, R"({"do": "order", "id": 2, "order": )" + order + "}");
+    reply = hear(socket);
+    ASSERT_EQ(reply.find("after the end"), std::string::npos) << reply;
+  }
+}
+
+TEST(LiveServer, ANewPageGetsTheCompleteState) {
+  test::run_isolated([] {
+    Served served;
+    std::thread run([&] { served.run(); });
+    auto first = served.open();
+    const auto outline = nlohmann::json::parse(enter(served, first)).at("outline");
+    give(first, R"({"min_cell": 4, "area": [2, 3, 8, 6]})");
+    nlohmann::json seen = look(first).first.at("samples");
+    give(first, R"({"non_interactive": true})");
+    run.join();
+    const auto [rest, last] = look(first);
+    for (const auto& sample : rest.at("samples")) {
+      if (seen.back()[1] == sample[1]) seen.erase(seen.size() - 1);  // the same moment again
+      seen.push_back(sample);
+    }
+
+    auto late = served.open();
+    enter(served, late);
+    const auto [history, state] = look(late);
+    EXPECT_EQ(state, last);
+    const auto& actions = history.at("actions");
+    ASSERT_GE(actions.size(), 2u);
+    EXPECT_EQ(actions[0].at("order").at("min_cell"), 4);
+    EXPECT_EQ(actions[1].at("order"), nlohmann::json({{"non_interactive", true}}));
+    std::map<std::string, nlohmann::json> limits;
+    for (std::size_t i = 0; i < state.at("limits").size(); ++i)
+      limits[outline.at("limits").at(i).at("name")] = state.at("limits").at(i);
+    EXPECT_EQ(limits["min_cell"], 4);
+    EXPECT_EQ(limits["area"], nlohmann::json({2, 3, 8, 6}));
+    const auto& samples = history.at("samples");
+    EXPECT_EQ(samples[0][1], 0) << "the time of the first sample";
+    EXPECT_EQ(samples.back()[1], state.at("t_s"));
+    EXPECT_EQ(samples.back()[2], state.at("gauges")[0]);
+    EXPECT_EQ(samples[0].size(), outline.at("gauges").size() + 5) << "number, time, loads, error";
+    EXPECT_EQ(seen, samples) << "the page that was open all the time has the same history";
+  });
+}
+
+// The page requests control repeatedly, and reads nothing.
 TEST(LiveServer, APageThatReadsNothingIsShutAndHurtsNobody) {
   test::run_isolated([] {
     Served served;
@@ -211,28 +277,23 @@ TEST(LiveServer, APageThatReadsNothingIsShutAndHurtsNobody) {
   });
 }
 
-TEST(LiveServer, TwoHostsAreABadRequest) {
-  Served served;
+void expect_bad_request(Served& served, const std::string& request) {
   auto socket = served.connect();
-  const auto line = "Host: " + served.host() + "\r\n";
-  asio::write(socket, asio::buffer("GET / HTTP/1.1\r\n" + line + line + "\r\n"));
+  asio::write(socket, asio::buffer(request));
   beast::flat_buffer buffer;
   http::response<http::string_body> response;
   http::read(socket, buffer, response);
   EXPECT_EQ(response.result(), http::status::bad_request);
 }
 
-TEST(LiveServer, TwoOriginsAreABadRequest) {
+TEST(LiveServer, TwoHostsOrOriginsAreABadRequest) {
   Served served;
-  auto socket = served.connect();
-  asio::write(socket,
-              asio::buffer("GET /live HTTP/1.1\r\nHost: " + served.host() +
-                           "\r\nUpgrade: websocket\r\nConnection: Upgrade\r\nOrigin: http://" +
-                           served.host() + "\r\nOrigin: http://other\r\n\r\n"));
-  beast::flat_buffer buffer;
-  http::response<http::string_body> response;
-  http::read(socket, buffer, response);
-  EXPECT_EQ(response.result(), http::status::bad_request);
+  const auto host = "Host: " + served.host() + "\r\n";
+  const auto origin = "Origin: http://" + served.host() + "\r\n";
+  expect_bad_request(served, "GET / HTTP/1.1\r\n" + host + host + "\r\n");
+  expect_bad_request(served, "GET /live HTTP/1.1\r\n" + host +
+                                 "Upgrade: websocket\r\nConnection: Upgrade\r\n" + origin +
+                                 "Origin: http://other\r\n\r\n");
 }
 
 double cpu_seconds() {
@@ -280,9 +341,7 @@ TEST(LiveServer, StrangersLeaveRoomForPages) {
     auto page = served.open();
     EXPECT_NE(enter(served, page).find("outline"), std::string::npos);
     bring_strangers();
-    say(page, "{\"want\": \"frame\"}");
-    hear(page);  // the first message has the picture
-    EXPECT_NE(hear(page).find("\"state\""), std::string::npos);
+    EXPECT_EQ(look(page).second.at("state"), "over");
     std::vector<Socket> pages;
     for (std::size_t i = 1; i < MOST_CLIENTS; ++i) {
       pages.push_back(served.open());
@@ -301,9 +360,8 @@ TEST(LiveServer, AnyTextCanBeTold) {
     served.session.say_results("caf\xe9");
     auto socket = served.open();
     enter(served, socket);
-    say(socket, "{\"want\": \"frame\"}");
-    hear(socket);  // the first message has the picture
-    EXPECT_NE(hear(socket).find("caf"), std::string::npos);
+    const auto results = look(socket).second.at("results").get<std::string>();
+    EXPECT_TRUE(results.starts_with("caf")) << results;
   });
 }
 

@@ -4,17 +4,24 @@ import { fit, style, watchSize, widthOf } from "/colour.js";
 const DOING = ["high", "low", "switching"];
 const SAYS = ["high priority", "low priority", "switches"];
 const LEFT = 78;  // width left of the Gantt chart, for names
-const MOST_CHUNKS = 600, MOST_POINTS = 2000;
+const MOST_CHUNKS = 600;
 const LONGEST_S = 1e4, SHORTEST_S = 1e-6;  // limits of the visible interval
 const REDRAW_MS = 250;  // least time between redraws of the curves
 
-export const tellTime = (s) => s < 1 ? `${+(s * 1e3).toPrecision(7)} ms` : `${+s.toPrecision(7)} s`;
+const UNITS = [[1, "s"], [1e-3, "ms"], [1e-6, "µs"]];
+// Formats a time in the unit of `largest`, so that all labels of an axis have the same unit.
+export function tellTime(s, largest = s) {
+  const [unit, name] = UNITS.find(([unit]) => largest >= unit) ?? UNITS.at(largest > 0 ? -1 : 1);
+  return `${+(s / unit).toPrecision(7)} ${name}`;
+}
 
 export class TimeLine {
   constructor(canvas, processors, onChange) {
     Object.assign(this, { canvas, onChange,
       names: processors.slice(0, 64).map((p) => p.name) });
-    this.chunks = [];  // for each frame: first and last time, and its spans
+    // for each frame: the period whose spans it has, the first and last time of its spans, and the
+    // spans
+    this.chunks = [];
     this.open = [];  // spans that have not ended
     this.window = 0.01;
     this.to = null;  // time at the right edge; null: follow the present
@@ -24,19 +31,19 @@ export class TimeLine {
   }
 
   // Adds the spans of a frame. They are a flat list of processor, activity, begin and end.
-  add(state) {
-    this.open = state.open;
-    this.present = state.t_s;
-    const { spans } = state;
-    if (spans.length) {
-      let first = Infinity, last = 0;
-      for (let i = 0; i < spans.length; i += 4) {
-        first = Math.min(first, spans[i + 2]);
-        last = Math.max(last, spans[i + 3]);
-      }
-      this.chunks.push({ first, last, spans });
-      if (this.chunks.length > MOST_CHUNKS) this.chunks.shift();
+  add({ spans, open, t_s, spans_from_s, spans_cut }) {
+    if (t_s < this.present) this.chunks = [];  // another machine begins
+    this.open = open;
+    this.present = t_s;
+    let first = Infinity, last = spans_from_s;
+    for (let i = 0; i < spans.length; i += 4) {
+      first = Math.min(first, spans[i + 2]);
+      last = Math.max(last, spans[i + 3]);
     }
+    const to = spans_cut ? last : t_s, before = this.chunks.at(-1);
+    if (!spans.length && before?.to === spans_from_s) before.to = to;
+    else this.chunks.push({ from: spans_from_s, to, first, last, spans });
+    if (this.chunks.length > MOST_CHUNKS) this.chunks.shift();
     this.draw();
   }
 
@@ -75,7 +82,8 @@ export class TimeLine {
         if (spans[i] === processor && spans[i + 2] <= t && t <= spans[i + 3])
           return `${name}, ${tellTime(t)}: ${SAYS[spans[i + 1]]} for ` +
             tellTime(spans[i + 3] - spans[i + 2]);
-    return `${name}, ${tellTime(t)}: idle`;
+    const isKnown = this.chunks.some(({ from, to }) => from <= t && t <= to);
+    return `${name}, ${tellTime(t)}: ${isKnown ? "idle" : "not received"}`;
   }
 
   listen() {
@@ -114,6 +122,7 @@ export class TimeLine {
     const { context, width } = fit(this.canvas, height);
     context.clearRect(0, 0, width, height);
     const x = (t) => LEFT + (t - from) / this.window * (width - LEFT);
+    this.drawGaps(context, x, row * this.names.length);
     context.font = `${Math.max(9, row - 5)}px system-ui, sans-serif`;
     context.textBaseline = "middle";
     context.fillStyle = style("soft");
@@ -145,7 +154,7 @@ export class TimeLine {
     for (let i = 0; i <= 4; ++i) {
       const t = from + this.window * i / 4;
       context.textAlign = i === 0 ? "left" : i === 4 ? "right" : "center";
-      context.fillText(tellTime(t), x(t), height - 9);
+      context.fillText(tellTime(t, to), x(t), height - 9);
       context.beginPath();
       context.moveTo(x(t), 0);
       context.lineTo(x(t), height - 18);
@@ -153,16 +162,29 @@ export class TimeLine {
     }
     context.textAlign = "left";
   }
+
+  // Shades the periods that this page has not received.
+  drawGaps(context, x, height) {
+    const { from, right: to } = this;
+    context.fillStyle = style("unknown");
+    context.fillRect(x(from), 0, x(Math.min(to, this.present)) - x(from), height);
+    for (const chunk of this.chunks) {
+      const left = Math.max(chunk.from, from), right = Math.min(chunk.to, to);
+      if (left < right) context.clearRect(x(left), 0, x(right) - x(left), height);
+    }
+  }
 }
+
 const tellNumber = (value) => value === null ? "" : String(+value.toPrecision(6));
 
-// One dygraphs chart for each curve: {name, help, value(state)}. The value is null while unknown.
+// One dygraphs chart for each curve: {name, help}. A chart is hidden until it has a value.
 export class Curves {
   constructor(parent, things) {
     // The legend of dygraphs sets inline styles, which our content security policy forbids.
     const { Dygraph } = window;
     Dygraph.PLUGINS = Dygraph.PLUGINS.filter((plugin) => plugin !== Dygraph.Plugins.Legend);
-    this.curves = things.map(({ name, help, value }) => {
+    this.rows = [];
+    this.curves = things.map(({ name, help }) => {
       const figure = document.createElement("figure"), caption = document.createElement("figcaption");
       const chart = document.createElement("div");
       figure.className = "curve";
@@ -171,25 +193,29 @@ export class Curves {
       chart.className = "chart";
       figure.append(caption, chart);
       parent.append(figure);
-      return { name, value, figure, caption, chart, points: [], graph: null, told: null };
+      return { name, figure, caption, chart, points: [], graph: null, told: null };
     });
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
       for (const { graph } of this.curves) graph?.updateOptions(this.colours());
     });
   }
 
-  add(state) {
-    for (const curve of this.curves) {
-      const value = curve.value(state), { points } = curve;
-      if (value === null) continue;
-      if (points.length && points.at(-1)[0] === state.t_s) points.pop();
-      points.push([state.t_s, value]);
-      // Thins out the curve: above the limit, drops every second point.
-      if (points.length > MOST_POINTS) curve.points = points.filter((_, j) => j % 2 === 0);
+  // Adds samples of the history: rows of a number, a time and the value of each curve, null if
+  // unknown. Keeps the same samples as the server: the first, the last and multiples of `stride`.
+  add({ stride, samples }) {
+    const { rows } = this;
+    for (const row of samples) {
+      while (rows.length && rows.at(-1)[1] >= row[1]) rows.pop();
+      rows.push(row);
     }
+    this.rows = rows.filter(([number], i) =>
+      number % stride === 0 || i === 0 || i === rows.length - 1);
     this.timer ??= setTimeout(() => {
       this.timer = undefined;
-      this.curves.forEach((curve) => this.draw(curve));
+      this.curves.forEach((curve, i) => {
+        curve.points = this.rows.map((row) => [row[1], row[i + 2]]);
+        this.draw(curve);
+      });
     }, REDRAW_MS);
   }
 
@@ -198,14 +224,16 @@ export class Curves {
   }
 
   draw(curve) {
-    if (!curve.points.length) return;
+    if (curve.figure.hidden && curve.points.every(([, value]) => value === null)) return;
     curve.figure.hidden = false;
-    if (!curve.told) this.say(curve, curve.points.at(-1));
+    if (!curve.told) this.say(curve);
     if (curve.graph) return curve.graph.updateOptions({ file: curve.points });
     curve.graph = new window.Dygraph(curve.chart, curve.points, { ...this.colours(),
       labels: ["simulated time", curve.name], includeZero: true, strokeWidth: 1.5,
       highlightCircleSize: 4, axisLabelFontSize: 11,
-      axes: { x: { axisLabelFormatter: (t) => tellTime(t), axisLabelWidth: 70, pixelsPerLabel: 90 },
+      axes: { x: { axisLabelWidth: 70, pixelsPerLabel: 90,
+        axisLabelFormatter: (t, granularity, options, graph) =>
+          tellTime(t, graph.xAxisRange()[1]) },
         y: { axisLabelWidth: 56, pixelsPerLabel: 30, axisLabelFormatter: tellNumber } },
       highlightCallback: (event, t, [{ yval }]) => {
         curve.told = true;
@@ -213,11 +241,13 @@ export class Curves {
       },
       unhighlightCallback: () => {
         curve.told = null;
-        this.say(curve, curve.points.at(-1));
+        this.say(curve);
       } });
   }
 
-  say({ name, caption }, [t, value]) {
+  // Shows a point in the caption, by default the last.
+  say({ name, caption, points }, point = points.findLast(([, value]) => value !== null)) {
+    const [t, value] = point;
     caption.textContent = `${name}: ${tellNumber(value)} at ${tellTime(t)}`;
   }
 }

@@ -2,14 +2,16 @@
 // drawing the last one, and sends the user's commands.
 import { Curves, TimeLine, tellTime } from "/charts.js";
 import { Machine } from "/machine.js";
+import { Limits, describeAction, element } from "/orders.js";
 import { Picture } from "/picture.js";
 
 const $ = (id) => document.getElementById(id);
 const SPEEDS = [1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.1, 0.5, 1, 2, 5, 10, 100, null];
 const WINDOWS = [1e-4, 1e-3, 0.01, 0.1, 1, 10];
+const MOST_ACTIONS = 1000;
 const kept = new URLSearchParams(location.hash.slice(1));  // settings kept in the address
 
-let socket, outline, state, picture, machine, line, curves;
+let socket, outline, state, picture, machine, line, curves, limits;
 let steers = false, asked = 0;
 // the simulated time to run to, as given in the address, until the first state arrives
 let goesTo = NaN;
@@ -27,6 +29,7 @@ function connect() {
     if ("steers" in message) setSteering(message.steers);
     if (message.outline) begin(message.outline);
     if ("reply" in message) hear(message);
+    if (message.history) hearHistory(message.history);
     if (message.state) show(message.state);
   };
   socket.onclose = () => {
@@ -95,7 +98,8 @@ function begin(what) {
   $("growth").replaceChildren();
   curves = new Curves($("growth"), whatGrows());
   $("hands").hidden = !outline.has_user;
-  if (outline.has_user) makeLimits();
+  if (outline.has_user)
+    limits = new Limits($("limits"), outline.limits, give, (area) => picture?.mark(area));
   makeLoads();
   for (const what of ["processor", "link"]) {
     const number = Number(asked.get(what) ?? NaN), all = outline[what + "s"];
@@ -105,31 +109,35 @@ function begin(what) {
   want();
 }
 
-// Lists the curves: the program's gauges, the loads, and the error once there is a sequential
-// picture.
+// Lists the curves in the order of the values in the history.
 function whatGrows() {
-  const mean = (all) => all.reduce((sum, load) => sum + load, 0) / all.length / 1000;
-  const things = outline.gauges.map(({ name, help }, i) =>
-    ({ name, help, value: ({ gauges }) => gauges[i] }));
-  things.push({ name: "mean load of the processors", help: "over the interval chosen above",
-    value: ({ cpus }) => mean(cpus) });
-  if (outline.links.length)
-    things.push({ name: "load of the busiest link", help: "one way, over the interval chosen above",
-      value: ({ links }) => Math.max(...links) / 1000 });
-  if (outline.has_sequential)
-    things.push({ name: "error of the picture",
-      help: "root mean square difference from the sequential renderer's picture, as a share",
-      value: () => picture.error() });
-  return things;
+  return [...outline.gauges,
+    { name: "mean load of the processors", help: "over the interval chosen above" },
+    { name: "load of the busiest link", help: "one way, over the interval chosen above" },
+    { name: "error of the picture",
+      help: "root mean square difference from the sequential renderer's picture, as a share" }];
 }
 
-// Selects the chart's interval in the list. Adds it if it is not among the choices.
+// Adds the part of the history that this page lacks.
+function hearHistory(history) {
+  curves.add(history);
+  for (const action of history.actions)
+    $("deeds").prepend(element("li", date(action.t_s) + ": " + describeAction(action, outline.processors)));
+  while ($("deeds").children.length > MOST_ACTIONS) $("deeds").lastChild.remove();
+}
+
+// Selects a value in a list. Adds it if it is not among the choices.
+function selectValue(select, value, spell) {
+  select.querySelector("[data-own]")?.remove();
+  if (![...select.options].some((option) => option.value === String(value))) {
+    select.append(element("option", spell(value), { value: String(value) }));
+    select.lastChild.dataset.own = "";
+  }
+  select.value = String(value);
+}
+
 function showWindow() {
-  const own = $("window").options[WINDOWS.length];
-  if (own) own.remove();
-  if (!WINDOWS.includes(line.window))
-    $("window").append(element("option", tellTime(line.window), { value: String(line.window) }));
-  $("window").value = String(line.window);
+  selectValue($("window"), line.window, tellTime);
   $("present").hidden = line.to === null;
   remember();
 }
@@ -145,7 +153,7 @@ function show(now) {
   goesTo = NaN;
   machine.show(state);
   line.add(state);
-  curves.add(state);
+  if (state.limits) limits?.show(state.limits);
   const fault = tellFault(), phase = state.phase ? ", " + state.phase : "";
   $("status").textContent =
     `${NAMES[state.state]} at ${date(state.t_s)} of simulated time${phase}${fault}`;
@@ -153,7 +161,7 @@ function show(now) {
   if (told !== toldLast) showSeldom(NAMES[state.state] + phase + fault);
   toldLast = told;
   if ($("speed").value !== String(state.speed) && document.activeElement !== $("speed"))
-    $("speed").value = String(state.speed);
+    selectValue($("speed"), state.speed, spellSpeed);
   showChosen();
   if ($("loads").closest("details").open) showLoads();
   requestAnimationFrame(want);
@@ -167,9 +175,8 @@ function showSeldom(announced) {
   $("fault-part").hidden = !state.fault;
   $("fault").textContent = state.fault ?? "";
   $("go").textContent = state.state === "paused" ? "Go on" : "Pause";
-  for (const id of ["go", "end", "run-date", "run-picture", "run-end"])
-    $(id).disabled = state.state === "over";
-  document.querySelectorAll("[data-step]").forEach((b) => { b.disabled = state.state === "over"; });
+  const controls = "#go, #end, [data-step], #speed, [id^=run-], #interval, #hands button, #hands input";
+  document.querySelectorAll(controls).forEach((b) => { b.disabled = state.state === "over"; });
   $("quit").hidden = state.state !== "over";
   $("results").textContent = state.results ? `Results: ${state.results}` : "";
 }
@@ -206,17 +213,12 @@ function choose(found) {
   showChosen();
 }
 
-function element(name, text, attributes = {}) {
-  const made = document.createElement(name);
-  if (text !== undefined) made.textContent = text;
-  Object.assign(made, attributes);
-  return made;
-}
-
 let chosenText = "";
 function showChosen() {
   const found = machine.chosen, detail = state?.details[found?.processor];
-  const text = JSON.stringify([found, detail]);
+  const isOver = state?.state === "over", isCut = state?.cut.includes(2 * found?.link);
+  const isStopped = state?.stopped.includes(found?.processor);
+  const text = JSON.stringify([found, detail, isOver, isCut, isStopped]);
   if (text === chosenText) return;
   chosenText = text;
   const parts = [];
@@ -226,7 +228,8 @@ function showChosen() {
     parts.push(element("p", "link " + ends.map((id) => outline.processors[id].name).join(" - ")));
   if (found && ends.every((id) => outline.processors[id].may_break)) {
     const isLink = found.link !== undefined;
-    const button = element("button", isLink ? "Cut this link" : "Stop this processor");
+    const button = element("button", isLink ? "Cut this link" : "Stop this processor",
+      { disabled: isOver || isCut || isStopped });
     button.onclick = () => ask(isLink ? { do: "fault", link: outline.links[found.link] }
       : { do: "fault", processor: found.processor });
     parts.push(button);
@@ -270,65 +273,12 @@ function showLoads() {
 
 // --- orders -------------------------------------------------------------------------------------
 
-function makeLimits() {
-  const form = $("limits"), fields = [];
-  for (const limit of outline.limits) {
-    const id = "limit-" + limit.name;
-    fields.push(element("label", limit.name.replaceAll("_", " "),
-      { htmlFor: id, title: limit.help }));
-    if (limit.range && limit.range[1] <= 1000) {
-      const [low, high] = limit.range;
-      const top = limit.whole ? Math.min(high, 64) : high;
-      const slider = element("input", undefined, { type: "range", min: low, max: top,
-        step: limit.whole ? 1 : 0.001, value: limit.value, ariaLabel: limit.name });
-      const number = element("input", undefined, { id, type: "number", min: low, max: high,
-        step: limit.whole ? 1 : "any", value: limit.value, name: limit.name });
-      slider.oninput = () => { number.value = slider.value; };
-      number.oninput = () => { slider.value = number.value; };
-      slider.onchange = () => setLimits();
-      fields.push(slider, number);
-    } else {
-      fields.push(element("input", undefined, { id, className: "text", name: limit.name,
-        value: limit.value === null ? "" : String(limit.value), placeholder: limit.expected,
-        title: limit.help }));
-    }
-  }
-  form.replaceChildren(...fields);
-  form.onsubmit = (event) => {
-    event.preventDefault();
-    setLimits();
-  };
-}
-
-// Reads the form's limits as an order. Empty fields keep their defaults.
-function readLimits() {
-  const order = {};
-  for (const limit of outline.limits) {
-    const text = $("limit-" + limit.name).value.trim();
-    if (text === "") continue;
-    if (limit.range) order[limit.name] = Number(text);
-    else if (limit.expected.startsWith("one of")) order[limit.name] = text;
-    else order[limit.name] = text.split(/[\s,]+/).map(Number);
-  }
-  return order;
-}
-
-async function give(order, text) {
-  const at = state.t_s;
-  if (await ask({ do: "order", order })) return;
-  $("deeds").prepend(element("li", `${date(at)}: ${text}`));
-}
-
-function setLimits() {
-  const order = readLimits();
-  give(order, "limits " + JSON.stringify(order));
-}
+const give = (order) => ask({ do: "order", order });
 
 function markArea(area) {
-  if (!outline.has_user) return;
+  if (!outline.has_user || state.state === "over") return;
   picture.area = area;
-  $("limit-area").value = area.join(", ");
-  setLimits();
+  limits.setArea(area.join(", "));
 }
 
 // --- controls -----------------------------------------------------------------------------------
@@ -341,7 +291,8 @@ function options(select, values, spell) {
 const seconds = (s) => s >= 1 ? `${s} s` : s >= 1e-3 ? `${+(s * 1e3).toPrecision(3)} ms`
   : `${+(s * 1e6).toPrecision(3)} µs`;
 
-options($("speed"), SPEEDS, (x) => x === null ? "as fast as possible" : `${seconds(x)} a second`);
+const spellSpeed = (x) => x === null ? "as fast as possible" : `${seconds(x)} a second`;
+options($("speed"), SPEEDS, spellSpeed);
 options($("window"), WINDOWS, seconds);
 options($("interval"), [0, ...WINDOWS], (s) => s === 0 ? "frame" : seconds(s));
 
@@ -353,10 +304,7 @@ function changeSpeed(by) {
   const now = SPEEDS.findIndex((x) => x === null || x >= (state.speed ?? Infinity));
   setSpeed(SPEEDS[Math.min(SPEEDS.length - 1, Math.max(0, now + by))]);
 }
-async function save() {
-  if (!await ask({ do: "save" }))
-    $("deeds").prepend(element("li", `${date(state.t_s)}: picture saved`));
-}
+const save = () => ask({ do: "save" });
 
 $("go").onclick = go;
 document.querySelectorAll("[data-step]").forEach((button) => {
@@ -371,16 +319,15 @@ $("end").onclick = () => ask({ do: "end" });
 $("quit").onclick = () => ask({ do: "quit" });
 $("whole").onclick = () => {
   picture.area = null;
-  $("limit-area").value = "";
-  setLimits();
+  limits.setArea("");
 };
-$("non-interactive").onclick = () => give({ non_interactive: true }, "non-interactive phase");
-$("interactive").onclick = () => give({ interactive: true }, "interactive phase");
-$("abort").onclick = () => give({ abort: true }, "abort");
+$("non-interactive").onclick = () => give({ non_interactive: true });
+$("interactive").onclick = () => give({ interactive: true });
+$("abort").onclick = () => give({ abort: true });
 $("save").onclick = save;
 $("layer").onchange = () => {
   const layer = $("layer").value;
-  if (layer) ask({ do: "compare" });
+  if (layer && state.state !== "over") ask({ do: "compare" });
   $("beside-part").hidden = !layer;
   picture.showBeside(layer);
 };
@@ -398,6 +345,7 @@ document.addEventListener("keydown", (event) => {
   if (/^(INPUT|SELECT|TEXTAREA)$/.test(event.target.tagName)) return;
   if (event.target.tagName === "BUTTON" && event.key === " ") return;
   if (event.ctrlKey || event.altKey || event.metaKey || !KEYS[event.key] || !state) return;
+  if (state.state === "over") return;
   event.preventDefault();
   KEYS[event.key]();
 });

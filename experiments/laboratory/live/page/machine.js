@@ -118,11 +118,7 @@ export class Machine {
       context.stroke();
       if (stopped.has(i)) this.cross(context, x, y, radius);
       if (radius < 9) return;
-      context.fillStyle = share > 0.5 ? style("paper") : style("ink");
-      const name = processor.name.match(/^(?:worker|p)(\d+)$/)?.[1] ?? processor.name;
-      const fitting = 3.4 * radius / name.length;  // letters are about half as wide as high
-      context.font = `${Math.max(8, Math.min(0.75 * radius, fitting))}px system-ui, sans-serif`;
-      context.fillText(name, x, y, 1.9 * radius);
+      this.drawName(context, processor.name, x, y, radius, share);
       const ready = state?.queues[i] ?? 0;
       if (ready > 0) {
         context.fillStyle = style("ink");
@@ -130,6 +126,20 @@ export class Machine {
         context.fillText("+" + ready, x + radius * 1.25, y - radius * 0.9);
       }
     });
+  }
+
+  // Writes the name into the symbol, or below it if it would be too small to read.
+  drawName(context, fullName, x, y, radius, share) {
+    const name = fullName.match(/^(?:worker|p)(\d+)$/)?.[1] ?? fullName;
+    const fitting = 3.4 * radius / name.length;  // letters are about half as wide as high
+    const isInside = fitting >= 9;
+    context.font = `${isInside ? Math.min(0.75 * radius, fitting) : 11}px system-ui, sans-serif`;
+    context.fillStyle = isInside && share > 0.5 ? style("paper") : style("ink");
+    if (isInside) return context.fillText(name, x, y);
+    context.strokeStyle = style("paper");
+    context.lineWidth = 3;
+    context.strokeText(name, x, y + radius + 9);
+    context.fillText(name, x, y + radius + 9);
   }
 
   // The line between two places: its ends, length, direction, and the gap at both ends.

@@ -26,15 +26,10 @@ export class Picture {
     this.draw();
   }
 
-  // The root mean square error against the sequential rendering, as a share of the value range;
-  // null until that rendering exists.
-  error() {
-    if (!this.has.has("sequential")) return null;
-    const a = this.layers.shown.image.data, b = this.layers.sequential.image.data;
-    let squares = 0;
-    // counts alpha values too, but these are equal
-    for (let i = 0; i < a.length; ++i) squares += (a[i] - b[i]) ** 2;
-    return Math.sqrt(squares / (0.75 * a.length)) / 255;
+  // Marks the area of the limits in force; an empty one covers the whole picture.
+  mark(area) {
+    this.area = area?.[2] > 0 ? area : null;
+    this.draw();
   }
 
   // Adds tiles to a layer. Each is x, y, width and height as 16-bit numbers, then three bytes per
