@@ -15,6 +15,10 @@ namespace {
 
 constexpr int LEFT = 150, WIDTH = 1380, RIGHT = 70, TOP = 84, BOTTOM = 34;  // in pixels
 constexpr std::size_t MOST_PROCESSORS = 64;
+constexpr int LINE = 16;               // height of a line of text, in pixels
+constexpr int ARROWS = 90;             // width of the margin with the arrows of a cycle of waits
+constexpr std::size_t MOST_TOLD = 24;  // waiting processes listed below the chart
+constexpr auto FAULT = "#b40000";
 constexpr auto LOW = "#9ecae1", HIGH = "#e6550d", SWITCHING = "#3b3b3b", MESSAGE = "#41ab5d";
 
 // Heights of rows in pixels.
@@ -56,6 +60,9 @@ class Chart {
     bottom_ = TOP;
     for (const auto& links : links_)
       bottom_ += heights_.cpu + static_cast<int>(links.size()) * heights_.link + heights_.gap;
+    if (trace.cycle > 0) right_ += ARROWS;
+    if (!trace.fault.empty())
+      told_ = LINE * (2 + static_cast<int>(std::min(trace.waiting.size(), MOST_TOLD + 1)));
   }
 
   std::string draw() {
@@ -63,12 +70,14 @@ class Chart {
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
         "{1}\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n"
         "<title>{2}</title>\n<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n",
-        LEFT + WIDTH + RIGHT, bottom_ + BOTTOM, base::escape_xml(trace_.title));
+        LEFT + WIDTH + right_, bottom_ + BOTTOM + told_, base::escape_xml(trace_.title));
     draw_head();
     draw_axis();
     int y = TOP;
+    std::vector<int> middles;  // y of the CPUs' rows
     for (std::size_t i = 0; i < shown_; ++i) {
       draw_cpu(i, y);
+      middles.push_back(y + heights_.cpu / 2);
       y += heights_.cpu;
       for (const auto link : links_[i]) {
         draw_link(link, y);
@@ -76,6 +85,7 @@ class Chart {
       }
       y += heights_.gap;
     }
+    if (!trace_.fault.empty()) draw_fault(middles);
     return text_ + "</svg>\n";
   }
 
@@ -218,13 +228,55 @@ class Chart {
     print("</g>\n");
   }
 
+  // Marks the end of the run, and the cycle of waits by arrows between the rows of its processors.
+  // Lists below the chart what each process waits for.
+  void draw_fault(const std::vector<int>& middles) {
+    print("<path d=\"M{} {}V{}\" stroke=\"{}\" stroke-width=\"2\"/>\n", LEFT + WIDTH, TOP - 4,
+          bottom_ + 2, FAULT);
+    print(
+        "<defs><marker id=\"tip\" viewBox=\"0 0 8 8\" refX=\"7\" refY=\"4\" markerWidth=\"7\" "
+        "markerHeight=\"7\" orient=\"auto\"><path d=\"M0 0L8 4L0 8z\" "
+        "fill=\"{}\"/></marker></defs>\n",
+        FAULT);
+    for (std::size_t i = 0; i < trace_.cycle; ++i)
+      draw_wait(middles, trace_.waiting[i].processor,
+                trace_.waiting[(i + 1) % trace_.cycle].processor);
+    int y = bottom_ + BOTTOM + LINE;
+    const auto say = [&](const std::string& text, const char* colour) {
+      print("<text x=\"{}\" y=\"{}\" fill=\"{}\">{}</text>\n", LEFT, y, colour,
+            base::escape_xml(shorten(text, 220)));
+      y += LINE;
+    };
+    say(trace_.fault, FAULT);
+    for (std::size_t i = 0; i < std::min(trace_.waiting.size(), MOST_TOLD); ++i) {
+      const auto& [process, what, processor] = trace_.waiting[i];
+      say(fmt::format("{} on {} waits for {}", process, trace_.processors[processor], what),
+          i < trace_.cycle ? FAULT : "#222");
+    }
+    if (trace_.waiting.size() > MOST_TOLD)
+      say(fmt::format("and {} more", trace_.waiting.size() - MOST_TOLD), "#666");
+  }
+
+  // Draws an arrow in the right margin, from the row of the waiting processor to that of the other.
+  void draw_wait(const std::vector<int>& middles, std::size_t from, std::size_t to) {
+    if (from == to || std::max(from, to) >= middles.size()) return;
+    // arrows leave a row in its upper half and arrive in the lower
+    const int x = LEFT + WIDTH + RIGHT, a = middles[from] - 4, b = middles[to] + 4;
+    const int bend = std::min(ARROWS - 10, 20 + std::abs(b - a) / 4);
+    print(
+        "<path class=\"wait\" d=\"M{0} {1}C{2} {1} {2} {3} {0} {3}\" fill=\"none\" stroke=\"{4}\" "
+        "stroke-width=\"1.6\" marker-end=\"url(#tip)\"/>\n",
+        x, a, x + bend, b, FAULT);
+  }
+
   const Trace& trace_;
   std::size_t shown_;  // number of processors that are drawn
   Heights heights_;
   Timeline timeline_;
-  // Numbers of the links that are drawn, by processor.
-  std::vector<std::vector<std::uint32_t>> links_;
-  int bottom_ = 0;  // lower edge of the lowest row, in pixels
+  std::vector<std::vector<std::uint32_t>> links_;  // links drawn, by processor
+  int bottom_ = 0;                                 // lower edge of all rows, in pixels
+  int right_ = RIGHT;                              // width of the right margin, in pixels
+  int told_ = 0;                                   // height of the text on a fault, in pixels
   std::string text_;
 };
 

@@ -34,6 +34,11 @@ struct Trace {
     std::uint32_t link, channel;
     std::uint64_t bytes;
   };
+  /// A process that waits when the run has ended with a deadlock.
+  struct Waiting {
+    std::string process, what;  ///< its name, and what it waits for
+    std::uint32_t processor;
+  };
   std::vector<std::string> processors, channels;  ///< names in UTF-8
   std::vector<Process> processes;
   std::vector<Link> links;
@@ -41,6 +46,9 @@ struct Trace {
   std::vector<Transfer> transfers;  ///< for each link, sorted by time
   double begin_s = 0, end_s = 0;    ///< period that the trace covers
   std::string title;
+  std::string fault;             ///< the fault that ended the run, in one line; "" for none
+  std::vector<Waiting> waiting;  ///< after a deadlock; first those of a cycle, in its order
+  std::size_t cycle = 0;         ///< number of processes in the cycle; each waits for the next
 };
 
 // The writers throw base::InvariantBroken, before writing anything, for a trace that violates these

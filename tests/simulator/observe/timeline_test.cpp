@@ -110,8 +110,24 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// The chart has 1380 columns, so a tenth of the time takes 138 of them. A CPU's row is 26 pixels
-// high.
+// Two processes wait for each other, a third for them. Arrows show the cycle only.
+TEST(TimelineSvg, ADeadlockIsMarked) {
+  Trace trace = make_small_trace();
+  EXPECT_FALSE(contains(saved(save_timeline, trace), "waits for"));
+  trace.fault = "deadlock <at> 0.01 s";
+  trace.waiting = {{"give", "out on task", 0}, {"take", "in on task", 1}, {"other", "a timer", 1}};
+  trace.cycle = 2;
+  const auto svg = saved(save_timeline, trace);
+  expect_well_formed(svg);
+  for (const char* text : {"deadlock &lt;at&gt; 0.01 s", "give on farmer waits for out on task",
+                           "other on worker waits for a timer"})
+    EXPECT_TRUE(contains(svg, text)) << text;
+  std::size_t arrows = 0;
+  for (auto at = svg.find("\"wait\""); at != svg.npos; at = svg.find("\"wait\"", at + 1)) ++arrows;
+  EXPECT_EQ(arrows, 2u);
+}
+
+// A page has 1380 columns, so a tenth of the window is 138 of them. A CPU's row is 26 pixels high.
 TEST(TimelineSvg, DrawsBarsWhereTimeIsBusy) {
   const auto svg = saved(save_timeline, make_small_trace());
   EXPECT_TRUE(contains(svg, R"(<path class="low" fill="#9ecae1" d="M0 0H0V-26H138V0H1380V0Z"/>)"));
