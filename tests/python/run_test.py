@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import re
 import signal
 import subprocess
 import sys
@@ -231,6 +232,8 @@ class ErrorsTest(FolderTest):
         error = self.check_message(tlab.SimulatedFault, {"program": {"name": "deadlock"}})
         self.assertEqual(error.exit_code, 3)
         self.assertRegex(str(error), "(?i)deadlock")
+        drawing = re.search("who waits for whom: (.*)", str(error))[1]
+        self.assertTrue(pathlib.Path(drawing).is_file())
 
     def test_without_the_command(self):
         before = os.environ.get("TLAB")

@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
+#include "experiments/laboratory/film/fault_drawings.hpp"
 #include "experiments/laboratory/film/film.hpp"
 #include "experiments/laboratory/film/recorded_point.hpp"
 #include "experiments/laboratory/host/colour.hpp"
@@ -241,7 +242,7 @@ void run_chosen_points(const RunOptions& options) {
   check_same_experiment(folder, file);
   const CheckPlan checks = plan_checks(file);
   const StoreGuard guard(folder);
-  const PointsPlan plan(options, file, inspect_names(checks, file), run_recorded_point);
+  const PointsPlan plan(options, file, inspect_names(checks, file), run_recorded_point, draw_fault);
   Results results = find_points(plan, numbers);
   std::vector<std::size_t> missing;
   for (const auto i : numbers)

@@ -7,6 +7,7 @@
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/run.hpp"
+#include "experiments/laboratory/film/fault_drawings.hpp"
 #include "experiments/laboratory/film/recorded_point.hpp"
 #include "experiments/laboratory/host/interrupt.hpp"
 #include "experiments/laboratory/host/link_files.hpp"
@@ -59,7 +60,7 @@ Results make_results(const PointsPlan& plan, Missing missing, std::size_t& there
     throw_failures(plan.file, results,
                    plan.options.runs_anew()
                        ? "only the trace, chart and films of the run so far were written"
-                       : "nothing was written");
+                       : "no results were written");
   return results;
 }
 
@@ -108,8 +109,8 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
   // The points of the file come first, then copies of them for each machine drawn from [uncertain].
   const ExperimentFile all = spread(s.file);
   s.asked = all.points.size();
-  PointsPlan plan(options, all, inspect_names(checks, s.file), run_recorded_point);
-  check_results_folder(results);  // after all inputs are known, so that none of them is overwritten
+  PointsPlan plan(options, all, inspect_names(checks, s.file), run_recorded_point, draw_fault);
+  check_results_folder(results);  // all inputs are known now
   plan.lone = folder.working() / lone_records_folder();
   folder.fill([&] {
     Results drawn = make_results(plan, missing, s.there);

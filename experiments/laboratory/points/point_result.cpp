@@ -149,10 +149,14 @@ std::vector<std::size_t> missing_points(const Results& results) {
 
 std::optional<PointResult> make_failure(const std::exception& error) {
   const std::string what = error.what();
-  if (dynamic_cast<const machine::Deadlock*>(&error)) return make_ended("deadlock", 3, what);
-  if (dynamic_cast<const machine::OutOfMemory*>(&error))
-    return make_ended("out of memory", 3, what);
-  if (dynamic_cast<const machine::Fault*>(&error)) return make_ended("failed", 3, what);
+  if (const auto* fault = dynamic_cast<const machine::Fault*>(&error)) {
+    const char* ended = dynamic_cast<const machine::Deadlock*>(fault)      ? "deadlock"
+                        : dynamic_cast<const machine::OutOfMemory*>(fault) ? "out of memory"
+                                                                           : "failed";
+    auto failure = make_ended(ended, 3, what);
+    failure.fault_s = fault->when.value;
+    return failure;
+  }
   if (dynamic_cast<const base::InvariantBroken*>(&error)) return make_ended("failed", 1, what);
   if (dynamic_cast<const std::bad_alloc*>(&error)) return make_ended("failed", 2, NO_MEMORY);
   return {};

@@ -34,10 +34,11 @@ struct PointResult {
   /// How the simulation ended: "done", "saturated", "limit", "interrupt", "deadlock", "out of
   /// memory" or "failed"; "": it did not run.
   std::string ended;
-  std::string at;        ///< name of the point, only for people who read the record
-  std::string message;   ///< reason of a failure, to be shown to the user; "": no failure
-  int exit_code = 0;     ///< exit code after a failure
-  std::string topology;  ///< name of the network, if the program uses one
+  std::string at;                      ///< name of the point, for people who read the record
+  std::string message;                 ///< reason of a failure, for the user
+  int exit_code = 0;                   ///< exit code after a failure
+  std::optional<double> fault_s = {};  ///< simulated time of a fault; not in records
+  std::string topology;                ///< name of the network, if the program uses one
   int processors = 0;
   base::Row described;  ///< values of result columns that are known before the simulation
   /// measured rows of the results table; empty if nothing was measured

@@ -9,6 +9,7 @@
 #include "experiments/laboratory/host/error_text.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/progress.hpp"
+#include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/points/origin.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
 #include "experiments/laboratory/points/run_point.hpp"
@@ -40,19 +41,35 @@ void save_point(const PointsPlan& plan, std::size_t number, const PointResult& r
               name_of(point));
 }
 
-// Simulates a point, in a child process, and records its result. A simulated failure counts as a
-// result. Bad input causes an exception.
+// Adds the names of drawings to the message of a failure. An error there must not hide the failure.
+void add_drawings(const PointsPlan& plan, const Point& point, PointResult& failure) {
+  if (!plan.explain || !failure.is_failed()) return;
+  try {
+    failure.message += plan.explain(point, plan.options, failure);
+  } catch (const std::exception& error) {
+    complain(fmt::format("no drawing of the fault: {}", describe_error(error)));
+  }
+}
+
+// Runs a point in the child process. A failed simulation is a result too; bad input is an
+// exception.
 PointResult run_and_save(const PointsPlan& plan, std::size_t number) {
   const Point& point = plan.file.points[number];
+  Clock clock;
   try {
     auto result = plan.run(point, plan.options, plan.results / records_folder());
-    // saves before inspect() may throw, so that the result is not lost
+    add_drawings(plan, point, result);
+    // before the inspection, so that an error there loses no result
     save_point(plan, number, result);
     if (plan.inspect) plan.inspect(point, result);
     result.use = nullptr;
     return result;
   } catch (const std::exception& error) {
-    if (const auto failure = make_failure(error)) return *failure;
+    if (auto failure = make_failure(error)) {
+      failure->host.total_s = clock.lap();
+      add_drawings(plan, point, *failure);
+      return *failure;
+    }
     if (plan.file.sweep.empty()) throw;
     throw Failure(fmt::format("at {}: {}", name_of(point), describe_error(error)),
                   exit_code_of(error));
@@ -92,11 +109,12 @@ void check_points(const RunOptions& options, const ExperimentFile& file) {
 }
 
 PointsPlan::PointsPlan(const RunOptions& options, const ExperimentFile& file, Inspect inspect,
-                       RunPoint run_one)
+                       RunPoint run_one, Explain explain)
     : options(options),
       file(file),
       inspect(std::move(inspect)),
       run(std::move(run_one)),
+      explain(std::move(explain)),
       results(results_folder(options)),
       keys(make_keys(file, options.until_s)),
       origin(make_origin(options, file, results)) {

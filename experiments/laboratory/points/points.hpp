@@ -21,17 +21,22 @@ using Inspect = std::function<void(const Point& point, const PointResult& result
 using RunPoint = std::function<PointResult(const Point& point, const RunOptions& options,
                                            const std::filesystem::path& images)>;
 
-/// The points to simulate, and the folders of their records.
+/// Draws a failed point and returns the end of its message, which lists the files.
+using Explain = std::function<std::string(const Point& point, const RunOptions& options,
+                                          const PointResult& failure)>;
+
+/// The points to run, and where their records are.
 struct PointsPlan {
   PointsPlan(const RunOptions& options, const ExperimentFile& file, Inspect inspect = {},
-             RunPoint run = {});
+             RunPoint run = {}, Explain explain = {});
 
   const RunOptions& options;
   const ExperimentFile& file;
   Inspect inspect;
-  RunPoint run;                   ///< function that simulates a point; empty: run_point()
-  std::filesystem::path results;  ///< folder whose records are used and extended
-  /// folder for records that are valid only for these results; "": they are not saved
+  RunPoint run;                   ///< none: run_point()
+  Explain explain;                ///< may be empty
+  std::filesystem::path results;  ///< folder with records to use and to add to
+  /// folder for records that only these results may use; "": not saved
   std::filesystem::path lone;
   std::vector<std::string> keys;  ///< for each point, the key of its record
   nlohmann::ordered_json origin;  ///< description of the experiment (see make_origin)

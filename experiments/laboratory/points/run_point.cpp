@@ -128,6 +128,7 @@ void tell_failure(PointResult& result, const std::exception_ptr& why) {
     const auto failure = make_failure(error);
     result.message = failure.value().message;
     result.exit_code = failure->exit_code;
+    result.fault_s = failure->fault_s;
   }
 }
 

@@ -119,6 +119,7 @@ def run(experiment, /, *, folder=None, jobs=None, until=None, **settings):
     has_results = _identity(folder / "run.json") not in (None, before)
     result = Result(folder, done.output, files) if has_results else None
     if failure := done.failure(result):
+        failure.files = files  # drawings of a fault may be in the temporary folder
         raise failure
     return result
 

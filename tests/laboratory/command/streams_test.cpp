@@ -29,7 +29,11 @@ TEST_F(Sweep, ErrorsThatNobodyCanReadHaveTheirExitCodes) {
           std::pair("$TLAB run fails.toml -o r", 3), std::pair("$TLAB run e.toml -o s", 0)})
       EXPECT_EQ(run_line(folder.path, std::string(line) + " > out " + error), exit_code)
           << line << error;
-  EXPECT_EQ(folder.names(), (Arguments{"e.toml", "fails.toml", "out", "s"}));
+  EXPECT_EQ(
+      folder.names(),
+      (Arguments{"e.toml", "fails.toml", "out", "r-fault-cpu.clock-20000000.0-timeline.svg",
+                 "r-fault-cpu.clock-20000000.0.svg", "r-fault-cpu.clock-25000000.0-timeline.svg",
+                 "r-fault-cpu.clock-25000000.0.svg", "s"}));
 }
 
 // The reader closes the pipe early, as in `tlab ... | head -1`. The exit code 141 is 128 + SIGPIPE.

@@ -71,13 +71,16 @@ TEST(PointFailures, AHostWithoutMemoryIsNoDefectOfOurs) {
   EXPECT_EQ(failure->message, "the host is out of memory");
 }
 
-TEST_F(Sweep, NothingIsWrittenIfAllPointsFail) {
+// Only drawings of the faults are written, beside the folder.
+TEST_F(Sweep, NoResultsAreWrittenIfAllPointsFail) {
   std::ofstream(folder.path / "e.toml") << SOME_FAIL;
   const auto failed = run({"-o", "r", "--set", "sweep.database_memory_bytes=[146432, 146433]"});
   EXPECT_EQ(failed.exit_code, 3);
   EXPECT_TRUE(contains(failed.err, "2 of 2 point(s) failed")) << failed.err;
-  EXPECT_TRUE(contains(failed.err, "nothing was written")) << failed.err;
-  EXPECT_EQ(folder.names(), Arguments{"e.toml"});
+  EXPECT_TRUE(contains(failed.err, "no results were written")) << failed.err;
+  EXPECT_EQ(folder.names(),
+            (Arguments{"e.toml", "r-fault-database-memory-bytes-146432-workers-2-timeline.svg",
+                       "r-fault-database-memory-bytes-146433-workers-2-timeline.svg"}));
 }
 
 // The first point fails. The second has the same images, so the report and the key images come from
@@ -186,7 +189,9 @@ TEST_F(Sweep, AFolderThatWasThereOutlivesARunThatFails) {
   std::ofstream(folder.path / "e.toml") << "[program]\nname = \"deadlock\"\n";
   fs::create_directory(folder.path / "made");
   for (const char* name : {"made", "new"}) EXPECT_EQ(run({"-o", name}).exit_code, 3);
-  EXPECT_EQ(folder.names(), (Arguments{"e.toml", "made"}));
+  EXPECT_EQ(folder.names(),
+            (Arguments{"e.toml", "made", "made-fault-timeline.svg", "made-fault.svg",
+                       "new-fault-timeline.svg", "new-fault.svg"}));
 }
 
 // The process that writes the first record owns the folder. The other process fails at its first
