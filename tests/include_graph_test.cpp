@@ -273,7 +273,7 @@ TEST(IncludeGraph, DependenciesEnterThroughTheirDoors) {
       {{"embree3/", "embree4/"}, std::regex("tests/support/embree\\.hpp")},
       {{"png.h"}, std::regex("renderer/.*\\.cpp|tests/renderer/.*")},
       {{"webp/"}, std::regex("renderer/image/animation\\.cpp|tests/support/webp_frames\\.hpp")},
-      {{"cairo/"}, std::regex("experiments/laboratory/film/canvas\\.cpp")},
+      {{"cairo/"}, std::regex("experiments/laboratory/(film/canvas|figure/pdf)\\.cpp")},
       {{"OpenEXR/"}, std::regex("renderer/radiosity/show/display\\.cpp|tests/renderer/.*")},
   };
   for (const Source& source : sources())
