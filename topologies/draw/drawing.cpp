@@ -2,61 +2,77 @@
 
 #include <fmt/format.h>
 
-#include <array>
-#include <cmath>
+#include <algorithm>
 
-#include "topologies/draw/graphviz.hpp"
 #include "topologies/draw/layout.hpp"
+#include "topologies/draw/port_places.hpp"
+#include "topologies/draw/sheet.hpp"
 
 namespace topologies {
 namespace {
 
-using Curve = std::array<Place, 4>;
-
-// The position of the port number at the first end of a link: beside the link, just outside the
-// processor. Given positions save minutes for large networks, because Graphviz would otherwise
-// search for free places.
-Place place_port(const Curve& curve) {
-  constexpr double ALONG = 0.6, ASIDE = 0.16;
-  const auto at_quarter = [&](double Place::*axis) {  // the point at parameter t = 1/4 of the curve
-    return (27 * curve[0].*axis + 27 * curve[1].*axis + 9 * curve[2].*axis + curve[3].*axis) / 64;
-  };
-  const Place from = curve[0];
-  const double dx = at_quarter(&Place::x) - from.x, dy = at_quarter(&Place::y) - from.y;
-  const double length = std::hypot(dx, dy), x = dx / length, y = dy / length;
-  return {from.x + ALONG * x - ASIDE * y, from.y + ALONG * y + ASIDE * x};
+std::string name_processor(const Topology& topology, int p) {
+  return topology.labels.empty() ? std::to_string(p) : topology.labels[p];
 }
 
-std::string draw_link(const Link& link, const Curve& curve) {
-  const auto& [a, b] = link;
-  const Curve back{curve[3], curve[2], curve[1], curve[0]};
-  return fmt::format(
-      "{} -- {} [pos=\"{} {} {} {}\", taillabel={}, tail_lp=\"{}\", headlabel={}, "
-      "head_lp=\"{}\"];\n",
-      a.processor, b.processor, format_points(curve[0]), format_points(curve[1]),
-      format_points(curve[2]), format_points(curve[3]), a.port, format_points(place_port(curve)),
-      b.port, format_points(place_port(back)));
+std::size_t find_longest_name(const Topology& topology) {
+  std::size_t longest = 0;
+  for (int p = 0; p < topology.processors; ++p)
+    longest = std::max(longest, name_processor(topology, p).size());
+  return longest;
+}
+
+void draw_links(Sheet& sheet, const Topology& topology, const Layout& layout) {
+  const double line = sheet.style().is_figure() ? 0.6 : 1;
+  for (std::size_t i = 0; i < topology.links.size(); ++i) {
+    const auto& [a, b] = topology.links[i];
+    sheet.curve(make_curve(layout.processors[a.processor], layout.processors[b.processor],
+                           layout.swerves[i]),
+                "#000000", line);
+  }
+}
+
+void draw_ports(Sheet& sheet, const Topology& topology, const Layout& layout, const Measures& m) {
+  const auto places = place_ports(topology, layout, m.port / m.unit, 0.5 * m.processor / m.unit);
+  for (std::size_t i = 0; i < topology.links.size(); ++i) {
+    const auto& [a, b] = topology.links[i];
+    sheet.open("link", fmt::format("{} to {}", name_processor(topology, a.processor),
+                                   name_processor(topology, b.processor)));
+    sheet.text(sheet.to_points(places[i][0]), std::to_string(a.port), {m.port, "#000000", true});
+    sheet.text(sheet.to_points(places[i][1]), std::to_string(b.port), {m.port, "#000000", true});
+    sheet.close();
+  }
+}
+
+void draw_processors(Sheet& sheet, const Topology& topology, const Layout& layout,
+                     const Measures& m) {
+  const double line = sheet.style().is_figure() ? 0.6 : 1;
+  for (int p = 0; p < topology.processors; ++p) {
+    const auto at = sheet.to_points(layout.processors[p]);
+    const auto name = name_processor(topology, p);
+    sheet.open("processor", name);
+    if (p == topology.root) sheet.circle(at, 1.25 * m.processor, "#ffffff", line);
+    sheet.circle(at, m.processor, "#ffffff", line);
+    const auto [shown, size] = fit_name(m, name);
+    if (!shown.empty()) sheet.text(at, shown, {size});
+    sheet.close();
+  }
 }
 
 }  // namespace
 
-std::string to_svg(const Topology& topology) {
+std::string to_svg(const Topology& topology, const base::FigureStyle& style) {
+  constexpr double TITLE = 14;  // font size in points
   const auto layout = make_layout(topology);
-  std::string dot = fmt::format(
-      "graph {{\nlabel={};\noutputorder=edgesfirst;\nnode [shape=circle, style=filled, "
-      "fillcolor=white, width=0.375, fixedsize=shape, fontsize=11];\n"
-      "edge [fontsize=8];\n",
-      quote_dot(topology.name));
-  for (int p = 0; p < topology.processors; ++p)
-    dot += fmt::format("{} [label={}, peripheries={}, pos=\"{}\"];\n", p,
-                       quote_dot(topology.labels.empty() ? std::to_string(p) : topology.labels[p]),
-                       p == topology.root ? 2 : 1, format_points(layout.processors[p]));
-  for (std::size_t i = 0; i < topology.links.size(); ++i) {
-    const auto& link = topology.links[i];
-    dot += draw_link(link, make_curve(layout.processors[link.a.processor],
-                                      layout.processors[link.b.processor], layout.swerves[i]));
-  }
-  return run_graphviz("neato", {"-n2", "-Tsvg"}, dot + "}\n", topology.name);
+  const auto m = choose_measures(layout.processors, find_longest_name(topology), 0, style);
+  Sheet sheet(style, m.unit);
+  draw_links(sheet, topology, layout);
+  draw_ports(sheet, topology, layout, m);
+  draw_processors(sheet, topology, layout, m);
+  if (!style.is_figure())
+    sheet.text({(sheet.low().x + sheet.high().x) / 2, sheet.high().y + TITLE}, topology.name,
+               {TITLE});
+  return sheet.finish(topology.name);
 }
 
 }  // namespace topologies

@@ -3,13 +3,13 @@
 
 #include <string>
 
+#include "base/figure_style.hpp"
 #include "topologies/graph/topology.hpp"
 
 namespace topologies {
 
-/// Draws the topology as SVG text, by Graphviz, with processors placed by make_layout(). The root
-/// has a double rim, and each end of a link shows its port number. Throws std::runtime_error if
-/// Graphviz is not installed or fails.
-std::string to_svg(const Topology& topology);
+/// Draws an SVG, with processors placed by make_layout(). The root has a double rim, and each end
+/// of a link shows its port number. Throws as make_layout() does.
+std::string to_svg(const Topology& topology, const base::FigureStyle& style = {});
 
 }  // namespace topologies

@@ -150,6 +150,17 @@ void turn_upwards(Places& places, int root) {
   }
 }
 
+// Enlarges a drawing whose shortest link has no room for the port numbers of its ends.
+void lengthen_links(const Topology& topology, Places& places) {
+  constexpr double SHORTEST = 1.7, MOST = 2;  // units; largest factor
+  double shortest = SHORTEST;
+  for (const auto& [a, b] : topology.links)
+    shortest = std::min(shortest, std::hypot(places[a.processor].x - places[b.processor].x,
+                                             places[a.processor].y - places[b.processor].y));
+  const double factor = std::min(MOST, SHORTEST / shortest);
+  for (auto& place : places) place = {factor * place.x, factor * place.y};
+}
+
 Places make_found_places(const Topology& topology) {
   Topology numbered = topology;
   numbered.labels.clear();
@@ -166,6 +177,7 @@ Places make_found_places(const Topology& topology) {
     if (words >> kind && kind == "node" && words >> p >> place.x >> place.y)
       places.at(p) = {1.6 * place.x, 1.6 * place.y};
   }
+  lengthen_links(topology, places);
   turn_upwards(places, topology.root);
   return places;
 }
@@ -204,6 +216,40 @@ void part_parallel_links(const Topology& topology, Layout& layout) {
   }
 }
 
+// The smallest distance between a curve and the processors that it does not join.
+double find_clearance(const Places& places, const Link& link, const Place& swerve) {
+  constexpr int SAMPLES = 24;
+  const auto curve = make_curve(places[link.a.processor], places[link.b.processor], swerve);
+  double nearest = INFINITY;
+  for (int i = 1; i < SAMPLES; ++i) {
+    const auto [x, y] = eval_curve(curve, double(i) / SAMPLES);
+    for (std::size_t p = 0; p < places.size(); ++p)
+      if (static_cast<int>(p) != link.a.processor && static_cast<int>(p) != link.b.processor)
+        nearest = std::min(nearest, std::hypot(places[p].x - x, places[p].y - y));
+  }
+  return nearest;
+}
+
+// Bends links that would run through other processors, as little as possible.
+void avoid_processors(const Topology& topology, Layout& layout) {
+  constexpr double CLEAR = 0.55;  // a processor has the radius 0.375
+  for (std::size_t i = 0; i < topology.links.size(); ++i) {
+    const auto& link = topology.links[i];
+    const Place &from = layout.processors[link.a.processor],
+                &to = layout.processors[link.b.processor];
+    const double dx = to.x - from.x, dy = to.y - from.y, length = std::hypot(dx, dy);
+    double most = find_clearance(layout.processors, link, {});
+    for (int step = 1; step <= 8 && most < CLEAR; ++step)
+      for (const double side : {0.25, -0.25}) {
+        const Place swerve{-side * step * dy / length, side * step * dx / length};
+        const double clearance = find_clearance(layout.processors, link, swerve);
+        if (clearance <= most) continue;
+        most = clearance;
+        layout.swerves[i] = swerve;
+      }
+  }
+}
+
 // Decodes a two-bit Gray code: maps 00, 01, 11, 10 to 0, 1, 2, 3.
 int from_gray(int bits) { return bits ^ (bits >> 1); }
 
@@ -214,6 +260,15 @@ std::array<Place, 4> make_curve(const Place& from, const Place& to, const Place&
   return {from, {from.x + off.x, from.y + off.y}, {to.x + off.x, to.y + off.y}, to};
 }
 
+Place eval_curve(const std::array<Place, 4>& curve, double t) {
+  const double s = 1 - t;
+  const auto mix = [&](double Place::*axis) {
+    return s * s * s * curve[0].*axis + 3 * s * s * t * curve[1].*axis +
+           3 * s * t * t * curve[2].*axis + t * t * t * curve[3].*axis;
+  };
+  return {mix(&Place::x), mix(&Place::y)};
+}
+
 std::array<Place, 4> make_half_curve(const Place& from, const Place& to, const Place& swerve) {
   const auto mix = [](const Place& a, const Place& b) {
     return Place{(a.x + b.x) / 2, (a.y + b.y) / 2};
@@ -221,11 +276,6 @@ std::array<Place, 4> make_half_curve(const Place& from, const Place& to, const P
   const auto [p0, p1, p2, p3] = make_curve(from, to, swerve);
   const Place p01 = mix(p0, p1), p12 = mix(p1, p2), p23 = mix(p2, p3), p012 = mix(p01, p12);
   return {p0, p01, p012, mix(p012, mix(p12, p23))};
-}
-
-std::string format_points(const Place& place) {
-  constexpr double UNIT = 36;  // points per unit of the layout; a point is 1/72 inch
-  return fmt::format("{:.2f},{:.2f}", UNIT * place.x, UNIT * place.y);
 }
 
 Layout make_layout(const Topology& topology) {
@@ -256,6 +306,7 @@ Layout make_layout(const Topology& topology) {
     layout.processors = make_tree_places(topology);
   } else {
     layout.processors = make_found_places(topology);
+    avoid_processors(topology, layout);
   }
   part_parallel_links(topology, layout);
   return layout;

@@ -29,20 +29,21 @@ struct Layout {
 /// curve's midpoint from the straight line.
 std::array<Place, 4> make_curve(const Place& from, const Place& to, const Place& swerve);
 
-/// The control points of the first half of the curve that make_curve returns, next to `from`.
+/// The point of a Bezier curve at the parameter t, 0 to 1.
+Place eval_curve(const std::array<Place, 4>& curve, double t);
+
+/// The control points of the half of this curve that starts at `from`.
 std::array<Place, 4> make_half_curve(const Place& from, const Place& to, const Place& swerve);
 
-/// Formats a place for Graphviz in points (1/72 inch), such as "36.00,72.00".
-std::string format_points(const Place& place);
-
-/// Places processors according to Topology::shape:
-/// - Lines and large rings become rows in alternating directions; small rings become circles.
-/// - Meshes and tori become grids. The wrap-around links of a torus run between the grid lines.
-/// - Hypercubes are drawn as tori.
-/// - Minimum-path networks become concentric circles around the root, with a gap above it.
-/// - Small trees grow downwards from the root; large trees surround it.
-/// - Other topologies are placed by Graphviz's program neato from a fixed start, then rotated until
-///   the root is at the top. With more than 1024 processors they become circles around the root.
+/// Places processors by Topology::shape:
+/// - Lines and large rings are rows in alternating directions; small rings are circles.
+/// - Meshes and tori are grids, with closing links between the grid lines; hypercubes are drawn as
+///   tori.
+/// - Minimum-path networks are rings around the root with a gap above it.
+/// - Small trees grow downwards from the root, large trees around it.
+/// - Other topologies are placed by Graphviz's neato from a fixed start and turned until the root
+///   is at the top. Their links bend around other processors. With more than 1024 processors they
+///   are rings around the root.
 /// Throws std::runtime_error if Graphviz is not installed, and BadInput for more than MAX_DRAWN
 /// processors.
 Layout make_layout(const Topology& topology);

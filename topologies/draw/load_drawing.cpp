@@ -7,14 +7,11 @@
 #include <numeric>
 
 #include "base/errors.hpp"
-#include "topologies/draw/graphviz.hpp"
 #include "topologies/draw/layout.hpp"
+#include "topologies/draw/sheet.hpp"
 
 namespace topologies {
 namespace {
-
-constexpr double UNIT_PT = 36;       // points per unit of a layout
-constexpr double PROCESSOR_PT = 27;  // diameter of a processor in points
 
 struct Colour {
   double r, g, b;
@@ -33,7 +30,7 @@ Colour eval_scale(double share) {
   return {std::lerp(a.r, b.r, t), std::lerp(a.g, b.g, t), std::lerp(a.b, b.b, t)};
 }
 
-const char* text_colour(double share) { return is_dark_load(share) ? "white" : "black"; }
+const char* text_colour(double share) { return is_dark_load(share) ? "#ffffff" : "#000000"; }
 
 std::string percent(double share) { return fmt::format("{:.1f} %", 100 * share); }
 
@@ -49,28 +46,35 @@ struct Node {
   Place place;
 };
 
-std::string write_processor(int id, const Node& node, bool is_root, bool is_extra) {
-  const double width =
-      is_extra ? std::max(64.0, 7.0 * static_cast<double>(node.label.size())) : PROCESSOR_PT;
-  const auto longest = static_cast<double>(std::max<size_t>(node.label.size(), 2));
-  const double font = is_extra ? 11 : std::min(11.0, 1.5 * PROCESSOR_PT / longest);
-  return fmt::format(
-      "n{} [class=processor, shape={}, width={:.3f}, height={:.3f}, pos=\"{}\", label={}, "
-      "fillcolor=\"{}\", fontcolor={}, fontsize={:.1f}, penwidth={}, tooltip={}];\n",
-      id, is_extra ? "box" : "circle", width / 72, PROCESSOR_PT / 72, format_points(node.place),
-      quote_dot(node.label), load_colour(node.load), text_colour(node.load), font,
-      is_root ? 3 : 0.75, quote_dot(fmt::format("{}: busy {}", node.name, percent(node.load))));
+std::string tell_busy(const std::string& name, double load) {
+  return fmt::format("{}: busy {}", name, percent(load));
 }
 
-// Draws the half of a link next to processor `from`, coloured by the traffic that `from` sends.
-std::string write_half(const Half& half, const std::vector<Node>& nodes) {
+double box_width(const std::string& label, const Measures& m) {
+  return std::max(64.0 / 11 * m.font, Sheet::width_of(label, m.font) + m.font);
+}
+
+void draw_processor(Sheet& sheet, const Node& node, const Measures& m, bool is_root,
+                    bool is_extra) {
+  const auto at = sheet.to_points(node.place);
+  const double line = (is_root ? 3 : 0.75) * m.font / 11;
+  const auto [shown, size] = is_extra ? FittedName{node.label, m.font} : fit_name(m, node.label);
+  sheet.open("processor", tell_busy(node.name, node.load));
+  if (is_extra)
+    sheet.box(at, box_width(node.label, m), m.processor, load_colour(node.load), line);
+  else
+    sheet.circle(at, m.processor, load_colour(node.load), line);
+  if (!shown.empty()) sheet.text(at, shown, {size, text_colour(node.load)});
+  sheet.close();
+}
+
+// Draws the half of a link that is next to `from`. It shows the traffic sent by `from`.
+void draw_half(Sheet& sheet, const Half& half, const std::vector<Node>& nodes, const Measures& m) {
   const auto& [from, to, swerve, load] = half;
-  const auto [p0, p1, p2, p3] = make_half_curve(nodes[from].place, nodes[to].place, swerve);
-  return fmt::format(
-      "n{} -> n{} [class=link, pos=\"{} {} {} {}\", color=\"{}\", penwidth={:.2f}, tooltip={}];\n",
-      from, to, format_points(p0), format_points(p1), format_points(p2), format_points(p3),
-      load_colour(load), eval_load_width(load),
-      quote_dot(fmt::format("{} to {}: busy {}", nodes[from].name, nodes[to].name, percent(load))));
+  sheet.open("link", tell_busy(fmt::format("{} to {}", nodes[from].name, nodes[to].name), load));
+  sheet.curve(make_half_curve(nodes[from].place, nodes[to].place, swerve), load_colour(load),
+              eval_load_width(load) * m.processor / 27);
+  sheet.close();
 }
 
 // The index of the extra processor with this name, or the number of extra processors if there is
@@ -127,30 +131,21 @@ std::vector<Place> place_extras(const Loads& loads, const Place& root, double to
   return places;
 }
 
-// Draws the colour scale below the drawing; `place` is its left end.
-std::string write_legend(const Place& place) {
+// Draws the colour scale below the drawing.
+void draw_legend(Sheet& sheet, const Measures& m) {
   constexpr int STEPS = 20;
-  constexpr double WIDTH = 0.3, HEIGHT = 0.35;
-  constexpr double LETTER = 0.1;  // in inches per letter; Graphviz reserves this room for the text
-  const auto text = [&](const char* name, double x, double y, const std::string& words) {
-    return fmt::format(
-        "{} [class=legend, shape=plaintext, style=solid, label={}, width={:.2f}, height=0.25, "
-        "pos=\"{}\"];\n",
-        name, quote_dot(words), LETTER * static_cast<double>(words.size()),
-        format_points({place.x + x, place.y + y}));
-  };
-  std::string out;
+  const double middle = (sheet.low().x + sheet.high().x) / 2, top = sheet.high().y + 2 * m.font;
+  const double step = m.font, width = STEPS * step;
+  sheet.open("legend", "");
   for (int i = 0; i < STEPS; ++i)
-    out += fmt::format(
-        "s{} [class=legend, shape=box, label=\"\", penwidth=0, width={:.4f}, height={:.4f}, "
-        "fillcolor=\"{}\", pos=\"{}\"];\n",
-        i, WIDTH * UNIT_PT / 72, HEIGHT * UNIT_PT / 72, load_colour((i + 0.5) / STEPS),
-        format_points({place.x + (i + 0.5) * WIDTH, place.y}));
+    sheet.box({middle - width / 2 + (i + 0.5) * step, top}, 1.02 * step, 1.2 * m.font,
+              load_colour((i + 0.5) / STEPS), 0);
   for (int quarter = 0; quarter <= 4; ++quarter)
-    out += text(fmt::format("t{}", quarter).c_str(), quarter * STEPS * WIDTH / 4, -0.45,
-                fmt::format("{} %", 25 * quarter));
-  return out + text("about", STEPS * WIDTH / 2, -0.9,
-                    "busy time; half a link next to a processor: what it sends");
+    sheet.text({middle + (quarter / 4.0 - 0.5) * width, top + 1.5 * m.font},
+               fmt::format("{} %", 25 * quarter), {m.font});
+  for (const auto* words : {"busy time; half a link next to a", "processor: what it sends"})
+    sheet.text({middle, sheet.high().y + 0.9 * m.font}, words, {m.font});
+  sheet.close();
 }
 
 std::vector<Node> make_nodes(const Topology& topology, const Loads& loads, const Layout& layout) {
@@ -186,8 +181,8 @@ std::vector<Half> make_halves(const Topology& topology, const Loads& loads, cons
   return halves;
 }
 
-// The processors in ascending order of the load of their busiest outgoing link. Graphviz draws
-// links in this order, so that busy links cover idle ones.
+// Orders processors by the load of their busiest outgoing link, ascending. Links are drawn in this
+// order, so that busy ones cover idle ones.
 std::vector<int> make_order(size_t nodes, const std::vector<Half>& halves) {
   std::vector<double> busiest(nodes, 0);
   for (const auto& half : halves) busiest[half.from] = std::max(busiest[half.from], half.load);
@@ -216,24 +211,35 @@ bool is_dark_load(double share) {
 
 double eval_load_width(double share) { return 1.2 + 5.8 * share; }
 
-std::string to_load_svg(const Topology& topology, const Loads& loads) {
+std::string to_load_svg(const Topology& topology, const Loads& loads,
+                        const base::FigureStyle& style) {
+  constexpr double TITLE = 16;  // font size in points
   check_loads(topology, loads);
   const auto layout = make_layout(topology);
   const auto nodes = make_nodes(topology, loads, layout);
-  const auto title = quote_dot(loads.title.empty() ? topology.name : loads.title);
-  std::string dot = fmt::format(
-      "digraph {} {{\nlabel={};\nlabelloc=t;\nfontname=\"sans-serif\";\nfontsize=16;\n"
-      "outputorder=edgesfirst;\nnode [style=filled, fixedsize=true, fontname=\"sans-serif\", "
-      "fontsize=11, color=\"#333333\"];\nedge [arrowhead=none];\n",
-      title, title);
+  Places places;
+  std::size_t longest = 0;
+  for (const auto& node : nodes) {
+    places.push_back(node.place);
+    longest = std::max(longest, node.label.size());
+  }
+  const double outside = loads.extras.empty() ? 0 : 64.0 / 11 * style.font_pt;
+  const auto m = choose_measures(places, longest, outside, style);
+  Sheet sheet(style, m.unit);
   const auto halves = make_halves(topology, loads, layout);
-  for (const int id : make_order(nodes.size(), halves))
-    dot += write_processor(id, nodes[id], id == topology.root, id >= topology.processors);
-  for (const auto& half : halves) dot += write_half(half, nodes);
-  const auto x = std::ranges::minmax(nodes, {}, [](auto& node) { return node.place.x; });
-  const auto low = std::ranges::min(nodes, {}, [](auto& node) { return node.place.y; });
-  dot += write_legend({(x.min.place.x + x.max.place.x) / 2 - 3, low.place.y - 1.6}) + "}\n";
-  return run_graphviz("neato", {"-n2", "-Tsvg"}, dot, topology.name);
+  const auto order = make_order(nodes.size(), halves);
+  std::vector<std::vector<const Half*>> halves_of(nodes.size());
+  for (const auto& half : halves) halves_of[static_cast<size_t>(half.from)].push_back(&half);
+  for (const int id : order)
+    for (const auto* half : halves_of[static_cast<size_t>(id)]) draw_half(sheet, *half, nodes, m);
+  for (const int id : order)
+    draw_processor(sheet, nodes[static_cast<size_t>(id)], m, id == topology.root,
+                   id >= topology.processors);
+  draw_legend(sheet, m);
+  const auto& title = loads.title.empty() ? topology.name : loads.title;
+  if (!style.is_figure())
+    sheet.text({(sheet.low().x + sheet.high().x) / 2, sheet.low().y - TITLE}, title, {TITLE});
+  return sheet.finish(title);
 }
 
 }  // namespace topologies

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/figure_style.hpp"
 #include "topologies/graph/topology.hpp"
 
 namespace topologies {
@@ -27,17 +28,17 @@ struct Loads {
   std::vector<Extra> extras = {};  ///< names must be distinct
 };
 
-/// Draws the loads as SVG text, by Graphviz. Load determines the fill of processors, and the colour
-/// and width of links. Each half of a link shows the traffic sent by the nearer processor. The root
-/// has a thick rim. Tooltips show the loads as numbers, and a colour scale is below the drawing.
+/// Draws an SVG. Load determines the fill of processors, and the colour and width of
+/// links. Each half of a link shows the traffic sent by the nearer processor. The root has a thick
+/// rim. Tooltips show the loads, and a colour scale is below.
 ///
-/// Each processor, including extra ones, is one SVG element of class "processor". Each link is two
-/// elements of class "link". For one version of Graphviz, the text is always the same.
+/// Each processor, and each extra processor, is one element of class "processor"; each link is two
+/// elements of class "link".
 ///
-/// Throws BadInput if the sizes of `loads` do not match the topology, if a load is not in [0, 1],
-/// or if an extra processor's `to` is unknown. Throws std::runtime_error if Graphviz is not
-/// installed.
-std::string to_load_svg(const Topology& topology, const Loads& loads);
+/// Throws BadInput if sizes do not match, a load is not in [0, 1] or an extra's `to` is unknown.
+/// Throws as make_layout() does.
+std::string to_load_svg(const Topology& topology, const Loads& loads,
+                        const base::FigureStyle& style = {});
 
 /// The colour of a load as "#rrggbb", from light grey at 0 to dark violet at 1.
 std::string load_colour(double share);

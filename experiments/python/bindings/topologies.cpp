@@ -126,7 +126,7 @@ void bind_topologies(py::module_& module) {
       .def("metrics", &measure)
       .def("to_dot", &topologies::to_dot)
       .def("to_graphml", &topologies::to_graphml)
-      .def("to_svg", &topologies::to_svg);
+      .def("to_svg", [](const Topology& topology) { return topologies::to_svg(topology); });
   py::class_<Routes>(module, "Routes")
       .def("distance", &Routes::distance)
       .def("path", &Routes::path)

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <boost/property_tree/xml_parser.hpp>
+#include <cctype>
 #include <cmath>
 #include <map>
 #include <set>
@@ -26,62 +27,114 @@ Place place_of(const Tree& element, const char* x, const char* y) {
 
 double distance(const Place& a, const Place& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-// Positions of elements in a drawing: circles by processor, and port numbers by link, in the SVG's
-// order (the second end of a link first).
+// Elements of a drawing: circles of each processor by its name; the ports of each link with their
+// places, that of the first end first; the control points of each link.
 struct Drawn {
   std::map<std::string, std::vector<Place>> circles;
-  std::map<std::string, std::vector<std::pair<std::string, Place>>> ports;
+  std::vector<std::vector<std::pair<std::string, Place>>> ports;
+  std::vector<std::array<Place, 4>> curves;
+  std::string width, font;
 };
 
+std::array<Place, 4> read_curve(std::string path) {
+  for (char& c : path)
+    if (!std::isdigit(static_cast<unsigned char>(c)) && c != '.' && c != '-') c = ' ';
+  std::istringstream in(path);
+  std::array<Place, 4> curve;
+  for (auto& [x, y] : curve) in >> x >> y;
+  return curve;
+}
+
 Drawn read_drawing(const std::string& svg) {
+  constexpr double BASELINE = 0.36;  // from a letter's middle to its foot
   std::istringstream in(svg);
   Tree tree;
   read_xml(in, tree);
   Drawn drawn;
-  for (const auto& [name, group] : tree.get_child("svg.g")) {
+  drawn.width = tree.get<std::string>("svg.<xmlattr>.width");
+  drawn.font = tree.get<std::string>("svg.<xmlattr>.font-family");
+  for (const auto& [name, group] : tree.get_child("svg")) {
     const auto of_class = group.get("<xmlattr>.class", "");
-    for (const auto& [kind, element] : group) {
-      const auto title = group.get("title", "");
-      if (of_class == "node" && kind == "ellipse")
-        drawn.circles[title].push_back(place_of(element, "cx", "cy"));
-      if (of_class == "edge" && kind == "text")
-        drawn.ports[title].emplace_back(element.data(), place_of(element, "x", "y"));
+    if (name == "path") drawn.curves.push_back(read_curve(group.get<std::string>("<xmlattr>.d")));
+    if (of_class == "link") drawn.ports.emplace_back();
+    if (of_class != "link" && of_class != "processor") continue;
+    const auto& inside = group.get_child("a");
+    const auto tip = inside.get<std::string>("<xmlattr>.xlink:title");
+    for (const auto& [kind, element] : inside) {
+      if (kind == "circle") drawn.circles[tip].push_back(place_of(element, "cx", "cy"));
+      if (kind != "text" || of_class != "link") continue;
+      auto at = place_of(element, "x", "y");
+      at.y -= BASELINE * element.get<double>("<xmlattr>.font-size");
+      drawn.ports.back().emplace_back(element.data(), at);
     }
   }
   return drawn;
 }
 
-// The root has a second circle. The label with the port number of a link's end is near the end's
-// processor: 0.6 units from its centre along the link, and 0.16 units to the side.
+// The root has a second circle around its own. The number of a port stands beside its processor,
+// one letter outside its circle along the link and 0.72 letters across.
 TEST(Drawing, ShowsTheRootAndWritesPortsBesideTheirProcessors) {
-  if (std::system("dot -V 2> /dev/null") != 0) GTEST_SKIP() << "Graphviz is missing";
-  // In points. BASELINE is the distance from the middle of a letter to its baseline.
-  constexpr double UNIT = 36, BASELINE = 2;
-  for (const auto* spec : {"ring:3", "ring:7", "torus:4x4", "tree:7", "star:5", "amp:12"}) {
+  constexpr double RADIUS = 13.5, LETTER = 8;  // points
+  for (const auto* spec : {"line:3", "ring:7", "mesh:3x4", "tree:7", "star:5"}) {
     SCOPED_TRACE(spec);
     const auto t = make_topology(spec);
     auto drawn = read_drawing(to_svg(t));
     ASSERT_EQ(drawn.circles.size(), static_cast<size_t>(t.processors));
     for (int p = 0; p < t.processors; ++p)
       EXPECT_EQ(drawn.circles[std::to_string(p)].size(), p == t.root ? 2u : 1u) << p;
-    for (const auto& [a, b] : t.links) {
-      const auto from = std::to_string(a.processor), to = std::to_string(b.processor);
-      const auto ports = drawn.ports[from + "--" + to];
-      ASSERT_EQ(ports.size(), 2u) << from << " " << to;
-      EXPECT_EQ(ports[0].first, std::to_string(b.port));
-      EXPECT_EQ(ports[1].first, std::to_string(a.port));
-      for (const auto& [port, processor] : {std::pair(1, from), {0, to}}) {
-        Place at = ports[port].second;
-        at.y -= BASELINE;
-        EXPECT_NEAR(distance(at, drawn.circles[processor][0]), UNIT * std::hypot(0.6, 0.16), 1)
-            << from << " " << to;
-      }
+    ASSERT_EQ(drawn.ports.size(), t.links.size());
+    for (std::size_t i = 0; i < t.links.size(); ++i) {
+      const auto& [a, b] = t.links[i];
+      ASSERT_EQ(drawn.ports[i].size(), 2u);
+      EXPECT_EQ(drawn.ports[i][0].first, std::to_string(a.port));
+      EXPECT_EQ(drawn.ports[i][1].first, std::to_string(b.port));
+      for (const auto& [end, processor] : {std::pair(0, a.processor), {1, b.processor}})
+        EXPECT_NEAR(
+            distance(drawn.ports[i][end].second, drawn.circles[std::to_string(processor)][0]),
+            std::hypot(RADIUS + LETTER, 0.72 * LETTER), 0.1)
+            << i;
     }
   }
 }
 
-// The midpoint of a Bezier curve with control points a, b, c, d is (a + 3 b + 3 c + d) / 8. It must
-// differ from the midpoint of the straight line by the swerve.
+// A user's graph has links of different directions and lengths, and processors in between.
+TEST(Drawing, OfAnyGraphKeepsPortsApartAndLinksClearOfOtherProcessors) {
+  if (std::system("dot -V 2> /dev/null") != 0) GTEST_SKIP() << "Graphviz is missing";
+  constexpr double RADIUS = 13.5, LETTER = 0.6 * 8;  // points; width of a digit
+  for (unsigned seed = 0; seed < 12; ++seed) {
+    SCOPED_TRACE(seed);
+    auto t = random_topology(seed);
+    t.shape = {};
+    const auto drawn = read_drawing(to_svg(t));
+    EXPECT_EQ(drawn.font, "sans-serif");
+    std::vector<Place> ports, processors;
+    for (const auto& link : drawn.ports)
+      for (const auto& port : link) ports.push_back(port.second);
+    for (const auto& [name, circles] : drawn.circles) processors.push_back(circles[0]);
+    for (std::size_t i = 0; i < ports.size(); ++i)
+      for (std::size_t k = 0; k < i; ++k)
+        EXPECT_GT(distance(ports[i], ports[k]), LETTER) << i << " " << k;
+    for (const auto& curve : drawn.curves)
+      for (const auto& processor : processors) {
+        if (distance(processor, curve[0]) < 0.1 || distance(processor, curve[3]) < 0.1) continue;
+        for (int i = 0; i <= 50; ++i)
+          EXPECT_GT(distance(processor, eval_curve(curve, i / 50.0)), RADIUS);
+      }
+  }
+}
+
+TEST(Drawing, OfAFigureHasItsWidthAndNoPaper) {
+  const base::FigureStyle style{.width_mm = 85, .font = "Liberation Serif"};
+  const auto svg = to_svg(make_topology("mesh:4x4"), style);
+  const auto drawn = read_drawing(svg);
+  EXPECT_EQ(drawn.width, "85mm");
+  EXPECT_EQ(drawn.font, "Liberation Serif");
+  EXPECT_NE(svg.find("font-size=\"8.00\""), svg.npos);
+  EXPECT_EQ(svg.find("paper"), svg.npos);
+  EXPECT_NE(to_svg(make_topology("mesh:4x4")).find("class=\"paper\""), svg.npos);
+}
+
+// The midpoint of a Bezier curve is (a + 3 b + 3 c + d) / 8.
 TEST(Layout, CurvesAreOffTheLineByTheirSwerveHalfWay) {
   std::mt19937 random(1);
   const auto place = [&] {

@@ -35,7 +35,7 @@ Loads make_loads(const Topology& t, unsigned seed) {
 void find_tips(const Tree& tree, const std::string& of_class, std::vector<std::string>& tips) {
   for (const auto& [name, child] : tree) {
     if (child.get("<xmlattr>.class", "") == of_class)
-      tips.push_back(child.get<std::string>("g.a.<xmlattr>.xlink:title"));
+      tips.push_back(child.get<std::string>("a.<xmlattr>.xlink:title"));
     find_tips(child, of_class, tips);
   }
 }
@@ -57,7 +57,7 @@ TEST(LoadDrawing, HasEveryProcessorAndBothDirectionsOfEveryLinkWithTheirShares) 
     const auto t = make_topology(spec);
     const auto loads = make_loads(t, 1);
     const auto svg = to_load_svg(t, loads);
-    const auto processors = tips_of(svg, "node processor"), links = tips_of(svg, "edge link");
+    const auto processors = tips_of(svg, "processor"), links = tips_of(svg, "link");
     EXPECT_EQ(processors.size(), t.processors + 2u);
     EXPECT_EQ(links.size(), 2 * t.links.size() + 4);
     std::set<std::string> all(processors.begin(), processors.end());
@@ -87,7 +87,7 @@ TEST(LoadDrawing, TakesAnyWiringAndAwkwardNames) {
     for (int p = 0; p < t.processors; ++p) loads.labels.push_back("<&\"\\G" + std::to_string(p));
     loads.extras[0].name = loads.extras[1].to = "the \"<centre>\" &amp; \\";
     const auto svg = to_load_svg(t, loads);
-    const auto tips = tips_of(svg, "node processor");
+    const auto tips = tips_of(svg, "processor");
     EXPECT_EQ(tips.size(), t.processors + 2u);
     EXPECT_TRUE(std::ranges::any_of(
         tips, [&](auto& tip) { return tip.starts_with(loads.extras[0].name); }));
@@ -97,8 +97,8 @@ TEST(LoadDrawing, TakesAnyWiringAndAwkwardNames) {
 // Collects the positions of the processors' names, which are also the centres of the processors.
 void find_names(const Tree& tree, std::map<std::string, Place>& names) {
   for (const auto& [name, child] : tree) {
-    if (child.get("<xmlattr>.class", "") == "node processor") {
-      const auto& text = child.get_child("g.a.text");
+    if (child.get("<xmlattr>.class", "") == "processor") {
+      const auto& text = child.get_child("a.text");
       names[text.data()] = {text.get<double>("<xmlattr>.x"), text.get<double>("<xmlattr>.y")};
     }
     find_names(child, names);
