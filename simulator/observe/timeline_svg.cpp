@@ -1,7 +1,8 @@
-// Draws a timeline as an SVG, 1600 pixels wide. Names are on the left, percentages of busy time on
-// the right, and each pixel column between them shows a part of the time.
+// Draws a timeline as an SVG, 1600 pixels wide or of a figure's size: names on the left,
+// percentages of time on the right, one column per pixel.
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "base/text.hpp"
@@ -13,7 +14,6 @@ namespace observe {
 
 namespace {
 
-constexpr int LEFT = 150, WIDTH = 1380, RIGHT = 70, TOP = 84, BOTTOM = 34;  // in pixels
 constexpr std::size_t MOST_PROCESSORS = 64;
 constexpr int LINE = 16;               // height of a line of text, in pixels
 constexpr int ARROWS = 90;             // width of the margin with the arrows of a cycle of waits
@@ -21,9 +21,9 @@ constexpr std::size_t MOST_TOLD = 24;  // waiting processes listed below the cha
 constexpr auto FAULT = "#b40000";
 constexpr auto LOW = "#9ecae1", HIGH = "#e6550d", SWITCHING = "#3b3b3b", MESSAGE = "#41ab5d";
 
-// Heights of rows in pixels.
+// Heights of rows.
 struct Heights {
-  int cpu, link, gap;
+  double cpu, link, gap;
 };
 
 Heights choose_heights(std::size_t processors) {
@@ -47,34 +47,74 @@ std::string shorten(const std::string& text, std::size_t length) {
   return text.substr(0, end) + "…";
 }
 
+// Rounds a length to hundredths, so that numbers are short.
+double to_hundredths(double length) { return std::round(100 * length) / 100; }
+
+// Lengths of a chart: pixels on the screen, points in a figure.
+struct ChartSize {
+  double left = 150, width = 1380, right = 70;  // names, time axis, percentages
+  double scale = 1;                             // relative to a font of 12 pixels
+  std::size_t columns = 1380;
+
+  double sum() const { return left + width + right; }
+};
+
+// Measures of the columns beside the time axis in a figure follow from their longest texts.
+ChartSize choose_size(const Trace& trace, std::size_t shown, const base::FigureStyle& style) {
+  if (!style.is_figure()) return {};
+  constexpr double LETTER = 0.6;       // mean width of a letter for a font size of 1
+  constexpr double PER_POINT = 3;      // columns of time
+  constexpr std::size_t LONGEST = 14;  // letters of a name
+  std::size_t longest = 4;
+  for (std::size_t i = 0; i < shown; ++i)
+    longest = std::max(longest, std::min(LONGEST, length_of(trace.processors[i])));
+  ChartSize size;
+  size.scale = style.font_pt / 12;
+  size.left = to_hundredths(LETTER * style.font_pt * static_cast<double>(longest) + 8 * size.scale);
+  size.right = to_hundredths(70 * size.scale);
+  size.width = style.width_pt() - size.left - size.right;
+  size.columns = static_cast<std::size_t>(std::max(1.0, PER_POINT * size.width));
+  return size;
+}
+
 class Chart {
  public:
-  explicit Chart(const Trace& trace)
+  Chart(const Trace& trace, const base::FigureStyle& style)
       : trace_(trace),
+        style_(style),
         shown_(std::min(trace.processors.size(), MOST_PROCESSORS)),
+        size_(choose_size(trace, shown_, style)),
         heights_(choose_heights(shown_)),
-        timeline_(make_timeline(trace, shown_, WIDTH)),
+        timeline_(make_timeline(trace, shown_, size_.columns)),
         links_(shown_) {
+    for (auto* height : {&heights_.cpu, &heights_.link, &heights_.gap}) *height = scale(*height);
     for (std::uint32_t i = 0; i < trace.links.size(); ++i)
       if (!timeline_.links[i].columns.empty()) links_[trace.links[i].from].push_back(i);
-    bottom_ = TOP;
+    top_ = draw_legend();
+    bottom_ = top_;
     for (const auto& links : links_)
-      bottom_ += heights_.cpu + static_cast<int>(links.size()) * heights_.link + heights_.gap;
-    if (trace.cycle > 0) right_ += ARROWS;
-    if (!trace.fault.empty())
-      told_ = LINE * (2 + static_cast<int>(std::min(trace.waiting.size(), MOST_TOLD + 1)));
+      bottom_ += heights_.cpu + static_cast<double>(links.size()) * heights_.link + heights_.gap;
   }
 
   std::string draw() {
+    const double height = std::ceil(bottom_ + scale(34));
+    const auto legend = std::move(text_);
+    text_.clear();
     print(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} "
-        "{1}\" font-family=\"sans-serif\" font-size=\"12\" fill=\"#222\">\n"
-        "<title>{2}</title>\n<rect width=\"{0}\" height=\"{1}\" fill=\"white\"/>\n",
-        LEFT + WIDTH + right_, bottom_ + BOTTOM + told_, base::escape_xml(trace_.title));
-    draw_head();
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}{2}\" viewBox=\"0 0 "
+        "{3} "
+        "{1}\" font-family=\"{4}\" font-size=\"{5}\" fill=\"#222\" class=\"drawing\">\n"
+        "<title>{6}</title>\n",
+        style_.is_figure() ? fmt::format("{:.6g}mm", style_.width_mm)
+                           : fmt::format("{}", size_.sum()),
+        height, style_.is_figure() ? "pt" : "", to_hundredths(size_.sum()),
+        base::escape_xml(style_.font), scale(12), base::escape_xml(trace_.title));
+    if (!style_.is_figure())
+      print("{}\n<rect class=\"paper\" width=\"{}\" height=\"{}\" fill=\"white\"/>\n",
+            base::DARK_MODE, size_.sum(), height);
+    text_ += legend;
     draw_axis();
-    int y = TOP;
-    std::vector<int> middles;  // y of the CPUs' rows
+    double y = top_;
     for (std::size_t i = 0; i < shown_; ++i) {
       draw_cpu(i, y);
       middles.push_back(y + heights_.cpu / 2);
@@ -95,71 +135,101 @@ class Chart {
     fmt::format_to(std::back_inserter(text_), format, std::forward<Args>(args)...);
   }
 
+  // A length that is proportional to the font.
+  double scale(double pixels) const { return to_hundredths(pixels * size_.scale); }
+
   double length_s() const { return trace_.end_s - trace_.begin_s; }
 
-  void draw_head() {
-    print("<text x=\"{}\" y=\"28\" font-size=\"18\">{}</text>\n", LEFT,
-          base::escape_xml(shorten(trace_.title, 140)));
-    int x = LEFT;
+  // Draws the title, except in a figure, and the meaning of colours, in as many lines as needed.
+  // Returns the upper edge of the rows.
+  double draw_legend() {
+    double x = size_.left, y = style_.is_figure() ? scale(14) : 52;
+    if (!style_.is_figure())
+      print("<text x=\"{}\" y=\"28\" font-size=\"18\">{}</text>\n", size_.left,
+            base::escape_xml(shorten(trace_.title, 140)));
+    const auto reserve = [&](double width) {
+      if (x + width > size_.sum() && x > size_.left) {
+        x = size_.left;
+        y = to_hundredths(y + scale(18));
+      }
+    };
     const auto sample = [&](const char* colour, std::string_view name) {
-      print("<rect x=\"{}\" y=\"42\" width=\"16\" height=\"12\" fill=\"{}\" stroke=\"#999\"/>", x,
-            colour);
-      print("<text x=\"{}\" y=\"52\">{}</text>\n", x + 22, name);
-      x += 40 + static_cast<int>(7 * name.size());
+      const double width = scale(40 + 7 * static_cast<double>(name.size()));
+      reserve(width - scale(18));
+      print(
+          "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" stroke=\"#999\" "
+          "stroke-width=\"{}\"/>",
+          x, to_hundredths(y - scale(10)), scale(16), scale(12), colour, scale(1));
+      print("<text x=\"{}\" y=\"{}\">{}</text>\n", to_hundredths(x + scale(22)), y, name);
+      x = to_hundredths(x + width);
     };
     sample(LOW, "low priority");
     sample(HIGH, "high priority");
     sample(SWITCHING, "switching");
     sample("white", "idle");
     sample(MESSAGE, "message on a link");
-    print("<text x=\"{}\" y=\"52\" fill=\"#666\">height: the share of a pixel's time{}</text>\n", x,
-          shown_ < trace_.processors.size()
-              ? fmt::format("; the first {} of {} processors", shown_, trace_.processors.size())
-              : "");
-    print("<text x=\"{}\" y=\"{}\" text-anchor=\"end\" fill=\"#666\">busy</text>\n",
-          LEFT + WIDTH + RIGHT - 8, TOP - 8);
+    const auto count =
+        shown_ < trace_.processors.size()
+            ? fmt::format("the first {} of {} processors", shown_, trace_.processors.size())
+            : "";
+    auto note = style_.is_figure() ? count : "height: the share of a pixel's time";
+    if (!style_.is_figure() && !count.empty()) note += "; " + count;
+    reserve(scale(7 * static_cast<double>(note.size())));
+    if (!note.empty()) print("<text x=\"{}\" y=\"{}\" fill=\"#666\">{}</text>\n", x, y, note);
+    const double top = to_hundredths(y + scale(32));
+    print("<text x=\"{}\" y=\"{}\" text-anchor=\"end\" fill=\"#666\">busy</text>\n", find_end(),
+          to_hundredths(top - scale(8)));
+    return top;
   }
 
+  // The right end of percentages.
+  double find_end() const { return to_hundredths(size_.sum() - scale(8)); }
+
   void draw_axis() {
-    const auto [step, unit, name] = choose_ticks(length_s());
+    constexpr double ROOM = 95;  // pixels for a label
+    const double most = style_.is_figure() ? std::max(2.0, size_.width / scale(ROOM / 2)) : 14;
+    const auto [step, unit, name] = choose_ticks(length_s(), most);
     const auto begin = to_nanoseconds(trace_.begin_s), end = to_nanoseconds(trace_.end_s);
     std::string grid;
     for (auto tick = (begin + step - 1) / step * step; tick <= end && begin < end; tick += step) {
-      const double x =
-          LEFT + WIDTH * static_cast<double>(tick - begin) / static_cast<double>(end - begin);
-      grid += fmt::format("M{:.1f} {}V{}", x, TOP - 4, bottom_ + 2);
-      for (const int y : {TOP - 8, bottom_ + 16})
-        print("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>", x, y, tick / unit);
+      const double x = size_.left + size_.width * static_cast<double>(tick - begin) /
+                                        static_cast<double>(end - begin);
+      grid += fmt::format("M{:.1f} {}V{}", x, top_ - scale(4), to_hundredths(bottom_ + scale(2)));
+      for (const double y : {top_ - scale(8), bottom_ + scale(16)})
+        print("<text x=\"{:.1f}\" y=\"{}\" text-anchor=\"middle\">{}</text>", x, to_hundredths(y),
+              tick / unit);
     }
     if (grid.empty()) return;
-    print("\n<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>\n", LEFT - 24, bottom_ + 16,
-          name);
-    print("<path d=\"{}\" stroke=\"#ddd\"/>\n", grid);
+    print("\n<text x=\"{}\" y=\"{}\" text-anchor=\"end\">{}</text>\n",
+          to_hundredths(size_.left - scale(style_.is_figure() ? 8 : 24)),
+          to_hundredths(bottom_ + scale(16)), name);
+    print("<path d=\"{}\" stroke=\"#ddd\" stroke-width=\"{}\"/>\n", grid, scale(1));
   }
 
-  // Draws a row's name, its percentage of busy time and the line at its bottom.
-  void draw_frame(int y, int height, const std::string& name, double busy_s, bool is_small) {
-    const int size = std::min(is_small ? 9 : 12, height + 1);
-    if (size >= 9) {
+  // Draws a row's name, its percentage of busy time and its base line.
+  void draw_frame(double y, double height, const std::string& name, double busy_s, bool is_small) {
+    const double size = std::min(scale(is_small ? 9 : 12), height + scale(1));
+    if (size >= scale(9)) {
       const auto attributes =
           fmt::format("y=\"{}\" text-anchor=\"end\" font-size=\"{}\" fill=\"{}\"",
-                      y + height / 2 + size / 3, size, is_small ? "#666" : "#222");
-      print("<text x=\"{}\" {}>{}</text>", LEFT - 8, attributes,
-            base::escape_xml(shorten(name, is_small ? 26 : 20)));
-      print("<text x=\"{}\" {}>{:.1f} %</text>\n", LEFT + WIDTH + RIGHT - 8, attributes,
+                      to_hundredths(y + height / 2 + size / 3), size, is_small ? "#666" : "#222");
+      // letters that fit beside the row
+      const auto most = static_cast<std::size_t>((size_.left - scale(8)) / (0.58 * size));
+      print("<text x=\"{}\" {}>{}</text>", to_hundredths(size_.left - scale(8)), attributes,
+            base::escape_xml(shorten(name, most)));
+      print("<text x=\"{}\" {}>{:.1f} %</text>\n", find_end(), attributes,
             length_s() > 0 ? 100 * busy_s / length_s() : 0.0);
     }
-    print("<path d=\"M{} {}h{}\" stroke=\"#ccc\" stroke-width=\"0.5\"/>\n", LEFT, y + height,
-          WIDTH);
+    print("<path d=\"M{} {}h{}\" stroke=\"#ccc\" stroke-width=\"{}\"/>\n", size_.left,
+          to_hundredths(y + height), to_hundredths(size_.width), scale(0.5));
   }
 
-  // Draws an area. Its height in each column is the sum of the column's fractions of the activities
-  // in `doing`. Callers draw areas on top of each other, the largest first. If a column lies
-  // between an empty and a full one, draws a vertical edge within the column instead, at a position
-  // that shows the fraction.
-  void draw_area(const TimelineRow& row, int height, std::initializer_list<std::size_t> doing,
+  // Draws an area whose height in each column is the sum of the column's fractions in `doing`.
+  // Callers draw areas on top of each other, the largest first. In a column between an empty and a
+  // full one, draws a step within the column instead: its position shows the fraction.
+  void draw_area(const TimelineRow& row, double height, std::initializer_list<std::size_t> doing,
                  const char* name, const char* colour) {
-    const int full = 2 * height;  // in half pixels
+    const int full = static_cast<int>(std::lround(2 * height / unit()));  // half units
     std::vector<double> shares;
     std::vector<int> levels;
     for (const auto& column : row.columns) {
@@ -187,14 +257,18 @@ class Chart {
         draw_step(left, levels[x]);
     }
     if (path.empty()) return;
-    print("<path class=\"{}\" fill=\"{}\" d=\"M0 0{}H{}V0Z\"/>\n", name, colour, path,
+    print("<path class=\"{}\" fill=\"{}\" {}d=\"M0 0{}H{}V0Z\"/>\n", name, colour,
+          style_.is_figure() ? fmt::format("transform=\"scale({:.4f})\" ", unit()) : "", path,
           levels.size());
   }
 
-  void draw_cpu(std::size_t i, int y) {
-    const int height = heights_.cpu;
+  // The width of a column. Areas are drawn in this unit.
+  double unit() const { return size_.width / static_cast<double>(size_.columns); }
+
+  void draw_cpu(std::size_t i, double y) {
+    const double height = heights_.cpu;
     draw_frame(y, height, trace_.processors[i], timeline_.cpus[i].busy_s, false);
-    print("<g transform=\"translate({},{})\">\n", LEFT, y + height);
+    print("<g transform=\"translate({},{})\">\n", size_.left, to_hundredths(y + height));
     constexpr auto high = static_cast<std::size_t>(Trace::Doing::high);
     constexpr auto low = static_cast<std::size_t>(Trace::Doing::low);
     constexpr auto switching = static_cast<std::size_t>(Trace::Doing::switching);
@@ -205,26 +279,27 @@ class Chart {
     print("</g>\n");
   }
 
-  // Draws a thin line at the start of each period of a process, and the process's name if there is
-  // room.
-  void draw_stretches(const std::vector<TimelineStretch>& stretches, int height) {
+  // Draws a thin line at the start of each stretch, and the name of its process if there is room.
+  void draw_stretches(const std::vector<TimelineStretch>& stretches, double height) {
     std::string begins;
     for (const auto& stretch : stretches) {
-      begins += fmt::format("M{:.1f} 0v{}", stretch.from, -height);
+      const double from = unit() * stretch.from, to = unit() * stretch.to;
+      begins += fmt::format("M{:.1f} 0v{}", from, -height);
       const auto& name = trace_.processes[stretch.process].name;
-      if (height < 20 || stretch.to - stretch.from < 6.0 * static_cast<double>(length_of(name)) + 8)
+      if (height < scale(20) || to - from < scale(6.0 * static_cast<double>(length_of(name)) + 8))
         continue;
-      print("<text x=\"{:.1f}\" y=\"-6\" font-size=\"11\">{}</text>\n", stretch.from + 4,
-            base::escape_xml(name));
+      print("<text x=\"{:.1f}\" y=\"{}\" font-size=\"{}\">{}</text>\n", from + scale(4), -scale(6),
+            scale(11), base::escape_xml(name));
     }
-    if (!begins.empty()) print("<path d=\"{}\" stroke=\"white\" stroke-width=\"0.7\"/>\n", begins);
+    if (!begins.empty())
+      print("<path d=\"{}\" stroke=\"white\" stroke-width=\"{}\"/>\n", begins, scale(0.7));
   }
 
-  void draw_link(std::uint32_t i, int y) {
+  void draw_link(std::uint32_t i, double y) {
     const auto& row = timeline_.links[i];
     draw_frame(y, heights_.link, "to " + trace_.processors[trace_.links[i].to], row.busy_s, true);
-    print("<g transform=\"translate({},{})\">\n", LEFT, y + heights_.link);
-    draw_area(row, heights_.link - 1, {0}, "message", MESSAGE);
+    print("<g transform=\"translate({},{})\">\n", size_.left, to_hundredths(y + heights_.link));
+    draw_area(row, heights_.link - scale(1), {0}, "message", MESSAGE);
     print("</g>\n");
   }
 
@@ -270,21 +345,23 @@ class Chart {
   }
 
   const Trace& trace_;
-  std::size_t shown_;  // number of processors that are drawn
+  const base::FigureStyle& style_;
+  std::size_t shown_;  // number of processors
+  ChartSize size_;
   Heights heights_;
   Timeline timeline_;
   std::vector<std::vector<std::uint32_t>> links_;  // links drawn, by processor
-  int bottom_ = 0;                                 // lower edge of all rows, in pixels
-  int right_ = RIGHT;                              // width of the right margin, in pixels
-  int told_ = 0;                                   // height of the text on a fault, in pixels
+  double top_ = 0, bottom_ = 0;                    // upper and lower edge of all rows
   std::string text_;
 };
 
 }  // namespace
 
-void save_timeline(const Trace& trace, std::ostream& out) {
+void save_timeline(const Trace& trace, std::ostream& out) { out << draw_timeline(trace, {}); }
+
+std::string draw_timeline(const Trace& trace, const base::FigureStyle& style) {
   check(trace);
-  out << Chart(trace).draw();
+  return Chart(trace, style).draw();
 }
 
 }  // namespace observe

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "base/figure_style.hpp"
 #include "simulator/machine/cpu.hpp"
 
 namespace observe {
@@ -71,5 +72,7 @@ void save_paje(const Trace& trace, std::ostream& out);
 /// heights show their fractions of the time. Draws at most 64 processors; the others are only
 /// counted.
 void save_timeline(const Trace& trace, std::ostream& out);
+/// Returns the same chart in the size and font of a figure.
+std::string draw_timeline(const Trace& trace, const base::FigureStyle& style);
 
 }  // namespace observe

@@ -150,14 +150,12 @@ std::string Sheet::finish(const std::string& title) const {
       "<title>{}</title>\n",
       size, left, top, width, height, base::escape_xml(style_.font),
       base::escape_xml(base::blank_controls(title)));
-  // In dark mode, browsers invert the lightness and keep the hues. Figures are for paper.
+  // figures are for paper
   if (!style_.is_figure())
     svg += fmt::format(
-        "<style>@media screen and (prefers-color-scheme: dark) "
-        "{{ .drawing {{ filter: invert(0.914) hue-rotate(180deg); }} }}</style>\n"
-        "<rect class=\"paper\" fill=\"#ffffff\" x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" "
+        "{}\n<rect class=\"paper\" fill=\"#ffffff\" x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" "
         "height=\"{:.2f}\"/>\n",
-        left, top, width, height);
+        base::DARK_MODE, left, top, width, height);
   return svg + text_ + "</svg>\n";
 }
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include <algorithm>
 #include <map>
 #include <numeric>
@@ -175,6 +177,24 @@ TEST(TimelineSvg, SaysHowManyProcessorsItLeavesOut) {
   const auto svg = saved(save_timeline, trace);
   expect_well_formed(svg);
   EXPECT_TRUE(contains(svg, "the first 64 of 100 processors"));
+}
+
+// The parts of a figure add up to its width: names, time axis and percentages. Its legend breaks.
+TEST(Timeline, OfAFigureHasItsWidthAndFont) {
+  const base::FigureStyle style{.width_mm = 85, .font = "DejaVu Serif", .font_pt = 8};
+  const auto svg = draw_timeline(make_small_trace(), style);
+  expect_well_formed(svg);
+  EXPECT_TRUE(contains(svg, "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"85mm\""));
+  EXPECT_TRUE(contains(svg, "viewBox=\"0 0 240.94 "));
+  EXPECT_TRUE(contains(svg, "font-family=\"DejaVu Serif\" font-size=\"8\""));
+  EXPECT_FALSE(contains(svg, "class=\"paper\""));
+  std::set<std::string> lines;  // heights of the legend's texts
+  for (const auto* name : {"low priority", "message on a link"}) {
+    const auto end = svg.find(std::string(">") + name), y = svg.rfind("y=\"", end);
+    lines.insert(svg.substr(y, end - y));
+  }
+  EXPECT_EQ(lines.size(), 2u);
+  EXPECT_TRUE(contains(saved(save_timeline, make_small_trace()), "class=\"paper\""));
 }
 
 }  // namespace
