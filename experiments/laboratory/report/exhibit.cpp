@@ -48,9 +48,11 @@ std::string name_curve(const Figure& figure, std::size_t y, const std::string& v
   return values.empty() ? label : fmt::format("{}, {}", label, values);
 }
 
-// Makes a curve for each combination of values of the distinguishing axes. Adds a row to `left_out`
-// if its x or y refers to a row that is missing.
-std::vector<Series> make_curves(const Figure& figure, const Rows& rows, RowList& left_out) {
+// Makes a curve for each combination of values of the distinguishing axes. Rows whose value refers
+// to missing rows are added to `left_out`. Curves of several y keep their complete names, because
+// no title of the legend could name what distinguishes them.
+std::vector<Series> make_curves(const Figure& figure, const Rows& rows, RowList& left_out,
+                                std::string& legend_title) {
   const auto chosen = choose_rows(rows, figure.where);
   const auto axes = choose_axes(figure, rows.table(), chosen);
   std::vector<Series> curves;
@@ -63,6 +65,7 @@ std::vector<Series> make_curves(const Figure& figure, const Rows& rows, RowList&
     }
   average_points(curves, rows.table());
   sort_points(curves);
+  if (figure.y.size() == 1) legend_title = label_series(curves, rows.table(), axes);
   if (figure.y.size() == 1 && rows.table().find(figure.spec.y[0]))
     for (auto& curve : curves) curve.column = figure.spec.y[0];
   return curves;
@@ -91,8 +94,15 @@ std::vector<std::optional<double>> find_published(Exhibit& exhibit, const Figure
 // from them.
 void compare_curve(Exhibit& exhibit, const PlotSpec& spec, const Series& curve, std::size_t i,
                    const std::vector<std::optional<double>>& published) {
-  const auto name = (curve.name.empty() ? "" : curve.name + ", ") + spec.reference_name;
-  Series reference{.name = name, .x = {}, .y = {}, .kind = SeriesKind::reference, .of = i};
+  const auto add_name = [&](const std::string& of) {
+    return (of.empty() ? "" : of + ", ") + spec.reference_name;
+  };
+  Series reference{.name = add_name(curve.name),
+                   .x = {},
+                   .y = {},
+                   .kind = SeriesKind::reference,
+                   .of = i,
+                   .label = add_name(curve.short_name())};
   Series difference{.name = "", .x = {}, .y = {}, .of = i};
   for (std::size_t k = 0; k < curve.rows.size(); ++k) {
     const auto& value = published[curve.rows[k]];
@@ -361,7 +371,8 @@ std::optional<Exhibit> make_exhibit(const Figure& figure, const Rows& rows,
                                     std::vector<std::string>& nothing) {
   const PlotSpec& spec = figure.spec;
   RowList left_out;
-  const auto curves = make_curves(figure, rows, left_out);
+  std::string legend_title;
+  const auto curves = make_curves(figure, rows, left_out, legend_title);
   const auto note = note_left_out(rows.table(), left_out);
   if (curves.empty()) {
     nothing.push_back(fmt::format("The plot {} has no points. {}", spec.name, note.value_or("")));
@@ -369,6 +380,7 @@ std::optional<Exhibit> make_exhibit(const Figure& figure, const Rows& rows,
   }
   Exhibit exhibit;
   exhibit.plot = make_plot(figure, curves);
+  exhibit.plot.legend_title = legend_title;
   if (note) exhibit.notes.push_back(*note);
   if (figure.reference) add_reference(exhibit, figure, rows, curves);
   if (spec.fit != Law::none) add_fits(exhibit, figure, rows, curves);

@@ -49,6 +49,8 @@ Plot make_plot(const Table& table, std::size_t x, std::size_t y) {
   plot.x_label = make_label(table.columns[x]);
   plot.y_label = make_label(plot.name);
   plot.series = make_series(table, x, y);
+  plot.legend_title =
+      label_series(plot.series, table, choose_series_axes(table, all_rows(table), {x}));
   return plot;
 }
 
@@ -70,7 +72,7 @@ double choose_efficiency_end(const Plot& plot) {
 }  // namespace
 
 std::string Series::key() const {
-  return fitted.empty() ? name : fmt::format("{} ({})", name, fitted);
+  return fitted.empty() ? short_name() : fmt::format("{} ({})", short_name(), fitted);
 }
 
 std::vector<std::size_t> choose_series_axes(const Table& table, const RowList& rows,
@@ -78,9 +80,25 @@ std::vector<std::size_t> choose_series_axes(const Table& table, const RowList& r
   std::vector<std::size_t> axes;
   for (std::size_t axis = 0; axis < table.axes; ++axis)
     if (std::ranges::find(x, axis) == x.end() && !is_seed(table.columns[axis]) &&
-        distinct(table, rows, axis).size() > 1 && !is_determined(table, rows, axis, x))
-      axes.push_back(axis);
+        distinct(table, rows, axis).size() > 1) {
+      auto before = x;
+      before.insert(before.end(), axes.begin(), axes.end());
+      if (!is_determined(table, rows, axis, before)) axes.push_back(axis);
+    }
   return axes;
+}
+
+std::string label_series(std::vector<Series>& all, const Table& table,
+                         const std::vector<std::size_t>& axes) {
+  std::vector<std::string> names;
+  for (const auto axis : axes) names.push_back(make_label(table.columns[axis]));
+  for (auto& series : all) {
+    if (series.rows.empty() || axes.empty()) continue;
+    std::vector<std::string> values;
+    for (const auto axis : axes) values.push_back(to_string(table.rows[series.rows[0]][axis]));
+    series.label = join_texts(values, ", ");
+  }
+  return join_texts(names, ", ");
 }
 
 void add_point(std::vector<Series>& all, const std::string& name, std::size_t row, double x,
@@ -248,7 +266,10 @@ std::vector<Plot> plot_growth(const Table& growth) {
       series.name = name_values(growth, group[0], axes);
       plot.series.push_back(std::move(series));
     }
-    if (plot.series.size() == 1) plot.series[0].name = "";
+    if (plot.series.size() == 1)
+      plot.series[0].name = "";
+    else
+      plot.legend_title = label_series(plot.series, growth, axes);
     plots.push_back(std::move(plot));
   }
   return plots;

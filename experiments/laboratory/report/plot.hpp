@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/figure_style.hpp"
 #include "experiments/laboratory/table/axis_values.hpp"
 #include "experiments/laboratory/table/samples.hpp"
 #include "experiments/laboratory/table/table.hpp"
@@ -21,8 +22,8 @@ enum class SeriesKind {
 };
 
 struct Series {
-  std::string name;  ///< name in the legend; "": not in the legend
-  /// coordinates of the points; both have the same length; points that are not finite are not drawn
+  std::string name;  ///< complete name, for sentences; "": not in the legend
+  /// coordinates of the points, equally many; non-finite points are not drawn
   std::vector<double> x, y;
   SeriesKind kind = SeriesKind::curve;
   /// Index of the curve that this series belongs to, and whose colour and symbol it has. Unused if
@@ -41,8 +42,11 @@ struct Series {
   std::vector<RowSamples> samples = {};
   /// result of a fit, which follows the name in the legend: "s = 0.01 ± 0.02"
   std::string fitted = {};
+  /// name in a legend whose title names the axes: "50" for "50 objects"; "": `name`
+  std::string label = {};
 
-  std::string key() const;  ///< the text in the legend: name and result of the fit
+  const std::string& short_name() const { return label.empty() ? name : label; }
+  std::string key() const;  ///< the text in the legend: short name and fit
 };
 
 struct Plot {
@@ -58,7 +62,9 @@ struct Plot {
   /// true if the plot shows speed-up over the number of processors
   bool is_speedup = false;
   bool log_x = false, log_y = false;
-  std::optional<double> y_min, y_max;  ///< ends of the y axis; no value: chosen from the points
+  std::optional<double> y_min, y_max;  ///< range of the y axis; absent: chosen from the points
+  std::string legend_title = {};       ///< axes that distinguish the series: "topology, objects"
+  base::FigureStyle figure = {};       ///< size of the plot's figure; without a width: none
 };
 
 /// Makes the default plots of a program, for those of its columns that have values. The plot of the
@@ -83,8 +89,8 @@ std::vector<Plot> plot_growth(const Table& growth);
 /// smallest, or 32 times for the column "workers".
 bool wants_log_x(const std::string& column, const std::vector<double>& values);
 
-/// Chooses the axes whose values distinguish the series. These axes vary in the given rows, are not
-/// used in x, and are not determined by x. `x` lists the axes that x uses.
+/// Chooses the axes that distinguish the series. They vary in these rows, are not part of x, and
+/// are not determined by x and the axes before them. `x` lists the axes of x.
 std::vector<std::size_t> choose_series_axes(const Table& table, const RowList& rows,
                                             const std::vector<std::size_t>& x);
 
@@ -93,7 +99,12 @@ std::vector<std::size_t> choose_series_axes(const Table& table, const RowList& r
 void add_point(std::vector<Series>& all, const std::string& name, std::size_t row, double x,
                double y);
 
-/// Replaces points that differ only in the seed by their mean and its 95 % confidence interval.
+/// Gives the curves short labels, which are their values of these axes. Returns the names of the
+/// axes, which are the title of the legend.
+std::string label_series(std::vector<Series>& all, const Table& table,
+                         const std::vector<std::size_t>& axes);
+
+/// Replaces points that differ only in the seed by their mean, with a 95 % confidence interval.
 void average_points(std::vector<Series>& all, const Table& table);
 
 /// Adds a band to each curve that has no error bars and whose column has intervals. Where all drawn

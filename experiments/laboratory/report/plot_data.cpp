@@ -48,6 +48,7 @@ ordered_json make_series(const Series& s, std::size_t of, const Table& table) {
                        {"dashes", look.dashes},
                        {"symbol", look.symbol},
                        {"points", make_points(s, table)}};
+  if (s.name != s.short_name()) made["full"] = s.name;
   if (!band.empty()) made["band"] = std::move(band);
   if (s.has_bars) made["bars"] = true;
   return made;
@@ -86,6 +87,7 @@ std::string make_plot_data(const Plot& plot, const Table& table) {
                        {"y", {{"label", plot.y_label}, {"log", plot.log_y}}},
                        {"ideal", plot.ideal_line},
                        {"series", ordered_json::array()}};
+  if (!plot.legend_title.empty()) data["legend"] = plot.legend_title;
   if (plot.y_min) data["y"]["min"] = *plot.y_min;
   if (plot.y_max) data["y"]["max"] = *plot.y_max;
   std::size_t curves = 0;

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <kainjow/mustache.hpp>
-#include <set>
 #include <stdexcept>
 
+#include "experiments/laboratory/report/plot_axes.hpp"
 #include "experiments/laboratory/report/report_files.hpp"
 
 namespace laboratory {
@@ -15,33 +15,7 @@ namespace {
 
 namespace mustache = kainjow::mustache;
 
-struct Dot {
-  double x, y;
-};
-
-// The points of a series that can be drawn; on a logarithmic scale these are the positive ones.
-std::vector<Dot> drawn_points(const Plot& plot, const Series& s, bool log_y) {
-  if (s.x.size() != s.y.size())
-    throw std::invalid_argument(fmt::format("plot {}: the series \"{}\" has {} x but {} y",
-                                            plot.name, s.name, s.x.size(), s.y.size()));
-  std::vector<Dot> points;
-  for (std::size_t i = 0; i < s.x.size(); ++i)
-    if (std::isfinite(s.x[i]) && std::isfinite(s.y[i]) && (!plot.log_x || s.x[i] > 0) &&
-        (!log_y || s.y[i] > 0))
-      points.push_back({s.x[i], s.y[i]});
-  return points;
-}
-
-std::vector<Dot> upper_points(const Plot& plot, const Series& series) {
-  return drawn_points(plot, series, plot.log_y);
-}
-
-// The points of a series in the lower panel, whose y scale is always linear.
-std::vector<Dot> lower_points(const Plot& plot, const Series& series) {
-  return drawn_points(plot, series, false);
-}
-
-// Formats the band of a curve as lines of x, low and high. Skips points that cannot be drawn.
+// Formats the edges of a curve's band as x, low and high. Skips points that cannot be drawn.
 std::string make_band(const Plot& plot, const Series& s) {
   std::string text;
   for (std::size_t i = 0; i < s.low.size(); ++i)
@@ -70,134 +44,8 @@ std::string make_data_block(const std::string& name, const std::vector<Dot>& poi
   return text + "END\n";
 }
 
-struct Extent {
-  double low = INFINITY, high = -INFINITY;
-  void add(double value) {
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-};
-
-// The ranges of the points, from which the plot's axes are chosen.
-struct Axes {
-  Extent x, y, difference;
-  std::set<double> marks;    // x of all points of the upper panel, except points of laws
-  bool is_doubling = false;  // true if the x scale is logarithmic and its ticks are powers of two
-};
-
-bool is_power_of_two(double value) {
-  return value > 0 && std::exp2(std::round(std::log2(value))) == value;
-}
-
-Axes measure_axes(const Plot& plot) {
-  Axes axes;
-  for (const auto& series : plot.series)
-    for (const auto& point : upper_points(plot, series)) {
-      axes.x.add(point.x);
-      axes.y.add(point.y);
-      if (series.kind != SeriesKind::law) axes.marks.insert(point.x);
-    }
-  for (const auto& series : plot.series)
-    for (std::size_t i = 0; i < series.low.size(); ++i)
-      for (const double edge : {series.low[i], series.high[i]})
-        if (!plot.log_y || edge > 0) axes.y.add(edge);
-  for (const auto& series : plot.differences)
-    for (const auto& point : lower_points(plot, series)) {
-      axes.x.add(point.x);
-      axes.difference.add(point.y);
-    }
-  axes.is_doubling = plot.log_x && std::ranges::all_of(axes.marks, is_power_of_two);
-  return axes;
-}
-
-// Sets logarithmic scales. The base for x is 2 if its ticks are powers of two; if there is an ideal
-// line, y has the same base. Otherwise the base is 10.
-std::string make_scales(const Plot& plot, const Axes& axes) {
-  const int x_base = axes.is_doubling ? 2 : 10;
-  std::string text;
-  if (plot.log_x) text += fmt::format("set logscale x {}\n", x_base);
-  if (plot.log_y) text += fmt::format("set logscale y {}\n", plot.ideal_line ? x_base : 10);
-  return text;
-}
-
-std::string make_x_range(const Plot& plot, const Extent& x) {
-  const double ratio = x.high > x.low && plot.log_x ? std::pow(x.high / x.low, 0.04) : 1.5;
-  const double margin = x.high > x.low ? 0.04 * (x.high - x.low) : 0.5;
-  return fmt::format("set xrange [{}:{}]\n", plot.log_x ? x.low / ratio : x.low - margin,
-                     plot.log_x ? x.high * ratio : x.high + margin);
-}
-
-// Makes the ticks of x. A logarithmic scale with few points has a tick at each point; a short
-// linear scale with integers has a tick at each integer. `labelled` is false for the upper one of
-// two panels, because the numbers are below the lower panel.
-std::string make_x_ticks(const Plot& plot, const Axes& axes, bool labelled) {
-  if (plot.log_x && axes.marks.size() <= 12) {
-    std::vector<std::string> ticks;
-    for (const double mark : axes.marks)
-      ticks.push_back(fmt::format("'{}' {}", labelled ? fmt::format("{:g}", mark) : "", mark));
-    return fmt::format("set xtics ({})\n", join_texts(ticks, ", "));
-  }
-  const bool are_integers =
-      std::ranges::all_of(axes.marks, [](double mark) { return mark == std::floor(mark); });
-  if (are_integers && !plot.log_x && axes.x.high - axes.x.low <= 20) return "set xtics 1\n";
-  return "";
-}
-
-// Limits the y axis if the ideal line lies far above the points, because the curves would look flat
-// otherwise.
-std::string make_linear_y_range(const Plot& plot, const Axes& axes) {
-  const Extent &x = axes.x, &y = axes.y;
-  std::string low = "*", high = "*";
-  if (plot.y_min) low = fmt::format("{}", *plot.y_min);
-  if (plot.y_max) high = fmt::format("{}", *plot.y_max);
-  if (plot.ideal_line && !plot.y_max && x.high > 2.5 * y.high && y.high > 0)
-    high = fmt::format("{}", 1.5 * y.high);
-  return fmt::format("set yrange [{}:{}]\n", low, high);
-}
-
-// Makes ticks at 1, 2 and 5 times each power of ten, if the largest value is at most 300 times the
-// smallest. Powers of ten alone would be too few ticks then.
-std::string make_log_ticks(double low, double high) {
-  if (high > 300 * low) return {};
-  std::vector<std::string> ticks;
-  for (double power = std::pow(10, std::floor(std::log10(low))); power <= high; power *= 10)
-    for (const double factor : {1, 2, 5})
-      if (const double tick = factor * power; tick >= low && tick <= high)
-        ticks.push_back(fmt::format("'{0:.6g}' {0:.6g}", tick));
-  if (ticks.empty()) return {};
-  return fmt::format("set ytics ({})\n", join_texts(ticks, ", "));
-}
-
-std::string make_y_range(const Plot& plot, const Axes& axes) {
-  if (!plot.log_y) return make_linear_y_range(plot, axes);
-  const Extent &x = axes.x, &y = axes.y;
-  const double margin = std::max(1.1, std::pow(y.high / y.low, 0.06));
-  const double low = plot.y_min && *plot.y_min > 0 ? *plot.y_min : y.low / margin;
-  double high = plot.y_max.value_or(y.high * margin);
-  if (plot.ideal_line && !plot.y_max) high = std::max(high, std::min(x.high, 2 * y.high));
-  return fmt::format("set yrange [{}:{}]\n", low, high) +
-         (axes.is_doubling && plot.ideal_line ? "" : make_log_ticks(low, high));
-}
-
-// Chooses the distance of ticks on an axis of this length: the smallest of 1, 2 or 5 times a power
-// of ten that fits at most `most` times.
-double choose_step(double length, double most) {
-  const double least = length / most, power = std::pow(10, std::floor(std::log10(least)));
-  for (const double factor : {1, 2, 5})
-    if (factor * power >= least) return factor * power;
-  return 10 * power;
-}
-
-// Sets the y range of the lower panel. It includes 0, and has a margin of at least half a percent.
-std::string make_difference_range(const Extent& difference) {
-  const double margin = std::max(0.1 * (difference.high - difference.low), 0.5);
-  const double low = std::min(0.0, difference.low) - margin;
-  const double high = std::max(0.0, difference.high) + margin;
-  return fmt::format("set yrange [{}:{}]\nset ytics {}\n", low, high, choose_step(high - low, 5));
-}
-
-// Okabe and Ito's colours, which colour-blind readers can distinguish, the darkest first. Without
-// yellow, which is invisible on white.
+// Okabe and Ito's colours, distinct for colour-blind readers, darkest first, without yellow, which
+// is invisible on white.
 constexpr const char* COLOURS[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                    "#E69F00", "#56B4E9", "#000000"};
 // gnuplot's numbers for the symbols that Look::symbol lists.
@@ -205,23 +53,34 @@ constexpr int FILLED[] = {7, 5, 9, 13, 11, 15, 2, 1, 3};
 constexpr int OPEN[] = {6, 4, 8, 12, 10, 14, 2, 1, 3};
 constexpr const char* DASHES[] = {"", "12,6", "3,5", "12,5,3,5", "12,4,3,4,3,4"};
 
-std::string make_style(SeriesKind kind, std::size_t look) {
+// Lengths of dashes for gnuplot: "(12,6)".
+std::string make_dashes(const char* gaps) {
+  return *gaps ? fmt::format("dashtype ({})", gaps) : "dashtype solid";
+}
+
+// Formats the width of a line: "linewidth 2".
+std::string make_width(const PlotSize& size, double width) {
+  return fmt::format("linewidth {:.4g}", size.scale(width));
+}
+
+std::string make_style(SeriesKind kind, std::size_t look, const PlotSize& size) {
   const auto [code, gaps, shape] = look_of(look);
   const auto colour = fmt::format("linecolor rgb '{}'", code);
-  const std::string dashes = *gaps ? fmt::format("({})", gaps) : "solid";
+  const auto dashes = make_dashes(gaps);
   switch (kind) {
     case SeriesKind::curve:
-      return fmt::format("with linespoints {} linewidth 2 dashtype {} pointtype {} pointsize 1",
-                         colour, dashes, FILLED[shape]);
+      return fmt::format("with linespoints {} {} {} pointtype {} pointsize 1", colour,
+                         make_width(size, 2), dashes, FILLED[shape]);
     case SeriesKind::reference:
-      return fmt::format("with points {} linewidth 2 pointtype {} pointsize 1.5", colour,
-                         OPEN[shape]);
+      return fmt::format("with points {} {} pointtype {} pointsize 1.5", colour,
+                         make_width(size, 2), OPEN[shape]);
     case SeriesKind::law:
-      return fmt::format("with lines {} linewidth 1 dashtype solid", colour);
+      return fmt::format("with lines {} {} dashtype solid", colour, make_width(size, 1));
     case SeriesKind::mark:
       break;
   }
-  return "with points linecolor rgb '#000000' linewidth 1.5 pointtype 6 pointsize 2.4";
+  return fmt::format("with points linecolor rgb '#000000' {} pointtype 6 pointsize 2.4",
+                     make_width(size, 1.5));
 }
 
 // The parts of gnuplot's command `plot` for one panel, and the data blocks that they use.
@@ -238,32 +97,35 @@ struct Panel {
   std::string join() const { return join_texts(curves, ", \\\n     "); }
 };
 
-// Adds error bars, which lie behind the symbols of their curve. Point type 0 draws no symbol.
-void add_bars(Panel& panel, std::size_t series, const std::string& bars, const Look& look) {
+// Adds error bars, behind the symbols of their curve. Point type 0 has no symbol.
+void add_bars(Panel& panel, std::size_t series, const std::string& bars, const Look& look,
+              const PlotSize& size) {
   if (bars.empty()) return;
   panel.data += fmt::format("$bars{} << END\n{}END\n", series, bars);
-  panel.curves.push_back(fmt::format(
-      "$bars{} with yerrorbars linecolor rgb '{}' linewidth 1.5 dashtype solid pointtype 0 "
-      "pointsize 0 notitle",
-      series, look.colour));
+  panel.curves.push_back(
+      fmt::format("$bars{} with yerrorbars linecolor rgb '{}' {} dashtype solid pointtype 0 "
+                  "pointsize 0 notitle",
+                  series, look.colour, make_width(size, 1.5)));
 }
 
-Panel make_upper(const Plot& plot) {
+// Adds the ideal line and the level, dashed.
+void add_guides(Panel& panel, const Plot& plot, const PlotSize& size) {
+  const auto style =
+      fmt::format("with lines linecolor rgb '#707070' {} dashtype (18,9)", make_width(size, 1.5));
+  if (plot.ideal_line) panel.curves.push_back(fmt::format("x {} title 'ideal'", style));
+  if (plot.level) panel.curves.push_back(fmt::format("{} {} notitle", *plot.level, style));
+}
+
+Panel make_upper(const Plot& plot, const PlotSize& size) {
   Panel panel;
-  if (plot.ideal_line)
-    panel.curves.push_back(
-        "x with lines linecolor rgb '#707070' linewidth 1.5 dashtype (18,9) title 'ideal'");
-  if (plot.level)
-    panel.curves.push_back(
-        fmt::format("{} with lines linecolor rgb '#707070' linewidth 1.5 dashtype (18,9) notitle",
-                    *plot.level));
-  std::size_t banded = 0;  // number of curves; bands and error bars are drawn behind them
+  add_guides(panel, plot, size);
+  std::size_t banded = 0;  // number of curves, behind which bands and bars are drawn
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& s = plot.series[i];
     if (s.kind != SeriesKind::curve) continue;
     const auto look = look_of(banded++);
     if (s.has_bars) {
-      add_bars(panel, i, make_bars(plot, s), look);
+      add_bars(panel, i, make_bars(plot, s), look, size);
       continue;
     }
     const auto edges = make_band(plot, s);
@@ -275,49 +137,51 @@ Panel make_upper(const Plot& plot) {
                     i, look.colour));
   }
   std::size_t curve = 0;
+  const auto longest = arrange_legend(plot, size).longest;
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& s = plot.series[i];
     const auto look = s.kind == SeriesKind::curve ? curve++ : s.of;
-    panel.add(fmt::format("data{}", i), upper_points(plot, s), make_style(s.kind, look),
-              s.name.empty() ? "notitle" : "title " + quote_for_gnuplot(s.key()));
+    panel.add(fmt::format("data{}", i), upper_points(plot, s), make_style(s.kind, look, size),
+              s.name.empty() ? "notitle"
+                             : "title " + quote_for_gnuplot(shorten_middle(s.key(), longest)));
   }
   return panel;
 }
 
-Panel make_lower(const Plot& plot) {
+Panel make_lower(const Plot& plot, const PlotSize& size) {
   Panel panel;
-  panel.curves.push_back("0 with lines linecolor rgb '#707070' linewidth 1 dashtype solid notitle");
+  panel.curves.push_back(fmt::format(
+      "0 with lines linecolor rgb '#707070' {} dashtype solid notitle", make_width(size, 1)));
   for (std::size_t i = 0; i < plot.differences.size(); ++i) {
     const Series& s = plot.differences[i];
     panel.add(fmt::format("difference{}", i), lower_points(plot, s),
-              make_style(SeriesKind::curve, s.of), "notitle");
+              make_style(SeriesKind::curve, s.of, size), "notitle");
   }
   return panel;
 }
 
-// Heights in pixels of the parts of a drawing that is 800 pixels wide, from the bottom: the legend,
-// x label and numbers, the lower panel with a gap above it, the upper panel, the title.
-constexpr int KEY_MARGIN = 8, KEY_LINE = 21, BELOW = 62, LOWER = 130, GAP = 16, UPPER = 325,
-              ABOVE = 50;
-
-// Layout of the legend. It has no more columns than gnuplot itself would choose, so that the number
-// of its lines is known in advance.
-struct Key {
-  int lines = 0, columns = 1;
-};
-
-Key arrange_key(const Plot& plot) {
-  std::size_t entries = plot.ideal_line ? 1 : 0, longest = 5;
-  for (const auto& series : plot.series) {
-    entries += !series.name.empty();
-    longest = std::max(longest, width_of(series.key()));
-  }
-  const auto columns = std::max<std::size_t>(1, 700 / (90 + 10 * longest));
-  const auto lines = (entries + columns - 1) / columns;
-  return {static_cast<int>(lines), static_cast<int>(columns)};
+// Lines of the label of x, which is centred below the axis.
+std::vector<std::string> break_x_label(const Plot& plot, const PlotSize& size) {
+  const double length = find_x_length(plot, measure_axes(plot), size);
+  return break_label(plot.x_label, static_cast<std::size_t>(length / size.width_of(1)));
 }
 
-// Chooses the font size of the title so that the title fits.
+// Heights of a drawing from the bottom: legend, x label and numbers, lower panel with the gap above
+// it, upper panel, title. `lower` includes the gap; it is 0 without a lower panel.
+struct Heights {
+  double key, below, lower, gap, above;
+
+  Heights(const Plot& plot, const PlotSize& size)
+      : key(size.scale(8) + size.scale(21) * arrange_legend(plot, size).lines),
+        below(size.scale(62) +
+              size.scale(21) * static_cast<double>(break_x_label(plot, size).size() - 1)),
+        lower(plot.differences.empty() ? 0 : size.lower + size.scale(16)),
+        gap(size.scale(16)),
+        above(size.has_title ? size.scale(50) : size.scale(12)) {}
+  double sum(const PlotSize& size) const { return key + below + lower + size.upper + above; }
+};
+
+// Chooses the font size of the title: the longer the title, the smaller.
 std::string choose_title_size(const std::string& title) {
   // largest font size in points, and number of characters that fit in that size
   constexpr double LARGEST = 17, FITS = 58;
@@ -353,43 +217,67 @@ bool has_points(const Plot& plot) {
       plot.series, [&](const Series& series) { return !upper_points(plot, series).empty(); });
 }
 
-int choose_height(const Plot& plot) {
-  const int key = KEY_MARGIN + KEY_LINE * arrange_key(plot).lines;
-  return key + BELOW + (plot.differences.empty() ? 0 : LOWER + GAP) + UPPER + ABOVE;
+int choose_height(const Plot& plot, const PlotSize& size) {
+  return static_cast<int>(std::ceil(Heights(plot, size).sum(size)));
 }
 
-std::string make_gnuplot_script(const Plot& plot) {
+namespace {
+
+// Quotes the lines of a label. A line end becomes "\n" in gnuplot's language.
+std::string quote_lines(const std::vector<std::string>& lines) {
+  std::string quoted;
+  for (const auto& line : lines) {
+    const auto one = quote_for_gnuplot(line);
+    quoted += (quoted.empty() ? "\"" : "\\n") + one.substr(1, one.size() - 2);
+  }
+  return quoted + "\"";
+}
+
+mustache::object make_labels(const Plot& plot, const PlotSize& size) {
+  return {{"title", size.has_title ? quote_for_gnuplot(plot.title) : "\"\""},
+          {"title_size", choose_title_size(plot.title)},
+          {"key_title",
+           plot.legend_title.empty() ? "" : "title " + quote_for_gnuplot(plot.legend_title + ":")},
+          {"x_label", quote_lines(break_x_label(plot, size))},
+          {"y_label", quote_lines(break_y_label(plot.y_label, size.upper, size))},
+          {"lower_label", quote_lines(break_y_label(plot.difference_label, size.lower, size))}};
+}
+
+}  // namespace
+
+std::string make_gnuplot_script(const Plot& plot, const PlotSize& size) {
   if (!has_points(plot))
     throw std::invalid_argument(fmt::format("plot {}: no points to draw", plot.name));
   const Axes axes = measure_axes(plot);
-  const Panel upper = make_upper(plot), lower = make_lower(plot);
-  // distance of the upper panel from the lower edge of the drawing, pixels
-  const int bottom = choose_height(plot) - ABOVE - UPPER;
-  const Key key = arrange_key(plot);
-  const auto edge = [&](int pixels) {
-    return fmt::format("{:.4f}", pixels / static_cast<double>(choose_height(plot)));
+  const Panel upper = make_upper(plot, size), lower = make_lower(plot, size);
+  const Heights heights(plot, size);
+  const auto margins = find_margins(plot, axes, size);
+  const double bottom = heights.key + heights.below + heights.lower;  // edge of the upper panel
+  const auto edge = [&](double height) {
+    return fmt::format("{:.4f}", height / choose_height(plot, size));
   };
-  mustache::object page = {{"data", upper.data + lower.data},
-                           {"scales", make_scales(plot, axes)},
-                           {"x_range", make_x_range(plot, axes.x)},
-                           {"x_ticks", make_x_ticks(plot, axes, true)},
-                           {"title", quote_for_gnuplot(plot.title)},
-                           {"title_size", choose_title_size(plot.title)},
-                           {"key_top", edge(KEY_MARGIN + KEY_LINE * key.lines)},
-                           {"key_columns", std::to_string(key.columns)},
-                           {"x_label", quote_for_gnuplot(plot.x_label)},
-                           {"y_label", quote_for_gnuplot(plot.y_label)},
-                           {"y_range", make_y_range(plot, axes)},
-                           {"bottom", edge(bottom)},
-                           {"top", edge(bottom + UPPER)},
-                           {"curves", upper.join()},
-                           {"lower", !plot.differences.empty()},
-                           {"x_marks", make_x_ticks(plot, axes, false)},
-                           {"lower_label", quote_for_gnuplot(plot.difference_label)},
-                           {"lower_range", make_difference_range(axes.difference)},
-                           {"lower_bottom", edge(bottom - GAP - LOWER)},
-                           {"lower_top", edge(bottom - GAP)},
-                           {"lower_curves", lower.join()}};
+  const auto across = [&](double width) { return fmt::format("{:.4f}", width / size.width); };
+  auto page = make_labels(plot, size);
+  page.insert({{"data", upper.data + lower.data},
+               {"scales", make_scales(plot, axes)},
+               {"x_range", make_x_range(plot, axes.x)},
+               {"x_ticks", make_x_ticks(plot, axes, size, true)},
+               {"line", fmt::format("{:.4g}", size.scale(1))},
+               {"grid", fmt::format("{:.4g}", size.scale(0.8))},
+               {"key_top", edge(heights.key)},
+               {"key_columns", std::to_string(arrange_legend(plot, size).columns)},
+               {"y_range", make_y_range(plot, axes)},
+               {"left", across(margins.left)},
+               {"right", across(size.width - margins.right)},
+               {"bottom", edge(bottom)},
+               {"top", edge(bottom + size.upper)},
+               {"curves", upper.join()},
+               {"lower", !plot.differences.empty()},
+               {"x_marks", make_x_ticks(plot, axes, size, false)},
+               {"lower_range", make_difference_range(axes.difference)},
+               {"lower_bottom", edge(bottom - heights.lower)},
+               {"lower_top", edge(bottom - heights.gap)},
+               {"lower_curves", lower.join()}});
   mustache::mustache script(PLOT_TEMPLATE);
   script.set_custom_escape([](const std::string& text) { return text; });
   return script.render(page);

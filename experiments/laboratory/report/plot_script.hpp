@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "experiments/laboratory/report/plot.hpp"
+#include "experiments/laboratory/report/plot_layout.hpp"
 
 namespace laboratory {
 
@@ -24,13 +25,12 @@ Look look_of(std::size_t curve);
 /// sequence or command in it. Control characters become blanks.
 std::string quote_for_gnuplot(std::string_view text);
 
-/// Makes the script of a plot. It sets neither terminal nor output. Throws std::invalid_argument
-/// with the plot's name if the plot has no points, or if a series has different numbers of x and y.
-std::string make_gnuplot_script(const Plot& plot);
+/// Makes the script of a plot, without terminal and output. Throws std::invalid_argument with the
+/// plot's name if the plot has no points, or a series has different numbers of x and y.
+std::string make_gnuplot_script(const Plot& plot, const PlotSize& size = {});
 
-/// The height in pixels of the drawing if it is 800 pixels wide. A long legend and a second panel
-/// add to it.
-int choose_height(const Plot& plot);
+/// The height of the drawing. It grows with the legend, a second panel, and labels of two lines.
+int choose_height(const Plot& plot, const PlotSize& size = {});
 
 /// True if the plot has a point that can be drawn: it is finite, and positive on a logarithmic
 /// scale. Throws as make_gnuplot_script() does for a series with different numbers of x and y.

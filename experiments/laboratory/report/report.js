@@ -111,8 +111,8 @@
   })).sort((a, b) => a.x - b.x);
 
   class Plot {
-    constructor(still, {title, x, y, ideal, series, difference, laws = []}) {
-      Object.assign(this, {x, y, laws, log: {x: x.log, y: y.log}});
+    constructor(still, {title, x, y, ideal, series, difference, legend, laws = []}) {
+      Object.assign(this, {x, y, laws, legend, log: {x: x.log, y: y.log}});
       const all = series.map(s => s.kind === "mark" ? {...s, ...MARK} : s);
       this.series = ideal ? [IDEAL, ...all] : all;
       this.curves = series.filter(s => s.kind === "curve");
@@ -172,6 +172,7 @@
 
     addEntries(bar, entries) {
       bar.hidden = entries.length === 0;
+      if (this.legend && entries.length) bar.append(make("span", {class: "axes"}, `${this.legend}:`));
       for (const s of entries) {
         const title = "on and off; with Shift: this one alone";
         const button = this.addButton(bar, "", title, () => !this.hidden.has(s), event => {
@@ -334,7 +335,7 @@
       tip.append(make("div", {}, `${this.x.label} ${tell(chosen.x)}`));
       for (const at of panel.rows.filter(({x}) => x === chosen.x).sort((a, b) => b.y - a.y))
         tip.append(make("div", {class: at === chosen ? "this" : undefined}, makeSwatch(at.s),
-                        `${at.s.name || unitless(panel.label)} `, make("b", {}, tell(at.y)),
+                        `${at.s.full || at.s.name || unitless(panel.label)} `, make("b", {}, tell(at.y)),
                         at.s.bars && at.low < at.high ? ` ± ${tell((at.high - at.low) / 2)}` : ""));
       if (points[chosen.point]?.loads.length)
         tip.append(make("div", {class: "hint"}, "click: why"));
@@ -359,7 +360,7 @@
       const next = near[near.indexOf(now) + (chosen ? way : 0)] ?? now, {s, k, x, y} = next;
       graph.setSelection(rows.indexOf(next), String(k));
       this.said.textContent =
-          `${s.name ? s.name + ", " : ""}${this.x.label} ${tell(x)}: ${panel.label} ${tell(y)}`;
+          `${s.name ? (s.full || s.name) + ", " : ""}${this.x.label} ${tell(x)}: ${panel.label} ${tell(y)}`;
     }
 
     // Shows the details of the selected point. `goes` moves the focus there.

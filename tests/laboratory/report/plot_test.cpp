@@ -99,12 +99,13 @@ TEST(ExperimentsPlots, OtherAxesAreNamedReadably) {
               .axes = 4,
               .rows = {}};
   for (const int w : {1, 2})
-    for (const bool fast : {false, true})
-      table.rows.push_back(
-          {integer(w), fast ? 20.0 : 5.0, integer(fast ? 15 : 3), fast ? "true" : "false", 1.0});
-  EXPECT_EQ(series_names(make_usual_plots(table).at(0)),
-            (Names{"link rate 5 Mbit/s, depth 3, order false",
-                   "link rate 20 Mbit/s, depth 15, order true"}));
+    for (const double rate : {5.0, 20.0})
+      for (const int depth : {3, 15})
+        for (const char* order : {"false", "true"})
+          table.rows.push_back({integer(w), rate, integer(depth), order, 1.0});
+  const auto names = series_names(make_usual_plots(table).at(0));
+  EXPECT_EQ(names.front(), "link rate 5 Mbit/s, depth 3, order false");
+  EXPECT_EQ(names.back(), "link rate 20 Mbit/s, depth 15, order true");
 }
 
 Plot awkward_plot() {
