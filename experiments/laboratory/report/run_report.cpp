@@ -30,6 +30,7 @@
 #include "experiments/laboratory/report/plot_data.hpp"
 #include "experiments/laboratory/report/plot_script.hpp"
 #include "experiments/laboratory/report/report.hpp"
+#include "experiments/laboratory/report/si_prefix.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
 #include "experiments/laboratory/table/samples.hpp"
 #include "experiments/laboratory/uncertain/confidence.hpp"
@@ -253,9 +254,14 @@ void add_plots(Report& report, Texts& undrawn, const fs::path& folder, const Tab
                std::vector<Exhibit> exhibits) {
   std::erase_if(exhibits, [](const Exhibit& exhibit) { return !has_points(exhibit.plot); });
   std::vector<Plot> plots;
-  for (const auto& exhibit : exhibits) plots.push_back(exhibit.plot);
+  for (auto& exhibit : exhibits) {
+    choose_prefixes(exhibit.plot);
+    plots.push_back(exhibit.plot);
+  }
   if (plots.empty()) return;
   make_folders(folder);
+  if (std::ranges::any_of(plots, [](const Plot& plot) { return plot.figure.is_figure(); }))
+    make_folders(folder.parent_path() / "figures");
   const auto failures = draw_plots(plots, folder);
   for (std::size_t i = 0; i < exhibits.size(); ++i) {
     const Exhibit& e = exhibits[i];
