@@ -247,9 +247,25 @@ std::set<std::string> input_names(const ExperimentFile& file, const Table& table
 
 std::vector<std::string> first_result(const ExperimentFile& file, const Table& table) {
   const auto inputs = input_names(file, table);
+  const auto is_leading = [&](const std::string& column) {
+    return std::ranges::any_of(programs_of(file), [&](const auto* program) {
+      return std::ranges::find(program->shows.leading, column) != program->shows.leading.end();
+    });
+  };
   for (const auto& column : table.columns)
-    if (!inputs.contains(column)) return {column};
+    if (!inputs.contains(column) && !is_leading(column)) return {column};
   return {};
+}
+
+std::vector<programs::UsualPlot> find_common_plots(const ExperimentFile& file) {
+  const auto all = programs_of(file);
+  auto plots = all[0]->shows.plots;
+  for (const auto* program : all)
+    std::erase_if(plots, [&](const programs::UsualPlot& plot) {
+      return std::ranges::find(program->shows.plots, plot.column, &programs::UsualPlot::column) ==
+             program->shows.plots.end();
+    });
+  return plots;
 }
 
 }  // namespace laboratory

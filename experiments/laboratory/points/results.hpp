@@ -46,6 +46,8 @@ std::set<std::string> input_names(const ExperimentFile& file, const Table& table
 
 /// The first column that is a result and not an input, as a list; empty if all columns are inputs.
 std::vector<std::string> first_result(const ExperimentFile& file, const Table& table);
+/// The default plots that all programs of the file share.
+std::vector<programs::UsualPlot> find_common_plots(const ExperimentFile& file);
 
 /// What the program of the points shows of its results. If there are several programs, the default.
 const programs::Shows& shows_of(const ExperimentFile& file);

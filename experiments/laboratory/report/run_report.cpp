@@ -171,7 +171,7 @@ Texts load_columns(const ExperimentFile& file, const Table& table) {
 
 // Makes the plots for an experiment that declares none.
 std::vector<Plot> usual_plots(const ExperimentFile& file, const Table& table) {
-  const auto& plots = shows_of(file).plots;
+  const auto plots = find_common_plots(file);
   return plots.empty() ? make_plots(table, first_result(file, table)) : make_plots(table, plots);
 }
 
