@@ -49,7 +49,7 @@ std::string make_tornado_script(const std::string& column, const std::vector<Wei
          "set yrange [0.4:" +
          fmt::format("{}.6]\n", sorted.size()) + "set title " +
          quote("Influence of assumptions on " + column) +
-         " font ',15' noenhanced\nset ytics noenhanced\nset xlabel 'change of the result, %'\n"
+         " font ',15' noenhanced\nset ytics noenhanced\nset xlabel 'change of the result [%]'\n"
          "plot $bars using (0):1:(0):2:($1-0.35):($1+0.35) with boxxyerror linecolor rgb '#0072B2' "
          "title 'at 95 % of its range', $bars using (0):1:(0):(-$2):($1-0.35):($1+0.35) with "
          "boxxyerror linecolor rgb '#D55E00' title 'at 5 %'\n";
