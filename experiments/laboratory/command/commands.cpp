@@ -19,6 +19,7 @@
 #include "experiments/laboratory/command/completion.hpp"
 #include "experiments/laboratory/command/help.hpp"
 #include "experiments/laboratory/command/run.hpp"
+#include "experiments/laboratory/figure/pdf.hpp"
 #include "experiments/laboratory/guide/keys.hpp"
 #include "experiments/laboratory/host/elapsed_time.hpp"
 #include "experiments/laboratory/host/error_text.hpp"
@@ -42,12 +43,14 @@ namespace {
 // Throws if they disagree.
 std::string choose_format(const std::string& asked, const std::string& file) {
   static const std::map<std::string, std::string> ENDINGS = {
-      {".dot", "dot"}, {".gv", "dot"}, {".graphml", "graphml"}, {".svg", "svg"}, {".csv", "csv"}};
+      {".dot", "dot"}, {".gv", "dot"},  {".graphml", "graphml"},
+      {".svg", "svg"}, {".pdf", "pdf"}, {".csv", "csv"}};
   const auto ending = base::to_lower(std::filesystem::path(file).extension().string());
   const auto said = ENDINGS.find(ending);
   if (said == ENDINGS.end()) {
-    base::require(!asked.empty() || ending.empty() || ending == ".txt", "-o " + file,
-                  "found another ending, expected .svg, .dot, .gv, .graphml or .csv, or --format");
+    base::require(
+        !asked.empty() || ending.empty() || ending == ".txt", "-o " + file,
+        "found another ending, expected .svg, .pdf, .dot, .gv, .graphml or .csv, or --format");
     return asked.empty() ? "metrics" : asked;
   }
   base::require(asked.empty() || asked == said->second, "-o " + file,
@@ -56,15 +59,20 @@ std::string choose_format(const std::string& asked, const std::string& file) {
 }
 
 void add_topology_command(CLI::App& app) {
-  using Write = std::string (*)(const topologies::Topology&);
+  using Write = std::string (*)(const topologies::Topology&, const base::FigureStyle&);
   static const std::vector<std::pair<std::string, Write>> FORMATS = {
-      {"metrics", topologies::to_metrics},
-      {"dot", topologies::to_dot},
-      {"graphml", topologies::to_graphml},
+      {"metrics", [](auto& topology, auto&) { return topologies::to_metrics(topology); }},
+      {"dot", [](auto& topology, auto&) { return topologies::to_dot(topology); }},
+      {"graphml", [](auto& topology, auto&) { return topologies::to_graphml(topology); }},
       {"svg", topologies::to_svg},
-      {"csv", topologies::to_csv}};
+      {"pdf",
+       [](auto& topology, auto& style) {
+         return svg_to_pdf(topologies::to_svg(topology, style), topology.name);
+       }},
+      {"csv", [](auto& topology, auto&) { return topologies::to_csv(topology); }}};
   struct Options {
     std::string spec, format, routes, output;
+    FigureSpec figure;
   };
   auto* command = app.add_subcommand("topology", "print the metrics of a topology, or export it");
   auto o = std::make_shared<Options>();
@@ -78,13 +86,18 @@ void add_topology_command(CLI::App& app) {
   command->add_option("--routes", o->routes,
                       "routes to measure instead of the shortest: xy, or a CSV file from,to,path");
   command->add_option("-o,--output", o->output, "write to this file");
+  add_figure_options(*command, o->figure);
   command->footer(
       "Examples:\n  tlab topology torus:4x4\n  tlab topology tree:13 --format svg -o tree.svg\n  "
+      "tlab topology tree:13 -o tree.pdf --width column\n  "
       "tlab topology mesh:8x8 --routes xy");
   command->callback([o] {
     o->format = choose_format(o->format, o->output);
     base::require(o->routes.empty() || o->format == "metrics", "--routes",
                   "found --format {}, expected metrics: other formats contain no routes",
+                  o->format);
+    base::require(!o->figure.is_given() || o->format == "svg" || o->format == "pdf",
+                  "--width, --font, --font-size", "found --format {}, expected svg or pdf",
                   o->format);
     const auto format =
         std::ranges::find(FORMATS, o->format, &decltype(FORMATS)::value_type::first);
@@ -92,7 +105,7 @@ void add_topology_command(CLI::App& app) {
       const ElapsedTime elapsed_time(fmt::format("topology {}", o->spec));
       const auto topology = topologies::make_topology(o->spec);
       return o->routes.empty()
-                 ? format->second(topology)
+                 ? format->second(topology, o->figure.make_style({}))
                  : topologies::to_metrics(topology, topologies::find_routes(topology, o->routes));
     }();
     if (o->output.empty())
@@ -152,16 +165,20 @@ void add_report_command(CLI::App& app) {
   struct Options {
     std::string folder;
     std::vector<std::string> columns;
+    FigureSpec figure;
   };
   auto o = std::make_shared<Options>();
   command->add_option("DIR", o->folder, "folder of results")->required();
   command->add_option("--columns", o->columns, COLUMNS_HELP)
       ->delimiter(',')
       ->allow_extra_args(false);
-  command->footer("Examples:\n  tlab report results/farm --columns time_s,speedup");
+  add_figure_options(*command, o->figure);
+  command->footer(
+      "Examples:\n  tlab report results/farm --columns time_s,speedup\n  tlab report results/farm "
+      "--width column --font 'DejaVu Serif' --font-size 9");
   command->callback([o] {
     for (auto& name : o->columns) name = trim_name(name);
-    report_results(o->folder, o->columns);
+    report_results(o->folder, o->columns, o->figure);
   });
 }
 

@@ -70,6 +70,7 @@ void print_paths(const fs::path& output, const std::set<std::string>& images) {
     if (fs::exists(output / table)) print_out("  table    {}\n", (output / table).string());
   for (const auto& image : images) print_out("  image    {}\n", (output / image).string());
   if (fs::exists(output / "plots")) print_out("  plots    {}\n", (output / "plots").string());
+  if (fs::exists(output / "figures")) print_out("  figures  {}\n", (output / "figures").string());
 }
 
 void print_films(const FilmOptions& films) {
@@ -242,7 +243,7 @@ void run_chosen_points(const RunOptions& options) {
   check_same_experiment(folder, file);
   const CheckPlan checks = plan_checks(file);
   const StoreGuard guard(folder);
-  const PointsPlan plan(options, file, inspect_names(checks, file), run_recorded_point, draw_fault);
+  const PointsPlan plan(options, file, inspect_names(checks, file), record_points(file));
   Results results = find_points(plan, numbers);
   std::vector<std::size_t> missing;
   for (const auto i : numbers)

@@ -11,6 +11,7 @@
 
 #include "base/errors.hpp"
 #include "base/text.hpp"
+#include "base/whole_file.hpp"
 #include "experiments/laboratory/figure/svg_style.hpp"
 
 namespace laboratory {
@@ -274,6 +275,13 @@ std::string svg_to_pdf(const std::string& svg, const std::string& name) {
     if (status != CAIRO_STATUS_SUCCESS)
       throw std::runtime_error(fmt::format("{}: Cairo: {}", name, cairo_status_to_string(status)));
   return pdf;
+}
+
+void save_figure(const std::filesystem::path& results, const std::string& name,
+                 const std::string& svg) {
+  const auto file = results / "figures" / name;
+  base::save_whole(file.string() + ".svg", svg);
+  base::save_whole(file.string() + ".pdf", svg_to_pdf(svg, name));
 }
 
 }  // namespace laboratory

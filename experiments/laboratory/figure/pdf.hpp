@@ -1,5 +1,6 @@
 #pragma once
 // Conversion of drawings to PDF with Cairo.
+#include <filesystem>
 #include <string>
 
 namespace laboratory {
@@ -10,5 +11,9 @@ namespace laboratory {
 /// base::InvariantBroken for an element, path command or colour that such drawings do not contain,
 /// and base::BadInput for malformed XML.
 std::string svg_to_pdf(const std::string& svg, const std::string& name);
+
+/// Writes NAME.svg and NAME.pdf into the folder "figures" of `results`, which must exist.
+void save_figure(const std::filesystem::path& results, const std::string& name,
+                 const std::string& svg);
 
 }  // namespace laboratory

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "base/fields.hpp"
+#include "base/figure_style.hpp"
 
 namespace laboratory {
 
@@ -57,6 +58,23 @@ struct BaselineSpec {
   std::string column() const { return "speedup_" + name; }
 };
 
+/// Keys of a figure for a paper. Absent ones are those of [report], else the defaults.
+struct FigureSpec {
+  std::string width;                ///< "column", "page" or "none"; "": absent
+  std::string font;                 ///< name of a font family; "": absent
+  std::optional<double> font_size;  ///< points
+
+  /// The style of the figure, whose absent keys are those of `common`. Without a width there is no
+  /// figure.
+  base::FigureStyle make_style(const FigureSpec& common) const;
+  bool is_given() const { return !width.empty() || !font.empty() || font_size; }
+  /// Replaces the keys that `other` has.
+  void override_with(const FigureSpec& other);
+};
+
+/// The fields of a FigureSpec, as options.
+const base::Fields<FigureSpec>& figure_fields();
+
 enum class Law { none, amdahl, gustafson, sun_ni, log };
 
 /// One [[plot]]. Its columns may also be names from [let], or expressions.
@@ -80,6 +98,7 @@ struct PlotSpec {
   /// expression for G(n), the growth of the work with n processors in Sun and Ni's law
   std::string growth;
   bool optimum = false;  ///< marks the largest y of each curve
+  FigureSpec figure;     ///< size and font of the plot's figure
 };
 
 /// One [[best]]: finds the values of the axes `over` that optimise `of`, separately for each
@@ -104,6 +123,7 @@ struct BestSpec {
 struct ReportSpec {
   std::string networks = "none";  ///< networks to draw with their loads: "all", "largest" or "none"
   std::vector<std::string> columns = {};  ///< result columns to show beside the axes, or "all"
+  FigureSpec figure = {};                 ///< size and font of all figures
 };
 
 }  // namespace laboratory

@@ -181,6 +181,15 @@ std::vector<Definition> read_definitions(const Place& at) {
 
 // ---- [[plot]], [[best]] and [report] ----
 
+// Appends the fields of a FigureSpec to those of a P that has one.
+template <class P>
+base::Fields<P> add_figure_fields(base::Fields<P> all) {
+  const auto fields = base::lift_all<P>(
+      figure_fields(), [](auto& spec) -> auto& { return spec.figure; });
+  all.insert(all.end(), fields.begin(), fields.end());
+  return all;
+}
+
 const base::Fields<PlotSpec>& plot_fields() {
   using S = PlotSpec;
   using D = base::Declare<S>;
@@ -189,7 +198,7 @@ const base::Fields<PlotSpec>& plot_fields() {
                                         {"sun-ni", Law::sun_ni},
                                         {"log", Law::log},
                                         {"none", Law::none}};
-  static const base::Fields<S> all = {
+  static const auto all = add_figure_fields<S>({
       D::text("name", &S::name, "name of the plot's files, without ending"),
       D::text("title", &S::title, "above it"),
       D::text("x", &S::x, "column, name of [let] or expression of the x axis, as in checks"),
@@ -212,10 +221,10 @@ const base::Fields<PlotSpec>& plot_fields() {
                 "law to fit to each curve: amdahl, gustafson, sun-ni, or log (y = a + k log10 x)"),
       D::text("growth", &S::growth,
               "for sun-ni: growth factor of the parallel work, an expression as y"),
-      D::flag(
-          "optimum", &S::optimum,
-          "true: marks the largest y of each curve and states whether the curve falls afterwards"),
-  };
+      D::flag("optimum", &S::optimum,
+              "true: marks the largest y of each curve and states whether the curve falls "
+              "afterwards"),
+  });
   return all;
 }
 
@@ -251,13 +260,13 @@ const base::Fields<BaselineSpec>& baseline_fields() {
 
 const base::Fields<ReportSpec>& report_fields() {
   using D = base::Declare<ReportSpec>;
-  static const base::Fields<ReportSpec> all = {
+  static const auto all = add_figure_fields<ReportSpec>({
       D::one_of("networks", &ReportSpec::networks, {"all", "largest", "none"},
                 "networks to draw with their loads: all, largest or none"),
-      D::texts(
-          "columns", &ReportSpec::columns,
-          "results that the table shows beside the axes, or [\"all\"]; results.csv always has all"),
-  };
+      D::texts("columns", &ReportSpec::columns,
+               "results that the table shows beside the axes, or [\"all\"]; results.csv always "
+               "has all"),
+  });
   return all;
 }
 
@@ -338,6 +347,47 @@ void read_section(Spec& spec, const base::Fields<Spec>& fields, const Place& at)
 }
 
 }  // namespace
+
+const base::Fields<FigureSpec>& figure_fields() {
+  using F = FigureSpec;
+  using D = base::Declare<F>;
+  constexpr double SMALLEST_FONT = 4, LARGEST_FONT = 24;
+  Domain family{Domain::Kind::text};
+  family.expected = "the name of one font family, without commas";
+  static const base::Fields<F> all = {
+      D::one_of(
+          "width", &F::width, {"column", "page", "none"},
+          "draws also for papers, as PDF and SVG: column (85 mm wide), page (178 mm) or none"),
+      D::custom(
+          "font", family, "", "font family of figures for papers; default: sans-serif",
+          [](F& figure, const Scalar& value) {
+            figure.font = std::get<std::string>(value);
+            return !figure.font.empty() && figure.font.find(',') == std::string::npos;
+          },
+          [](const F& figure) -> Scalar { return figure.font; }),
+      D::number("font_size", &F::font_size, SMALLEST_FONT, LARGEST_FONT, "pt",
+                "font size of figures for papers; default: 8; 4..24"),
+  };
+  return all;
+}
+
+base::FigureStyle FigureSpec::make_style(const FigureSpec& common) const {
+  constexpr double COLUMN_MM = 85, PAGE_MM = 178;
+  const auto& chosen = width.empty() ? common.width : width;
+  base::FigureStyle style;
+  style.width_mm = chosen == "column" ? COLUMN_MM : chosen == "page" ? PAGE_MM : 0;
+  for (const auto* one : {&common, this}) {
+    if (!one->font.empty()) style.font = one->font;
+    if (one->font_size) style.font_pt = *one->font_size;
+  }
+  return style;
+}
+
+void FigureSpec::override_with(const FigureSpec& other) {
+  if (!other.width.empty()) width = other.width;
+  if (!other.font.empty()) font = other.font;
+  if (other.font_size) font_size = other.font_size;
+}
 
 std::vector<FaultSpec> read_faults(const Place& at) { return read_records(at, fault_fields()); }
 

@@ -2,6 +2,7 @@
 
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
+#include "experiments/laboratory/figure/pdf.hpp"
 #include "experiments/laboratory/film/film.hpp"
 #include "experiments/laboratory/host/error_text.hpp"
 #include "experiments/laboratory/host/link_files.hpp"
@@ -14,15 +15,24 @@ namespace {
 
 namespace fs = std::filesystem;
 using base::require;
-using Save = void (*)(const observe::Trace&, std::ostream&);
+
+// Writes a trace. Only a timeline has a style.
+using Save = void (*)(const observe::Trace&, std::ostream&, const base::FigureStyle&);
 
 // Finds the function that writes a trace, by the file's extension; null if the extension is
 // unknown.
 Save find_format(const std::string& file) {
   const auto ending = fs::path(file).extension();
-  if (ending == ".json") return &observe::save_chrome;
-  if (ending == ".paje" || ending == ".trace") return &observe::save_paje;
-  return ending == ".svg" ? &observe::save_timeline : nullptr;
+  if (ending == ".json") return [](auto& trace, auto& out, auto&) { save_chrome(trace, out); };
+  if (ending == ".paje" || ending == ".trace")
+    return [](auto& trace, auto& out, auto&) { save_paje(trace, out); };
+  if (ending == ".svg")
+    return [](auto& trace, auto& out, auto& style) { out << draw_timeline(trace, style); };
+  if (ending == ".pdf")
+    return [](auto& trace, auto& out, auto& style) {
+      out << svg_to_pdf(draw_timeline(trace, style), "timeline");
+    };
+  return nullptr;
 }
 
 // Throws if an output file lies inside the results folder or cannot be written, so that the user
@@ -44,14 +54,41 @@ void check_single(const char* option, std::size_t points) {
 }
 
 void save_recordings(const Point& point, const RunOptions& options, observe::Trace& trace,
-                     const Film& film) {
+                     const Film& film, const base::FigureStyle& style) {
   const auto& said = point.experiment.title;
   const auto title = said.empty() ? fs::path(options.file).stem().string() : said;
   trace.title = point.at.empty() ? title : fmt::format("{}: {}", title, name_of(point));
   for (const auto& file : {options.trace, options.timeline})
     if (!file.empty())
-      base::save_whole(file, [&](std::ostream& out) { find_format(file)(trace, out); });
+      base::save_whole(file, [&](std::ostream& out) { find_format(file)(trace, out, style); });
   film.save(trace.title, trace);
+}
+
+// Runs a point as run_point() does, and writes the requested recordings, even if a fault ends the
+// simulation.
+PointResult run_recorded_point(const Point& point, const RunOptions& options,
+                               const fs::path& images, const base::FigureStyle& style) {
+  if (!options.wants_trace() && !options.films.is_asked()) return run_point(point, options, images);
+  check_films(options.films, point.experiment);
+  const bool draws = !options.films.network.empty();
+  Film film(options.films, draws ? make_workers(point.experiment) : topologies::Topology{},
+            options.from_s);
+  observe::Trace trace;
+  observe::RunMonitor monitor;
+  if (options.wants_trace()) monitor.trace = &trace;
+  if (options.films.is_asked()) monitor.observer = &film;
+  try {
+    auto result = run_point(point, options, images, monitor);
+    save_recordings(point, options, trace, film, style);
+    return result;
+  } catch (const machine::Fault&) {
+    try {
+      save_recordings(point, options, trace, film, style);
+    } catch (const std::exception& error) {  // the exception to report is the fault
+      complain(fmt::format("no trace or chart of the run so far: {}", describe_error(error)));
+    }
+    throw;
+  }
 }
 
 }  // namespace
@@ -59,9 +96,10 @@ void save_recordings(const Point& point, const RunOptions& options, observe::Tra
 void check_recordings(const RunOptions& options, const ExperimentFile& file, std::size_t points) {
   for (const auto& [option, path, endings] :
        {std::tuple("--trace", options.trace, ".json or .paje"),
-        std::tuple("--timeline", options.timeline, ".svg")}) {
+        std::tuple("--timeline", options.timeline, ".svg or .pdf")}) {
     if (path.empty()) continue;
-    const bool is_chart = fs::path(path).extension() == ".svg";
+    const auto ending = fs::path(path).extension();
+    const bool is_chart = ending == ".svg" || ending == ".pdf";
     require(find_format(path) && is_chart == (std::string_view(option) == "--timeline"), option,
             "found {}, expected a name that ends in {}", path, endings);
     check_single(option, points);
@@ -86,30 +124,11 @@ void check_recordings(const RunOptions& options, const ExperimentFile& file, std
     }
 }
 
-PointResult run_recorded_point(const Point& point, const RunOptions& options,
-                               const fs::path& images) {
-  if (!options.wants_trace() && !options.films.is_asked()) return run_point(point, options, images);
-  check_films(options.films, point.experiment);
-  const bool draws = !options.films.network.empty();
-  Film film(options.films, draws ? make_workers(point.experiment) : topologies::Topology{},
-            options.from_s);
-  observe::Trace trace;
-  observe::RunMonitor monitor;
-  if (options.wants_trace()) monitor.trace = &trace;
-  if (options.films.is_asked()) monitor.observer = &film;
-  try {
-    auto result = run_point(point, options, images, monitor);
-    save_recordings(point, options, trace, film);
-    return result;
-  } catch (const machine::Fault&) {
-    try {
-      save_recordings(point, options, trace, film);
-    } catch (const std::exception& error) {
-      // complains only, because the fault is the exception to report
-      complain(fmt::format("no trace or chart of the run so far: {}", describe_error(error)));
-    }
-    throw;
-  }
+RunPoint record_points(const ExperimentFile& file) {
+  return [style = file.report.figure.make_style({})](const Point& point, const RunOptions& options,
+                                                     const fs::path& images) {
+    return run_recorded_point(point, options, images, style);
+  };
 }
 
 }  // namespace laboratory

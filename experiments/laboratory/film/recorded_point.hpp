@@ -10,9 +10,8 @@ namespace laboratory {
 /// a file cannot be written.
 void check_recordings(const RunOptions& options, const ExperimentFile& file, std::size_t points);
 
-/// Simulates a point as run_point() does, and writes the requested recordings. Writes them even if
-/// a fault ends the simulation.
-PointResult run_recorded_point(const Point& point, const RunOptions& options,
-                               const std::filesystem::path& images);
+/// Returns a function that runs a point as run_point() does, and writes the requested recordings,
+/// even if a fault ends the simulation. Timelines have the size and font of [report].
+RunPoint record_points(const ExperimentFile& file);
 
 }  // namespace laboratory

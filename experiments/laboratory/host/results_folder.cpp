@@ -64,7 +64,9 @@ bool has_only(const fs::path& folder, const IsOurs& is_ours) {
   });
 }
 
-bool is_plot(const std::string& name) { return name.ends_with(".svg") || name.ends_with(".png"); }
+bool is_plot(const std::string& name) {
+  return name.ends_with(".svg") || name.ends_with(".png") || name.ends_with(".pdf");
+}
 
 // True for a file of a point's record, complete or left behind by a killed process.
 bool is_of_record(const std::string& name) {
@@ -84,16 +86,20 @@ bool is_store(const fs::path& folder) {
 // True if `tlab` writes an entry of this name into results folders. Other entries belong to the
 // user.
 bool is_result(const fs::path& entry) {
-  static const std::vector<std::string> FILES{
-      "results.csv", "results.schema.json", "checks.csv",    "fits.csv",        "best.csv",
-      "pays.csv",    "growth.csv",          "intervals.csv", "assumptions.csv", "rankings.csv",
-      "run.json",    "report.html"};
+  static const std::vector<std::string> FILES{"results.csv",     "results.schema.json",
+                                              "checks.csv",      "fits.csv",
+                                              "best.csv",        "pays.csv",
+                                              "growth.csv",      "intervals.csv",
+                                              "assumptions.csv", "rankings.csv",
+                                              "means.csv",       "run.json",
+                                              "report.html"};
   const auto name = entry.filename().string();
   if (fs::is_symlink(entry)) return false;
   if (is_of_desktop(entry)) return true;
   if (fs::is_directory(entry))
-    return name == "plots" || name == "networks" ? has_only(entry, is_plot)
-                                                 : name == "points" && is_store(entry);
+    return name == "plots" || name == "networks" || name == "figures"
+               ? has_only(entry, is_plot)
+               : name == "points" && is_store(entry);
   return std::ranges::find(FILES, name) != FILES.end() ||
          (name.starts_with("image-") &&
           (entry.extension() == ".png" || entry.extension() == ".exr" ||

@@ -67,6 +67,10 @@ void add_set_option(CLI::App& command, Overrides& overrides, const std::string& 
       ->allow_extra_args(false);
 }
 
+void add_figure_options(CLI::App& command, FigureSpec& figure) {
+  bind_options(command, figure_fields(), figure);
+}
+
 void add_run_options(CLI::App& command, RunOptions& options, const std::string& output,
                      const std::string& set) {
   options.jobs = std::max(1u, std::thread::hardware_concurrency());

@@ -24,8 +24,10 @@ void add_run_options(CLI::App& command, RunOptions& options, const std::string& 
 /// Adds the option --set, which appends to `overrides`.
 void add_set_option(CLI::App& command, Overrides& overrides, const std::string& help);
 
-/// Names of options that differ from the names of their fields: maps field name to option name,
-/// without "--".
+/// Adds --width, --font and --font-size, which set the keys of a figure.
+void add_figure_options(CLI::App& command, FigureSpec& figure);
+
+/// Options whose names differ from those of their fields: field to option, without "--".
 using Aliases = std::map<std::string, std::string>;
 
 /// Adds the option `--name`. `assign` receives its value, and returns "" if the value is valid, or

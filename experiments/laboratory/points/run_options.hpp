@@ -37,7 +37,7 @@ struct RunOptions {
   double until_s = std::numeric_limits<double>::infinity();
   double from_s = 0;     ///< simulated time at which trace, timeline and films start
   std::string trace;     ///< trace file of the only point: .json (Perfetto) or .paje; "": none
-  std::string timeline;  ///< file of the Gantt chart (.svg) of the only point; "": none
+  std::string timeline;  ///< Gantt chart of the only point: .svg or .pdf; "": none
   FilmOptions films;     ///< films of the only point
   bool list = false;
   std::vector<std::string> points;  ///< values of --point: "3" or "3-5", numbered from 0

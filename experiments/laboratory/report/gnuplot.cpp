@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <stdexcept>
 #include <thread>
 
 #include "base/host_program.hpp"
 #include "base/share.hpp"
 #include "base/whole_file.hpp"
+#include "experiments/laboratory/figure/pdf.hpp"
 #include "experiments/laboratory/host/error_text.hpp"
 #include "experiments/laboratory/report/plot_script.hpp"
 
@@ -28,14 +30,18 @@ std::string run_script(const std::string& script, const std::string& name) {
                             .remedy = "install gnuplot-nox"});
 }
 
-std::string on_svg(const std::string& script, const std::string& name, int height) {
+std::string make_id(const std::string& name) {
   std::string id = "plot_" + name;
   std::ranges::replace_if(
       id, [](unsigned char c) { return c >= 0x80 || !std::isalnum(c); }, '_');
+  return id;
+}
+
+std::string on_svg(const std::string& script, const std::string& name, int height) {
   return fmt::format(
       "set terminal svg noenhanced size 800,{} dynamic font 'sans-serif,15' linewidth 1 "
       "name '{}' background '#ffffff'\n{}",
-      height, id, script);
+      height, make_id(name), script);
 }
 
 std::string on_png(const std::string& script, int height) {
@@ -45,10 +51,16 @@ std::string on_png(const std::string& script, int height) {
       2 * height, script);
 }
 
+bool is_whole_svg(const std::string& svg) { return svg.find("</svg>") != std::string::npos; }
+
+[[noreturn]] void refuse_incomplete(const std::string& name) {
+  throw std::runtime_error(
+      fmt::format("plot {}: gnuplot left an incomplete drawing (is the memory full?)", name));
+}
+
 bool is_whole(const Drawing& drawing) {
   const std::string_view png = drawing.png;
-  return drawing.svg.find("</svg>") != std::string::npos && png.size() > 12 &&
-         png.substr(png.size() - 8, 4) == "IEND";
+  return is_whole_svg(drawing.svg) && png.size() > 12 && png.substr(png.size() - 8, 4) == "IEND";
 }
 
 // Escapes "]]>" in texts, which gnuplot writes unchanged. XML allows it only at the end of a CDATA
@@ -70,10 +82,31 @@ std::string escape_ends_of_cdata(std::string svg) {
 Drawing run_gnuplot(const std::string& script, const std::string& name, int height) {
   Drawing drawing{escape_ends_of_cdata(run_script(on_svg(script, name, height), name)),
                   run_script(on_png(script, height), name)};
-  if (!is_whole(drawing))
-    throw std::runtime_error(
-        fmt::format("plot {}: gnuplot left an incomplete drawing (is the memory full?)", name));
+  if (!is_whole(drawing)) refuse_incomplete(name);
   return drawing;
+}
+
+std::string draw_figure(const Plot& plot) {
+  const auto& style = plot.figure;
+  const auto size = choose_size(style);
+  const int height = choose_height(plot, size);
+  auto svg = escape_ends_of_cdata(run_script(
+      fmt::format(
+          "set terminal svg noenhanced size {:.0f},{} fixed font {} linewidth 1 name '{}'\n",
+          std::ceil(size.width), height,
+          quote_for_gnuplot(fmt::format("{},{:g}", style.font, style.font_pt)),
+          make_id(plot.name)) +
+          make_gnuplot_script(plot, size),
+      plot.name));
+  if (!is_whole_svg(svg)) refuse_incomplete(plot.name);
+  // gnuplot knows only whole numbers of pixels
+  const auto start = svg.find("<svg"), end = svg.find('>', start);
+  svg.replace(start, end - start,
+              fmt::format("<svg width=\"{:.6g}mm\" height=\"{}pt\" viewBox=\"0 0 {:.4f} {}\" "
+                          "xmlns=\"http://www.w3.org/2000/svg\" "
+                          "xmlns:xlink=\"http://www.w3.org/1999/xlink\"",
+                          style.width_mm, height, size.width, height));
+  return svg;
 }
 
 void draw_plot(const Plot& plot, const fs::path& folder) {
@@ -85,6 +118,7 @@ void draw_plot(const Plot& plot, const fs::path& folder) {
   const auto drawing = run_gnuplot(make_gnuplot_script(plot), plot.name, choose_height(plot));
   base::save_whole(folder / (plot.name + ".svg"), drawing.svg);
   base::save_whole(folder / (plot.name + ".png"), drawing.png);
+  if (plot.figure.is_figure()) save_figure(folder.parent_path(), plot.name, draw_figure(plot));
 }
 
 // Uses threads, not processes, since each thread only waits for its own gnuplot process.

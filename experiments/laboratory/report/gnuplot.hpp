@@ -21,9 +21,14 @@ struct Drawing {
 /// leaves an incomplete file.
 Drawing run_gnuplot(const std::string& script, const std::string& name, int height = 500);
 
-/// Writes NAME.svg and NAME.png into an existing folder. Their bytes depend only on the plot, and
-/// on gnuplot's version and fonts. Throws std::invalid_argument with the plot's name if the plot
-/// has no points, or if its name is not valid for a file. Throws as run_gnuplot() does, and
+/// Draws a plot as an SVG with the exact size of its Plot::figure, in which a user unit is a point.
+/// The background is transparent. Throws as run_gnuplot does.
+std::string draw_figure(const Plot& plot);
+
+/// Writes NAME.svg and NAME.png into an existing folder. A plot with a figure also gets NAME.svg
+/// and NAME.pdf in the folder "figures" beside it. The bytes depend only on the plot, and on
+/// gnuplot's version and fonts. Throws std::invalid_argument with the plot's name if the plot has
+/// no points, or its name is not valid for a file. Throws as run_gnuplot does, and
 /// std::system_error if a file cannot be written.
 void draw_plot(const Plot& plot, const std::filesystem::path& folder);
 

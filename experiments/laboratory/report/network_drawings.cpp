@@ -10,6 +10,7 @@
 
 #include "base/share.hpp"
 #include "base/whole_file.hpp"
+#include "experiments/laboratory/figure/pdf.hpp"
 #include "experiments/laboratory/host/error_text.hpp"
 #include "experiments/laboratory/host/link_files.hpp"
 #include "experiments/laboratory/points/point_store.hpp"
@@ -74,8 +75,14 @@ std::string make_caption(const Simulation& s, std::size_t point) {
   return join_texts(parts, ", ");
 }
 
-std::string draw(topologies::Topology topology, const programs::NetworkDrawing& drawing,
-                 const std::string& caption, const ordered_json& use) {
+// The topology as drawn, with its loads.
+struct LoadedNetwork {
+  topologies::Topology topology;
+  topologies::Loads loads;
+};
+
+LoadedNetwork load_network(topologies::Topology topology, const programs::NetworkDrawing& drawing,
+                           const std::string& caption, const ordered_json& use) {
   const auto cpus = read_cpus(use);
   auto links = read_links(use);
   topologies::Loads loads;
@@ -95,7 +102,7 @@ std::string draw(topologies::Topology topology, const programs::NetworkDrawing& 
   for (const auto& [name, to] : drawing.outsiders)
     loads.extras.push_back(
         {name, cpus.at(name), to, take_both_ways(links, name, to.empty() ? root : to).value()});
-  return to_load_svg(topology, loads);
+  return {std::move(topology), std::move(loads)};
 }
 
 // Makes a file name from the values of the axes, such as "topology-tree-workers-16", or from the
@@ -151,8 +158,14 @@ void draw_point(const fs::path& folder, const Simulation& s, Drawn& drawn) try {
   const auto& topology = drawn.network->topology;
   if (!drawn.failure.empty() || topology.processors > topologies::MAX_DRAWN) return;
   const auto use = load_record(folder / s.records[drawn.point]).use;
-  drawn.svg = draw(topology, *shows_of(s.file).network, make_caption(s, drawn.point), use);
-  base::save_whole(folder / drawing_of(s.file.points[drawn.point]), drawn.svg);
+  const auto network =
+      load_network(topology, *shows_of(s.file).network, make_caption(s, drawn.point), use);
+  drawn.svg = to_load_svg(network.topology, network.loads);
+  const auto& point = s.file.points[drawn.point];
+  base::save_whole(folder / drawing_of(point), drawn.svg);
+  if (const auto style = s.file.report.figure.make_style({}); style.is_figure())
+    save_figure(folder, "network-" + file_name(point),
+                to_load_svg(network.topology, network.loads, style));
 } catch (const std::exception& error) {
   drawn.failure = describe_error(error);
 }
@@ -172,7 +185,8 @@ NetworkDrawings draw_networks(const fs::path& folder, const RunOptions& options,
   if (s.file.report.networks == "none" || !shows_of(s.file).network) return networks;
   const auto is_largest = find_largest(s);
   make_folders(folder / "networks");
-  std::map<std::string, std::size_t> known;  // by network_key(): the index of the network in `made`
+  if (s.file.report.figure.make_style({}).is_figure()) make_folders(folder / "figures");
+  std::map<std::string, std::size_t> known;  // index of each network in `made`, by network_key
   std::vector<Network> made;
   // points to draw, each with the index of its network in `made`
   std::vector<std::pair<std::size_t, std::size_t>> asked;

@@ -248,8 +248,14 @@ void add_findings(Report& report, const std::vector<Exhibit>& exhibits, bool are
   for (const auto& exhibit : exhibits) append(report.findings, exhibit.findings);
 }
 
-// Draws the plots that have points into `folder`. `table` is the table whose rows the plots refer
-// to. Adds plots that could not be drawn to `undrawn`.
+// The figure of a plot, whose keys are in its [[plot]] or in [report].
+base::FigureStyle choose_figure(const ExperimentFile& file, const std::string& plot) {
+  const auto spec = std::ranges::find(file.plots, plot, &PlotSpec::name);
+  return (spec == file.plots.end() ? FigureSpec{} : spec->figure).make_style(file.report.figure);
+}
+
+// Draws the plots that have points into `folder`. Their rows are those of `table`. Adds failed
+// plots to `undrawn`.
 void add_plots(Report& report, Texts& undrawn, const fs::path& folder, const Table& table,
                std::vector<Exhibit> exhibits) {
   std::erase_if(exhibits, [](const Exhibit& exhibit) { return !has_points(exhibit.plot); });
@@ -355,12 +361,16 @@ Texts write_report(const fs::path& folder, const RunOptions& options, const Simu
   if (const auto confidence = load_confidence(folder))
     for (auto& exhibit : exhibits) add_bands(exhibit.plot, s.table, *confidence);
   add_findings(report, exhibits, !s.file.plots.empty());
+  for (auto& exhibit : exhibits) exhibit.plot.figure = choose_figure(s.file, exhibit.plot.name);
   const Table growth = make_growth_table(s.file, s.results);
   save_unless_empty(folder / "growth.csv", growth);
   save_unless_empty(folder / "means.csv", make_means_csv(s.file, s.table));
   add_plots(report, undrawn, folder / "plots", s.table, std::move(exhibits));
   std::vector<Exhibit> growths;
-  for (const auto& plot : plot_growth(growth)) growths.push_back({.plot = plot});
+  for (auto& plot : plot_growth(growth)) {
+    plot.figure = choose_figure(s.file, plot.name);
+    growths.push_back({.plot = std::move(plot)});
+  }
   add_plots(report, undrawn, folder / "plots", growth, std::move(growths));
   add_confidence(report, undrawn, folder);
   append(report.notes, notes_of(s.file, s.results));
@@ -386,10 +396,12 @@ void throw_undrawn(std::size_t undrawn, const std::string& results) {
                   EXIT_HOST);
 }
 
-void report_results(const std::string& results, const Texts& columns) {
+void report_results(const std::string& results, const Texts& columns, const FigureSpec& figure) {
   Origin origin = load_origin(results, "run.json");
   origin.options.jobs = std::max(1u, std::thread::hardware_concurrency());
   if (!columns.empty()) origin.file.report.columns = columns;
+  origin.file.report.figure.override_with(figure);
+  for (auto& plot : origin.file.plots) plot.figure.override_with(figure);
   ResultsFolder folder(results);
   Texts undrawn;
   try {
