@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "base/figure_style.hpp"
+#include "base/figure/figure_style.hpp"
 #include "simulator/machine/cpu.hpp"
 
 namespace observe {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "base/figure_style.hpp"
+#include "base/figure/figure_style.hpp"
 #include "topologies/graph/topology.hpp"
 
 namespace topologies {

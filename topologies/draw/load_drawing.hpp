@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/figure_style.hpp"
+#include "base/figure/figure_style.hpp"
 #include "topologies/graph/topology.hpp"
 
 namespace topologies {

@@ -3,7 +3,7 @@
 #include <array>
 #include <string>
 
-#include "base/figure_style.hpp"
+#include "base/figure/figure_style.hpp"
 #include "topologies/draw/layout.hpp"
 
 namespace topologies {

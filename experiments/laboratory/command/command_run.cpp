@@ -111,7 +111,8 @@ void add_run_command(CLI::App& app) {
   command->add_option("--trace", o->trace,
                       "file for a trace of all processors and links of the single point: .json for "
                       "Perfetto and chrome://tracing, .paje for ViTE");
-  command->add_option("--timeline", o->timeline, "file for the same trace as a chart (.svg or .pdf)");
+  command->add_option("--timeline", o->timeline,
+                      "file for the same trace as a chart (.svg or .pdf)");
   auto films = std::make_shared<std::vector<std::string>>();
   auto* animate =
       command

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "base/fields.hpp"
-#include "base/figure_style.hpp"
+#include "base/figure/figure_style.hpp"
 
 namespace laboratory {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "experiments/laboratory/judge/check_plan.hpp"
-#include "experiments/laboratory/report/plot.hpp"
+#include "experiments/laboratory/plot/plot.hpp"
 
 namespace laboratory {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/laboratory/report/plot.hpp"
+#include "experiments/laboratory/plot/plot.hpp"
 #include "experiments/laboratory/report/point_loads.hpp"
 
 namespace laboratory {

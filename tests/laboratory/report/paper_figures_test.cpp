@@ -5,10 +5,10 @@
 #include <fstream>
 
 #include "experiments/laboratory/figure/pdf.hpp"
-#include "experiments/laboratory/report/gnuplot.hpp"
-#include "experiments/laboratory/report/plot_layout.hpp"
-#include "experiments/laboratory/report/plot_script.hpp"
-#include "experiments/laboratory/report/si_prefix.hpp"
+#include "experiments/laboratory/plot/gnuplot.hpp"
+#include "experiments/laboratory/plot/plot_layout.hpp"
+#include "experiments/laboratory/plot/plot_script.hpp"
+#include "experiments/laboratory/plot/si_prefix.hpp"
 #include "experiments/laboratory/table/table.hpp"
 #include "tests/laboratory/support/tlab.hpp"
 

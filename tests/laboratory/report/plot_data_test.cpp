@@ -1,12 +1,12 @@
-// Plots in the format that the script of the page reads.
-#include "experiments/laboratory/report/plot_data.hpp"
+// Plots in the format of the page's script.
+#include "experiments/laboratory/plot/plot_data.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "experiments/laboratory/report/plot_script.hpp"
+#include "experiments/laboratory/plot/plot_script.hpp"
 #include "experiments/laboratory/table/laws.hpp"
 
 namespace laboratory {

@@ -1,11 +1,11 @@
-#include "experiments/laboratory/report/plot.hpp"
+#include "experiments/laboratory/plot/plot.hpp"
 
 #include <cmath>
 #include <regex>
 #include <set>
 
-#include "experiments/laboratory/report/gnuplot.hpp"
-#include "experiments/laboratory/report/plot_script.hpp"
+#include "experiments/laboratory/plot/gnuplot.hpp"
+#include "experiments/laboratory/plot/plot_script.hpp"
 #include "simulator/programs/programs.hpp"
 #include "tests/laboratory/support/support.hpp"
 

@@ -1,10 +1,10 @@
 // Plots of results for several seeds: curves of means with error bars.
 #include <cmath>
 
+#include "experiments/laboratory/plot/plot.hpp"
+#include "experiments/laboratory/plot/plot_data.hpp"
+#include "experiments/laboratory/plot/plot_script.hpp"
 #include "experiments/laboratory/report/findings.hpp"
-#include "experiments/laboratory/report/plot.hpp"
-#include "experiments/laboratory/report/plot_data.hpp"
-#include "experiments/laboratory/report/plot_script.hpp"
 #include "tests/laboratory/support/support.hpp"
 
 namespace laboratory {

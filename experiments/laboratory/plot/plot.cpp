@@ -1,4 +1,4 @@
-#include "experiments/laboratory/report/plot.hpp"
+#include "experiments/laboratory/plot/plot.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "experiments/laboratory/report/si_prefix.hpp"
+#include "experiments/laboratory/plot/si_prefix.hpp"
 
 #include <fmt/format.h>
 

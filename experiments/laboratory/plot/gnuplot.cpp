@@ -1,4 +1,4 @@
-#include "experiments/laboratory/report/gnuplot.hpp"
+#include "experiments/laboratory/plot/gnuplot.hpp"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/figure/pdf.hpp"
 #include "experiments/laboratory/host/error_text.hpp"
-#include "experiments/laboratory/report/plot_script.hpp"
+#include "experiments/laboratory/plot/plot_script.hpp"
 
 namespace laboratory {
 namespace {

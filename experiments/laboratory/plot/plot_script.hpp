@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "experiments/laboratory/report/plot.hpp"
-#include "experiments/laboratory/report/plot_layout.hpp"
+#include "experiments/laboratory/plot/plot.hpp"
+#include "experiments/laboratory/plot/plot_layout.hpp"
 
 namespace laboratory {
 

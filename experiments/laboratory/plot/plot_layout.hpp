@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "base/figure_style.hpp"
-#include "experiments/laboratory/report/plot.hpp"
+#include "base/figure/figure_style.hpp"
+#include "experiments/laboratory/plot/plot.hpp"
 
 namespace laboratory {
 

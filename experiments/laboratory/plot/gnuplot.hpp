@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/laboratory/report/plot.hpp"
+#include "experiments/laboratory/plot/plot.hpp"
 
 namespace laboratory {
 

@@ -1,7 +1,7 @@
 // SI prefixes on the axes of plots.
 #pragma once
 
-#include "experiments/laboratory/report/plot.hpp"
+#include "experiments/laboratory/plot/plot.hpp"
 
 namespace laboratory {
 

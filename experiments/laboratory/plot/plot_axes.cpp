@@ -1,4 +1,4 @@
-#include "experiments/laboratory/report/plot_axes.hpp"
+#include "experiments/laboratory/plot/plot_axes.hpp"
 
 #include <fmt/format.h>
 

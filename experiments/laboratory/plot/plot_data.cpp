@@ -1,10 +1,10 @@
-#include "experiments/laboratory/report/plot_data.hpp"
+#include "experiments/laboratory/plot/plot_data.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "experiments/laboratory/report/plot_script.hpp"
+#include "experiments/laboratory/plot/plot_script.hpp"
 #include "experiments/laboratory/table/laws.hpp"
 
 namespace laboratory {

@@ -1,4 +1,4 @@
-#include "experiments/laboratory/report/plot_layout.hpp"
+#include "experiments/laboratory/plot/plot_layout.hpp"
 
 #include <fmt/format.h>
 

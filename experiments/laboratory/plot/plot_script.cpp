@@ -1,4 +1,4 @@
-#include "experiments/laboratory/report/plot_script.hpp"
+#include "experiments/laboratory/plot/plot_script.hpp"
 
 #include <fmt/format.h>
 
@@ -7,8 +7,8 @@
 #include <kainjow/mustache.hpp>
 #include <stdexcept>
 
-#include "experiments/laboratory/report/plot_axes.hpp"
-#include "experiments/laboratory/report/report_files.hpp"
+#include "experiments/laboratory/plot/plot_axes.hpp"
+#include "experiments/laboratory/plot/plot_files.hpp"
 
 namespace laboratory {
 namespace {

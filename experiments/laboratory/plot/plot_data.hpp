@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "experiments/laboratory/report/plot.hpp"
+#include "experiments/laboratory/plot/plot.hpp"
 
 namespace laboratory {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "base/figure_style.hpp"
+#include "base/figure/figure_style.hpp"
 #include "experiments/laboratory/table/axis_values.hpp"
 #include "experiments/laboratory/table/samples.hpp"
 #include "experiments/laboratory/table/table.hpp"
