@@ -15,8 +15,8 @@ namespace observe {
 namespace {
 
 constexpr std::size_t MOST_PROCESSORS = 64;
-constexpr int LINE = 16;               // height of a line of text, in pixels
-constexpr int ARROWS = 90;             // width of the margin with the arrows of a cycle of waits
+constexpr double LINE = 16;            // height of a line of text, for a font of 12
+constexpr double ARROWS = 90;          // width of the margin with the arrows of a cycle of waits
 constexpr std::size_t MOST_TOLD = 24;  // waiting processes listed below the chart
 constexpr auto FAULT = "#b40000";
 constexpr auto LOW = "#9ecae1", HIGH = "#e6550d", SWITCHING = "#3b3b3b", MESSAGE = "#41ab5d";
@@ -53,26 +53,29 @@ double to_hundredths(double length) { return std::round(100 * length) / 100; }
 // Lengths of a chart: pixels on the screen, points in a figure.
 struct ChartSize {
   double left = 150, width = 1380, right = 70;  // names, time axis, percentages
+  double arrows = 0;                            // margin for the arrows of a cycle of waits
   double scale = 1;                             // relative to a font of 12 pixels
   std::size_t columns = 1380;
 
-  double sum() const { return left + width + right; }
+  double sum() const { return left + width + right + arrows; }
 };
 
 // Measures of the columns beside the time axis in a figure follow from their longest texts.
 ChartSize choose_size(const Trace& trace, std::size_t shown, const base::FigureStyle& style) {
-  if (!style.is_figure()) return {};
+  ChartSize size;
+  if (trace.cycle > 0) size.arrows = ARROWS;
+  if (!style.is_figure()) return size;
   constexpr double LETTER = 0.6;       // mean width of a letter for a font size of 1
   constexpr double PER_POINT = 3;      // columns of time
   constexpr std::size_t LONGEST = 14;  // letters of a name
   std::size_t longest = 4;
   for (std::size_t i = 0; i < shown; ++i)
     longest = std::max(longest, std::min(LONGEST, length_of(trace.processors[i])));
-  ChartSize size;
   size.scale = style.font_pt / 12;
+  size.arrows = to_hundredths(size.arrows * size.scale);
   size.left = to_hundredths(LETTER * style.font_pt * static_cast<double>(longest) + 8 * size.scale);
   size.right = to_hundredths(70 * size.scale);
-  size.width = style.width_pt() - size.left - size.right;
+  size.width = style.width_pt() - size.left - size.right - size.arrows;
   size.columns = static_cast<std::size_t>(std::max(1.0, PER_POINT * size.width));
   return size;
 }
@@ -97,7 +100,9 @@ class Chart {
   }
 
   std::string draw() {
-    const double height = std::ceil(bottom_ + scale(34));
+    const auto lines =
+        trace_.fault.empty() ? 0 : 2 + std::min(trace_.waiting.size(), MOST_TOLD + 1);
+    const double height = std::ceil(bottom_ + scale(34 + LINE * static_cast<double>(lines)));
     const auto legend = std::move(text_);
     text_.clear();
     print(
@@ -115,6 +120,7 @@ class Chart {
     text_ += legend;
     draw_axis();
     double y = top_;
+    std::vector<double> middles;  // y of the CPUs' rows
     for (std::size_t i = 0; i < shown_; ++i) {
       draw_cpu(i, y);
       middles.push_back(y + heights_.cpu / 2);
@@ -183,7 +189,7 @@ class Chart {
   }
 
   // The right end of percentages.
-  double find_end() const { return to_hundredths(size_.sum() - scale(8)); }
+  double find_end() const { return to_hundredths(size_.sum() - size_.arrows - scale(8)); }
 
   void draw_axis() {
     constexpr double ROOM = 95;  // pixels for a label
@@ -305,9 +311,10 @@ class Chart {
 
   // Marks the end of the run, and the cycle of waits by arrows between the rows of its processors.
   // Lists below the chart what each process waits for.
-  void draw_fault(const std::vector<int>& middles) {
-    print("<path d=\"M{} {}V{}\" stroke=\"{}\" stroke-width=\"2\"/>\n", LEFT + WIDTH, TOP - 4,
-          bottom_ + 2, FAULT);
+  void draw_fault(const std::vector<double>& middles) {
+    print("<path d=\"M{} {}V{}\" stroke=\"{}\" stroke-width=\"{}\"/>\n",
+          to_hundredths(size_.left + size_.width), to_hundredths(top_ - scale(4)),
+          to_hundredths(bottom_ + scale(2)), FAULT, scale(2));
     print(
         "<defs><marker id=\"tip\" viewBox=\"0 0 8 8\" refX=\"7\" refY=\"4\" markerWidth=\"7\" "
         "markerHeight=\"7\" orient=\"auto\"><path d=\"M0 0L8 4L0 8z\" "
@@ -316,11 +323,13 @@ class Chart {
     for (std::size_t i = 0; i < trace_.cycle; ++i)
       draw_wait(middles, trace_.waiting[i].processor,
                 trace_.waiting[(i + 1) % trace_.cycle].processor);
-    int y = bottom_ + BOTTOM + LINE;
+    double y = bottom_ + scale(34 + LINE);
+    // letters that fit below the chart
+    const auto most = static_cast<std::size_t>((size_.sum() - size_.left) / (0.58 * scale(12)));
     const auto say = [&](const std::string& text, const char* colour) {
-      print("<text x=\"{}\" y=\"{}\" fill=\"{}\">{}</text>\n", LEFT, y, colour,
-            base::escape_xml(shorten(text, 220)));
-      y += LINE;
+      print("<text x=\"{}\" y=\"{}\" fill=\"{}\">{}</text>\n", size_.left, to_hundredths(y), colour,
+            base::escape_xml(shorten(text, most)));
+      y += scale(LINE);
     };
     say(trace_.fault, FAULT);
     for (std::size_t i = 0; i < std::min(trace_.waiting.size(), MOST_TOLD); ++i) {
@@ -333,15 +342,17 @@ class Chart {
   }
 
   // Draws an arrow in the right margin, from the row of the waiting processor to that of the other.
-  void draw_wait(const std::vector<int>& middles, std::size_t from, std::size_t to) {
+  void draw_wait(const std::vector<double>& middles, std::size_t from, std::size_t to) {
     if (from == to || std::max(from, to) >= middles.size()) return;
     // arrows leave a row in its upper half and arrive in the lower
-    const int x = LEFT + WIDTH + RIGHT, a = middles[from] - 4, b = middles[to] + 4;
-    const int bend = std::min(ARROWS - 10, 20 + std::abs(b - a) / 4);
+    const double x = to_hundredths(size_.sum() - size_.arrows);
+    const double a = to_hundredths(middles[from] - scale(4)),
+                 b = to_hundredths(middles[to] + scale(4));
+    const double bend = std::min(scale(ARROWS - 10), scale(20) + std::abs(b - a) / 4);
     print(
         "<path class=\"wait\" d=\"M{0} {1}C{2} {1} {2} {3} {0} {3}\" fill=\"none\" stroke=\"{4}\" "
-        "stroke-width=\"1.6\" marker-end=\"url(#tip)\"/>\n",
-        x, a, x + bend, b, FAULT);
+        "stroke-width=\"{5}\" marker-end=\"url(#tip)\"/>\n",
+        x, a, to_hundredths(x + bend), b, FAULT, scale(1.6));
   }
 
   const Trace& trace_;

@@ -243,7 +243,8 @@ void run_chosen_points(const RunOptions& options) {
   check_same_experiment(folder, file);
   const CheckPlan checks = plan_checks(file);
   const StoreGuard guard(folder);
-  const PointsPlan plan(options, file, inspect_names(checks, file), record_points(file));
+  const PointsPlan plan(options, file, inspect_names(checks, file), record_points(file),
+                        draw_fault);
   Results results = find_points(plan, numbers);
   std::vector<std::size_t> missing;
   for (const auto i : numbers)
