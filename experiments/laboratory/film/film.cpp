@@ -137,7 +137,7 @@ void Film::end(double now_s) {
 
 void Film::save(const std::string& title, const observe::Trace& trace) const {
   if (!options_.is_asked()) return;
-  require(from_s_ < end_s_, "--from", "found {}, expected a time before the run's end at {:.6g} s",
+  require(has_begun(), "--from", "found {}, expected a time before the run's end at {:.6g} s",
           from_s_, end_s_);
   if (!options_.picture.empty()) save_picture(title);
   if (!options_.network.empty()) save_network(title, trace);

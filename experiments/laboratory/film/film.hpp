@@ -52,6 +52,8 @@ class Film : public observe::RunObserver {
   void before_change(double now_s) override;
   void end(double now_s) override;
 
+  /// True if the run has reached the time at which films begin.
+  bool has_begun() const { return from_s_ < end_s_; }
   /// Writes the requested films, from `from_s` to the end of the run. `trace` must cover the same
   /// interval. `title` is drawn above each frame. Throws BadInput if no machine was simulated, or
   /// if the run ended before `from_s`.

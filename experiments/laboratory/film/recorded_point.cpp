@@ -54,14 +54,14 @@ void check_single(const char* option, std::size_t points) {
 }
 
 void save_recordings(const Point& point, const RunOptions& options, observe::Trace& trace,
-                     const Film& film, const base::FigureStyle& style) {
+                     const Film& film, const base::FigureStyle& style, bool is_interrupted) {
   const auto& said = point.experiment.title;
   const auto title = said.empty() ? fs::path(options.file).stem().string() : said;
   trace.title = point.at.empty() ? title : fmt::format("{}: {}", title, name_of(point));
   for (const auto& file : {options.trace, options.timeline})
     if (!file.empty())
       base::save_whole(file, [&](std::ostream& out) { find_format(file)(trace, out, style); });
-  film.save(trace.title, trace);
+  if (film.has_begun() || !is_interrupted) film.save(trace.title, trace);
 }
 
 // Runs a point as run_point() does, and writes the requested recordings, even if a fault ends the
@@ -79,11 +79,11 @@ PointResult run_recorded_point(const Point& point, const RunOptions& options,
   if (options.films.is_asked()) monitor.observer = &film;
   try {
     auto result = run_point(point, options, images, monitor);
-    save_recordings(point, options, trace, film, style);
+    save_recordings(point, options, trace, film, style, result.ended == "interrupt");
     return result;
   } catch (const machine::Fault&) {
     try {
-      save_recordings(point, options, trace, film, style);
+      save_recordings(point, options, trace, film, style, false);
     } catch (const std::exception& error) {  // the exception to report is the fault
       complain(fmt::format("no trace or chart of the run so far: {}", describe_error(error)));
     }
