@@ -17,7 +17,7 @@ constexpr auto DARK_MODE =
 struct FigureStyle {
   double width_mm = 0;  ///< 0: for the screen
   std::string font = "sans-serif";
-  double font_pt = 8;  ///< of a figure; 1/72 inch
+  double font_pt = 8;  ///< font size of figures, in points of 1/72 inch
 
   bool is_figure() const { return width_mm > 0; }
   double width_pt() const { return width_mm * POINTS_PER_MM; }

@@ -121,7 +121,7 @@ struct Model {
 // These functions throw BadInput for a name that the model does not contain.
 std::uint64_t get_bytes(const Model& model, std::string_view name);
 Cycles get_instruction(const Model& model, std::string_view name);
-/// Without the factor of the kernel.
+/// The cycles of an operation as given in the model, not multiplied by the factor of its kernel.
 Cycles get_operation(const Model& model, std::string_view name);
 /// Cycles of an operation in a router, or in the part of an application that handles messages.
 /// Includes the factor scale.router.

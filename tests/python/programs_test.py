@@ -71,7 +71,9 @@ class FunctionsTest(unittest.TestCase):
 
 
 def _comparable(value, text):
-    """A default and its spelling in help, as numbers, lists of numbers or texts."""
+    """A default and its spelling in help, as truth values, numbers, lists of numbers or texts."""
+    if text in ("true", "false"):
+        return bool(value), text == "true"
     if isinstance(value, (int, float)):
         return value, float(text)
     if isinstance(value, list):

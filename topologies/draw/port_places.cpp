@@ -23,7 +23,7 @@ Place place_beside(const Curve& curve, double along, double aside) {
 class Crowd {
  public:
   void add(const Place& at, double radius) { squares_[key(at.x, at.y)].push_back({at, radius}); }
-  // The depth by which a disc overlaps others.
+  // How far other discs overlap this one, summed over these discs.
   double eval_overlap(const Place& at, double radius) const {
     double overlap = 0;
     for (const double dx : {-1, 0, 1})
@@ -54,7 +54,8 @@ std::vector<std::vector<Curve>> list_curves(const Topology& topology, const Layo
   return of;
 }
 
-// The depth by which a disc lies on curves other than its own.
+// How far other curves reach into a disc at `at`, summed over the curves. The disc marks a port of
+// the link that the curve `own` draws.
 double eval_crossing(const std::vector<Curve>& curves, const Curve& own, const Place& at,
                      double radius) {
   double depth = 0;

@@ -29,9 +29,12 @@ struct RoutingTable {
 /// destination.
 ///
 /// A message in a hypercube therefore corrects the dimensions in a fixed order. In a mesh, it goes
-/// north, then along the row, then south. Neither can deadlock in a cycle of waiting links. Trees
-/// and grids need no table and only O(processors) memory. In other topologies, routes are found
-/// when needed and take two bits per pair: at most 1 GB for 65536 processors.
+/// north, then along the row, then south. Therefore messages in hypercubes and meshes cannot
+/// deadlock in a cycle of waiting links.
+///
+/// Trees, meshes, tori and rings need no table and only O(processors) memory. In other
+/// topologies, a route is found when it is first needed. A table of all routes takes two bits per
+/// pair of processors: at most 1 GB for 65536 processors.
 RoutingTable make_routes(const Topology& topology);
 
 /// Makes dimension-order routes for meshes, tori and hypercubes: along the row to the destination's

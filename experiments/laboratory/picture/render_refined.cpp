@@ -23,7 +23,8 @@ using renderer::progressive::Refinement;
 constexpr double KEY_PERCENTS[] = {1, 5, 25, 100};
 // writes a state at each multiple of this share of the samples
 constexpr double STATE_PERCENT = 5;
-constexpr double STATE_SECONDS = 2;  // also writes a state after this time since the last one
+// longest time between two states, even if the share has not been reached
+constexpr double STATE_SECONDS = 2;
 // largest share of the time that may be spent on writing states
 constexpr double STATE_SHARE = 0.05;
 // desired time between two checks of the clock and of interrupts

@@ -11,8 +11,8 @@
 namespace laboratory {
 
 /// Draws the quantiles of an entry, one for each machine, above 0 and below 1. They form a Latin
-/// hypercube: the range is divided into as many equal slices as there are machines, and each
-/// machine gets another slice. The quantiles of an entry do not depend on other entries.
+/// hypercube: the range is divided into as many equal slices as there are machines, and no two
+/// machines get the same slice. The quantiles of an entry do not depend on other entries.
 std::vector<double> draw_quantiles(std::uint64_t seed, const std::string& entry,
                                    std::size_t machines);
 

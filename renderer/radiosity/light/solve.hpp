@@ -35,7 +35,8 @@ struct State {
   std::vector<std::array<Rgb, 4>> in_corners;
   std::vector<Rgb> received;   ///< light that each vertex received in the last shot
   std::vector<Rgb> in_centre;  ///< light that each patch's centre received in the last shot
-  std::vector<Rgb> arrived;    ///< mean light that each patch has received in all shots
+  /// Light received by each patch: mean over its area, sum over all shots.
+  std::vector<Rgb> arrived;
 };
 
 /// Makes the initial state, in which all emitted light is unsent.

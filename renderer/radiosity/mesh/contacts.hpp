@@ -30,7 +30,8 @@ double eval_width(const Ledge& ledge, const Vec& at);
 struct Contacts {
   /// Lines at which the illumination jumps, or fades within a fraction of a patch.
   std::vector<Crease> lines;
-  /// Lines below higher open edges. The slope of the illumination changes there.
+  /// Lines on this face directly below the free edge of a face that hangs above it. The slope of
+  /// the illumination changes there.
   std::vector<Crease> folds;
   std::vector<Crease> strips;  ///< lines beside folds; the light fades smoothly between them
   std::vector<HangingEdge> hanging;

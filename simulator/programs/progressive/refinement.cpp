@@ -133,7 +133,7 @@ Program make_quadrants() {
   using D = base::Declare<Size>;
   return make_program<Size, Length>(
       {.name = "quadrants",
-       .help = "length of the queue of quadrants; nothing is simulated",
+       .help = "computes the length of the queue of quadrants, without a simulated machine",
        .fields = {D::whole("width", &Size::width, 1, renderer::MAX_SIDE, "pixels",
                            "width of the image"),
                   D::whole("height", &Size::height, 1, renderer::MAX_SIDE, "pixels",

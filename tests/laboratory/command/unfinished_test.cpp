@@ -132,7 +132,8 @@ TEST(ExperimentsTrace, AProgramThatFailsLeavesItsTraceAndNoResults) {
                                                    "machine.database_memory_bytes=146432"}));
   EXPECT_EQ(failed.exit_code, 3) << failed.err;
   EXPECT_NE(failed.err.find("out of memory"), std::string::npos) << failed.err;
-  EXPECT_EQ(folder.names(), std::vector<std::string>{"t.svg"});
+  EXPECT_EQ(folder.names(),
+            (std::vector<std::string>{"r-fault-objects-20-workers-3-timeline.svg", "t.svg"}));
 }
 
 TEST(ExperimentsTrace, MistakesAreNamed) {
@@ -202,7 +203,8 @@ TEST(ExperimentsDeadlock, IsReportedWithItsCycleAndExitCode3) {
   for (const char* part : {"deadlock at 0.", "p0.station on p0 waits for out on p1.in",
                            "from p1.station", "the cycle:"})
     EXPECT_NE(failed.err.find(part), std::string::npos) << part << "\n" << failed.err;
-  EXPECT_EQ(folder.names(), std::vector<std::string>{"e.toml"});
+  EXPECT_EQ(folder.names(),
+            (std::vector<std::string>{"e.toml", "r-fault-timeline.svg", "r-fault.svg"}));
 }
 
 TEST(ExperimentsDeadlock, OfManyStationsIsToldWhole) {

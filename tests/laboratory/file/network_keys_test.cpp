@@ -157,7 +157,7 @@ TEST(ExperimentsNetworkKeys, OnlyProgramsThatUseThemHaveRoutesAndFaults) {
     for (const char* program : {"farm", "unicast"}) {
       const auto told = told_by_load(fmt::format("[program]\nname = \"{}\"\n{}", program, network));
       EXPECT_NE(told.find(fmt::format("the program {} does not support routes and trees, expected "
-                                      "one of iirra, metrics, census",
+                                      "one of iirra, traffic, metrics, census",
                                       program)),
                 std::string::npos)
           << told;

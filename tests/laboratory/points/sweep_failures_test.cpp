@@ -244,8 +244,15 @@ class Failing {
   const std::string path_ = std::getenv("PATH");
 };
 
+// Only graphs of users are drawn by neato, so the network is one.
 TEST_F(Sweep, DrawingsThatFailCostNoResults) {
   if (!is_gnuplot_installed()) GTEST_SKIP() << "no gnuplot";
+  write_file(folder.path / "own.dot", "graph { 0 -- 1; 1 -- 2; 2 -- 0; 2 -- 3; }");
+  write_file(folder.path / "e.toml",
+             "[network]\ntopology = \"own.dot\"\n[image]\nwidth = 12\nheight = 8\n"
+             "[sweep]\nobjects = [9, 20]\n"
+             "[[check]]\nname = \"c\"\nof = \"rays\"\nwithin = 1e-9\nformula = \"rays\"\n"
+             "[[plot]]\nname = \"rays\"\nx = \"objects\"\ny = \"rays\"\n");
   for (const char* program : {"gnuplot", "neato"}) {
     {
       const Failing failing(folder.path / program, program);
@@ -254,12 +261,12 @@ TEST_F(Sweep, DrawingsThatFailCostNoResults) {
       EXPECT_EQ(failed.exit_code, 2);
       EXPECT_TRUE(contains(failed.err, "no drawing today")) << failed.err;
       EXPECT_TRUE(contains(failed.err, program == std::string("gnuplot")
-                                           ? "tlab: plot speedup: gnuplot failed (exit code 5)"
-                                           : "tlab: network at objects = 20, workers = 3: "))
+                                           ? "tlab: plot rays: gnuplot failed (exit code 5)"
+                                           : "tlab: network at objects = 20: "))
           << failed.err;
       EXPECT_TRUE(contains(failed.err,
                            "the other results are in r; repeat the drawings with tlab report r"));
-      EXPECT_TRUE(contains(failed.out, "all 6 points are done")) << failed.out;
+      EXPECT_TRUE(contains(failed.out, "all 2 points are done")) << failed.out;
       EXPECT_TRUE(contains(visible("r")["report.html"], "not drawn: ")) << program;
       EXPECT_EQ(tlab(folder.path, {"report", "r"}).exit_code, 2);
       EXPECT_EQ(

@@ -157,7 +157,7 @@ TEST(SampledCell, TrianglesHaveSamplesAtTheirCorners) {
   });
 }
 
-// --- daughters ----------------------------------------------------------------------------------
+// --- the cells of a divided cell (daughters) ----------------------------------------------------
 
 TEST(SampledCell, DaughtersBeginWithTheirFirstLevel) {
   for (const int side : {4, 8, 16, 64}) {
