@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/errors.hpp"
+#include "base/figure/figure_style.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/results_folder.hpp"
@@ -107,7 +108,7 @@ void repeat(const Point& point, const RunOptions& options, const PointResult& fa
   }
 }
 
-// A point on the line between two places, on the screen.
+// A position in the drawing, in pixels from its upper left corner.
 struct Screen {
   double x, y;
 };
@@ -131,12 +132,13 @@ class WaitDrawing {
     print(
         "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
         "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"12\" "
-        "fill=\"#222\">\n<title>{2}</title>\n<rect width=\"{0:.0f}\" height=\"{1:.0f}\" "
+        "fill=\"#222\" class=\"drawing\">\n<title>{2}</title>\n{4}\n<rect width=\"{0:.0f}\" "
+        "height=\"{1:.0f}\" "
         "fill=\"white\"/>\n<defs><marker id=\"tip\" viewBox=\"0 0 8 8\" refX=\"7\" refY=\"4\" "
         "markerWidth=\"5\" markerHeight=\"5\" orient=\"auto\"><path d=\"M0 0L8 4L0 8z\" "
         "fill=\"{3}\"/></marker></defs>\n<text x=\"20\" y=\"26\" font-size=\"15\">{2}</text>\n",
         width, drawn + LINE * static_cast<double>(trace_.cycle + 1), base::escape_xml(trace_.title),
-        RED);
+        RED, base::DARK_MODE);
     draw_links();
     draw_cycle();
     draw_processors();
