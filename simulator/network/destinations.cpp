@@ -269,11 +269,10 @@ double Destinations::eval_busiest_link(const topologies::Topology& topology,
   return busiest;
 }
 
-std::optional<double> eval_saturation_load(const PatternParams& params,
-                                           const topologies::Topology& topology,
-                                           const topologies::RoutingTable& routes) {
-  if (topology.processors > 4096) return std::nullopt;
-  return 1 / Destinations(params, topology).eval_busiest_link(topology, routes);
+std::optional<double> Destinations::eval_saturation_load(
+    const topologies::Topology& topology, const topologies::RoutingTable& routes) const {
+  if (processors_ > 4096) return std::nullopt;
+  return 1 / eval_busiest_link(topology, routes);
 }
 
 }  // namespace network

@@ -48,11 +48,15 @@ class Destinations {
   std::optional<int> draw(int from, base::Random& random) const;
 
   /// Messages on the busiest direction of a link for each message that every sender sends, if
-  /// messages follow `routes`. Its inverse is the largest load that the network can accept on these
-  /// routes, as a fraction of a link's capacity. Takes time proportional to the square of the
-  /// number of processors if the pattern is uniform or hot_spot.
+  /// messages follow `routes`. Takes time proportional to the square of the number of processors if
+  /// the pattern is uniform or hot_spot.
   double eval_busiest_link(const topologies::Topology& topology,
                            const topologies::RoutingTable& routes) const;
+  /// The largest load that a network can accept on given routes, as a fraction of the capacity of a
+  /// link direction: at this load the busiest link direction is always busy, if routers take no
+  /// time. No value for more than 4096 processors, where it would take too long.
+  std::optional<double> eval_saturation_load(const topologies::Topology& topology,
+                                             const topologies::RoutingTable& routes) const;
   /// Mean number of links on the routes of messages. Counts each sender once.
   double eval_mean_distance(const topologies::RoutingTable& routes) const;
 
@@ -71,14 +75,7 @@ class Destinations {
   std::vector<std::vector<Share>> shares_;  // by sender: other destinations; empty for none
 };
 
-/// The largest load that a network can accept on given routes, as a fraction of the capacity of a
-/// link direction: at this load the busiest link direction is always busy, if routers take no time.
-/// No value for more than 4096 processors, where it would take too long.
-std::optional<double> eval_saturation_load(const PatternParams& params,
-                                           const topologies::Topology& topology,
-                                           const topologies::RoutingTable& routes);
-
-/// The column "saturation_load" with the result of eval_saturation_load.
+/// The column "saturation_load" with the result of Destinations::eval_saturation_load.
 template <class R>
 base::Column<R> saturation_load_column(std::optional<double> R::*saturation_load) {
   return base::column("saturation_load", saturation_load,

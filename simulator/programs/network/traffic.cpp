@@ -111,10 +111,10 @@ struct Measured {
 
 constexpr double MOST_PACKETS = 1e7;  // a packet takes about 100 bytes of host memory
 
-std::vector<Arrival> make_arrivals(const Setup& setup, const Params& params) {
+std::vector<Arrival> make_arrivals(const Setup& setup, const Params& params,
+                                   const network::Destinations& destinations) {
   const int n = setup.topology.processors;
   const double rate = setup.model.link.one_way_rate, bytes = static_cast<double>(params.bytes);
-  const network::Destinations destinations(params.pattern, setup.topology);
   const double packets = n * params.load * rate / bytes * params.window_s;
   if (packets > MOST_PACKETS)
     base::refuse("program.load, window_s and bytes",
@@ -136,30 +136,30 @@ std::vector<observe::Passage> find_measured(const std::vector<Delivery>& deliver
   return passages;
 }
 
-bool check_saturated(const Setup& setup, const Params& params,
-                     const std::vector<Delivery>& deliveries, double later) {
+bool grows_without_bound(const Setup& setup, const Params& params,
+                         const std::vector<Delivery>& deliveries, double later) {
   const double earlier = mean_inside(deliveries, params.window_s / 4, params.window_s / 2);
   return later > 1.6 * earlier && later > setup.topology.processors;
 }
 
 Outcome<Measured> run(const Setup& setup, const Params& params) {
-  const auto arrivals = make_arrivals(setup, params);
+  const network::Destinations destinations(params.pattern, setup.topology);
+  const auto arrivals = make_arrivals(setup, params, destinations);
   const auto result = run_traffic(setup, arrivals, params.bytes);
   const auto passages = find_measured(result.deliveries, params);
   double sum_s = 0;
   for (const auto& passage : passages) sum_s += passage.latency_s;
   const auto packets = arrivals.size();
   const double later = mean_inside(result.deliveries, 3 * params.window_s / 4, params.window_s);
-  Measured m{
-      .latency_s = observe::eval_mean(sum_s, static_cast<double>(passages.size())),
-      .latencies = observe::eval_latencies(passages, params.warm_up_s(), params.window_s),
-      .packets = packets,
-      .links_mean = static_cast<double>(result.links) / static_cast<double>(packets),
-      .inside_mean = later,
-      .longest_queue = result.longest_queue,
-      .link_busy_max = result.link_busy_max,
-      .saturation_load = eval_saturation_load(params.pattern, setup.topology, routes_of(setup)),
-      .is_saturated = check_saturated(setup, params, result.deliveries, later)};
+  Measured m{.latency_s = observe::eval_mean(sum_s, static_cast<double>(passages.size())),
+             .latencies = observe::eval_latencies(passages, params.warm_up_s(), params.window_s),
+             .packets = packets,
+             .links_mean = static_cast<double>(result.links) / static_cast<double>(packets),
+             .inside_mean = later,
+             .longest_queue = result.longest_queue,
+             .link_busy_max = result.link_busy_max,
+             .saturation_load = destinations.eval_saturation_load(setup.topology, routes_of(setup)),
+             .is_saturated = grows_without_bound(setup, params, result.deliveries, later)};
   const auto drift = describe_drift(m.latencies);
   Outcome<Measured> outcome(m);
   outcome.is_saturated = m.is_saturated;

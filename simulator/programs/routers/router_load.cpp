@@ -121,8 +121,8 @@ Measured measure(const Offers& offers, const RouterMachine& on, const Seen& all,
   Measured m{.offered_per_s = offers.rate_per_s,
              .links_mean = offers.destinations.eval_mean_distance(on.network->routing().routes()),
              .most_held = on.network->use().most_held,
-             .saturation_load = eval_saturation_load(
-                 params.pattern, on.network->routing().topology(), on.network->routing().routes()),
+             .saturation_load = offers.destinations.eval_saturation_load(
+                 on.network->routing().topology(), on.network->routing().routes()),
              .has_overflowed = has_overflowed};
   if (window_s > 0)
     m.accepted_per_s = static_cast<double>(all.in_window) / window_s / offers.processors;
