@@ -13,6 +13,7 @@
 #include "base/random.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/live/pages.hpp"
+#include "tests/laboratory/live/random_requests.hpp"
 #include "tests/laboratory/live/watched_run.hpp"
 
 namespace laboratory {
@@ -363,36 +364,6 @@ TEST(LiveServer, AnyTextCanBeTold) {
     const auto results = look(socket).second.at("results").get<std::string>();
     EXPECT_TRUE(results.starts_with("caf")) << results;
   });
-}
-
-std::string random_bytes(base::Random& random, int most) {
-  std::string bytes;
-  for (int i = random.below(most); i >= 0; --i) bytes += static_cast<char>(random.below(256));
-  return bytes;
-}
-
-// Makes a request that contains a random error.
-std::string random_request(base::Random& random, const std::string& host) {
-  std::string request = "GET /live HTTP/1.1\r\nHost: " + host +
-                        "\r\nConnection: Upgrade\r\nUpgrade: websocket\r\nOrigin: http://" + host +
-                        "\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Key: "
-                        "dGhlIHNhbXBsZSBub25jZQ==\r\n\r\n";
-  switch (random.below(5)) {
-    case 0:
-      return random_bytes(random, 300);
-    case 1:
-      return request.substr(0, static_cast<std::size_t>(random.below(int(request.size()))));
-    case 2:
-      for (int i = random.below(8); i >= 0; --i)
-        request[static_cast<std::size_t>(random.below(int(request.size())))] =
-            static_cast<char>(random.below(256));
-      return request;
-    case 3:
-      return "GET /" + std::string(static_cast<std::size_t>(random.below(20'000)), 'a');
-    default:
-      // sends random bytes after the request, as frames of a web socket
-      return request + random_bytes(random, 200);
-  }
 }
 
 long memory_kb() {
