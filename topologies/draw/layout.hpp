@@ -38,8 +38,7 @@ std::array<Place, 4> make_half_curve(const Place& from, const Place& to, const P
 
 /// Places processors by Topology::shape:
 /// - A line or a large ring is drawn as rows, traversed alternately in both directions. A small
-/// ring
-///   is drawn as a circle.
+///   ring is drawn as a circle.
 /// - A mesh or a torus is a grid. The wrap-around links of a torus run between the grid lines. A
 ///   hypercube is drawn as a torus.
 /// - A minimum-path network is drawn as rings around the root with a gap above the root.
