@@ -39,8 +39,8 @@ class Recorder {
   /// Records the final picture. No recording may follow.
   void end(double now_s, const std::function<Snapshot()>& look);
 
-  /// pictures() returns the pictures for at_s and every_s of the schedule, growth() those for its
-  /// growth.
+  /// pictures() returns the pictures for Schedule::at_s and Schedule::every_s, growth() those for
+  /// Schedule::growth.
   const std::vector<Snapshot>& pictures() const { return pictures_; }
   const std::vector<Snapshot>& growth() const { return growth_; }
 
