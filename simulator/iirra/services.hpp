@@ -46,7 +46,7 @@ class Coordinator {
   std::size_t stage_ = 0;
   Limits limits_;         // limits of the interactive phase
   bool is_last_ = false;  // true in the non-interactive phase, without limits
-  // No step within the limits is left, and the coordinator waits for an order.
+  // True if no step within the limits is left and the coordinator waits for an order.
   bool is_null_ = false;
   bool is_quitting_ = false;
   bool is_finishing_ = false, is_finished_ = false;
