@@ -65,7 +65,7 @@ class Routing {
   struct Epoch {
     topologies::Topology topology;  // the topology without links that were cut
     std::optional<TreeLinks> tree;
-    // Only the links of the tree, or all links if there is no tree.
+    // The topology with only the links of the tree, or with all links if there is no tree.
     topologies::Topology allowed = {};
     std::shared_ptr<Trees> trees = std::make_shared<Trees>();
   };
@@ -80,8 +80,8 @@ class Routing {
 };
 
 /// Makes routes that cannot deadlock, and a tree from the root for all GLOBAL messages. Keeps
-/// `routes` if on these routes and the tree links cannot wait for each other in a cycle. Otherwise
-/// makes up*/down* routes: a message that has gone down never goes up again.
+/// `routes` if messages on these routes and on the tree cannot make links wait for each other in a
+/// cycle. Otherwise makes up*/down* routes: a message that has gone down never goes up again.
 Routing make_acyclic_routing(const topologies::Topology& topology,
                              const topologies::RoutingTable& routes);
 

@@ -43,7 +43,8 @@ class StoreAndForward {
   /// routers. The topology must be valid (topologies::check).
   StoreAndForward(machine::Machine& machine, const topologies::Topology& topology, int first = 0)
       : StoreAndForward(machine, topology, make_routes(topology), first) {}
-  /// As above, with given routes instead of shortest ones. All pairs need a route.
+  /// Like the first constructor, but with the given routes, which must join all pairs of
+  /// processors.
   StoreAndForward(machine::Machine& machine, const topologies::Topology& topology,
                   topologies::RoutingTable routes, int first = 0);
 
