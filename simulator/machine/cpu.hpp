@@ -113,7 +113,7 @@ class Cpu {
   /// high-priority process was charged before it blocked.
   static constexpr std::size_t BY_COMPANION = 4;
   void set_stolen(std::size_t thief, double share);
-  CpuUse use() const { return use_by(now()); }  ///< up to the present date
+  CpuUse use() const { return use_by(now()); }  ///< use up to the present date
   /// Use up to a date in the future, if no event occurs before that date.
   CpuUse use_by(Seconds date) const;
   /// Lower bound on the time until a process ends its present computation. Assumes that it gets the
@@ -205,8 +205,8 @@ class Cpu {
   std::uint64_t dispatch_id_ = 0;  // scheduled calls with another number have no effect
   // The process that leaves the CPU at free_at_, if that is ahead of the clock.
   Process* last_high_ = nullptr;
-  // True while the body of a process executes that has just reached a link. The next process may
-  // start only after all other processes that reach links at this date.
+  // True while the CPU executes the body of a process that has just reached a link. The next
+  // process may start only after all other processes that reach links at this date.
   bool has_come_to_link_ = false;
   High high_;
   CpuUse use_;

@@ -37,8 +37,9 @@ struct Entry {
   std::string source;
   std::string where;  ///< place named in messages, such as "my.toml:4: link.one_way_rate"
   std::optional<Range> range = {};
-  /// Only for a calibrated entry whose published cells determine another quantity. This quantity,
-  /// as a formula that is linear in the entry. Empty if the cells determine the entry itself.
+  /// Formula for the quantity that the published cells of a calibrated entry determine. The formula
+  /// is linear in the entry. Empty if the cells determine the entry itself, and for entries that
+  /// are not calibrated.
   std::string holds = {};
 };
 
@@ -74,28 +75,30 @@ struct Model {
   } scheduler;
   struct Channel {
     Cycles operands;    // loading the operands of the instructions `in` or `out`
-    Cycles blocked;     // `in` or `out` if it must wait or if it starts a link
+    Cycles blocked;     // `in` or `out` if it must wait for its partner or if it starts a link
     Cycles soft_setup;  // `in` or `out` if the partner already waits on the same processor
-    Cycles copy_word;   // copying a 4-byte word to or from such a partner
+    Cycles copy_word;   // copying a 4-byte word to or from a partner on the same processor
     Cycles out_word;    // additional cycles of the instruction `outword`, for a message of one word
     Cycles wake_companion;  // making a process on the companion's CPU ready
     /// Minimum time from the start of `in` or `out` until the process reaches a link.
     Cycles least_to_link() const { return operands + blocked; }
   } channel;
   struct Alternative {
-    Cycles setup, timer_setup, end;    // instructions alt, talt, altend
-    Cycles enable_ready, enable_not;   // instruction enbc with its operands, for a channel guard
+    Cycles setup, timer_setup, end;  // instructions alt, talt, altend
+    // Instruction enbc with its operands, for a channel guard that is ready or not ready.
+    Cycles enable_ready, enable_not;
     Cycles enable_skip, enable_timer;  // instructions enbs, enbt
-    Cycles wait_ready, wait_not;       // instruction altwt
-    Cycles timer_wait_ready, timer_wait_not;      // instruction taltwt
+    Cycles wait_ready, wait_not;       // instruction altwt, if a guard is ready or none is
+    // Instruction taltwt, if a guard is ready or none is.
+    Cycles timer_wait_ready, timer_wait_not;
     Cycles disable, disable_skip, disable_timer;  // instructions disc, diss, dist
-    // For an ALT with replicated guards: a step of the replicator for each guard, both when guards
-    // are enabled and when they are disabled; index modulo the number of guards; address of the
-    // chosen channel; update of the guard that has precedence (favourite).
+    // Additional costs of replicated guards: a step of the replicator, for enabling a guard and
+    // again for disabling it; an index modulo the number of guards; the address of the chosen
+    // channel; the update of the guard that has precedence (favourite).
     Cycles replicated, modulo, taken, favourite;
   } alternative;
   struct Timer {
-    Cycles read, wait_past, wait_future;  // instructions ldtimer and tin
+    Cycles read, wait_past, wait_future;  // instruction ldtimer; tin for a past or a future tick
     double high_tick, low_tick;           // in seconds
   } timer;
   struct Software {

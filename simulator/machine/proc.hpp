@@ -81,7 +81,7 @@ struct Proc::promise_type {
   std::suspend_always initial_suspend() noexcept { return {}; }
   std::suspend_always final_suspend() noexcept { return {}; }
   void return_void() {}
-  void unhandled_exception() { throw; }  // leaves go_on()
+  void unhandled_exception() { throw; }  // the exception leaves go_on()
 };
 
 inline bool Proc::go_on(Process& self) {

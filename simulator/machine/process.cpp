@@ -122,7 +122,8 @@ void Process::start_wait(Wait& wait) {
 
 void Process::note_end_of_run() {
   Engine& engine = processor_.engine();
-  // The run must end at its limit even if the process blocked later.
+  // The process blocked at a date beyond the time limit. An event at this date makes the run end at
+  // its limit.
   if (blocked_since_ > engine.until()) engine.at(blocked_since_, [] {});
 }
 

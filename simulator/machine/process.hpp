@@ -110,8 +110,9 @@ class Process {
     return (priority_ == Priority::low || owes_much()) && must_sync();
   }
   bool owes_much() const { return debt_ > LONG_DEBT; }
-  /// Mean duration of a cycle while the debt was last paid. Messages on links that started or ended
-  /// during the payment have an effect, but not those at its end.
+  /// Mean duration of a cycle while the debt was last paid, longer than a period of the CPU's clock
+  /// if DMA took cycles. Includes the effect of messages that started or ended during the payment,
+  /// but not of those that did so at its end.
   Seconds paid_cycle() const {
     return {paid_for_.value / static_cast<double>(std::max<std::int64_t>(1, paying_.value))};
   }
