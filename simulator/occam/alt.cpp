@@ -96,7 +96,7 @@ bool Select::go_on(Process& self) {
       for (const Guard& guard : guards_)
         if (guard.condition && guard.channel) guard.channel->take_input(self);
       stage_ = Stage::enables;
-      // a small debt of cycles is paid later, together with the cost of enabling the guards
+      // A small debt of cycles is paid later, together with the cost of enabling the guards.
       if (self.owes_much() && self.must_sync()) return false;
       [[fallthrough]];
     case Stage::enables:
@@ -153,9 +153,9 @@ bool Select::some_ready(const Process& self) const {
   });
 }
 
-// Cost of the instruction alt and of enabling all guards. To enable a guard costs another number of
-// cycles if the guard is ready. An output that waits keeps waiting; hence, if none waits at the end
-// of enabling, none was waiting earlier.
+// Cost of the instruction alt and of enabling all guards. Enabling costs a different number of
+// cycles for a guard that is ready. An output that waits keeps waiting; hence, if no output waits
+// at the end of enabling, none was waiting earlier.
 Cycles Select::cost_to_enable_all(const Process& self) const {
   const auto waits = [&](const Guard& guard) {
     return guard.condition && guard.channel && guard.channel->has_output() &&
@@ -175,7 +175,8 @@ Cycles Select::cost_to_enable_all(const Process& self) const {
 // before the end of enabling, a later call charges the difference.
 void Select::spend_enabling(Process& self) {
   const Cycles known = cost_to_enable_all(self);
-  // The link of a guard that was ready has been cut.
+  // The cost is lower than before because the link of a ready guard has been cut. Charged cycles
+  // are not refunded.
   if (known < enabled_ && any_cut(guards_)) return;
   self.charge(Cycles{known.value - enabled_.value});
   enabled_ = known;

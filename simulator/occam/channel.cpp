@@ -35,7 +35,7 @@ void ChannelBase::check_may_take(Side side, Process& self) {
   End& end = end_of(side);
   const machine::Processor& here = self.processor();
   if (!end.place)
-    // The first user of a soft channel determines its processor.
+    // The processor of the first user becomes the processor of both ends of a soft channel.
     end_of(writer).place = end_of(reader).place = &here;
   const bool is_here = end.place == &here;
   const auto is_free = [&] { return !end.taken_by || end.taken_by == &self; };
