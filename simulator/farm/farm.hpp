@@ -26,7 +26,7 @@ struct Params {
   int max_cell = 16;           ///< side of the largest image cell in pixels, a power of two
   CellOrder order = CellOrder::random;
   CellLight cells = CellLight::constant;
-  /// An order of single pixels. Unless it is `cells`, it replaces `max_cell` and `order`.
+  /// Order of computing single pixels. A value other than `cells` overrides `max_cell` and `order`.
   ray_tracing::PixelOrder pixels = ray_tracing::PixelOrder::cells;
   /// A coarse picture that the display draws before the first ray (thesis, 4.1). If absent, the
   /// display starts black.
@@ -49,7 +49,7 @@ struct Result : ray_tracing::Rendering {
   RayStores::Lengths peaks;  ///< maximum number of rays in each store of the database
   std::uint64_t tasks = 0;   ///< number of tasks, which are rays or blocks
   std::size_t peak_tasks_in_farm = 0;
-  double drain_s = 0;               ///< part of time_s that follows the sending of the last task
+  double drain_s = 0;               ///< part of time_s after the last task was sent
   topologies::Topology topology;    ///< the workers' topology without a link that was removed
   double mean_depth = 0;            ///< mean distance of workers from the coordinator, in links
   machine::Cycles kernel_cycles{};  ///< cycles charged for the workers' tasks

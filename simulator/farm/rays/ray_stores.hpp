@@ -68,7 +68,7 @@ class RayStores {
   void set_limits(const Limits& limits, DatabaseWork& work, std::uint8_t order = 0);
 
   std::size_t size() const { return feelers_.size() + heap_.size() + later_.size(); }
-  /// Number of rays in each store.
+  /// Number of rays in each store: shadow feelers, the priority queue, and rays beyond the limits.
   struct Lengths {
     std::size_t feelers = 0, heap = 0, later = 0;
   };
