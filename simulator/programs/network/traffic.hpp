@@ -8,7 +8,7 @@
 namespace programs {
 
 struct Arrival {
-  /// Date in whole microseconds at which it is offered; ascending for each sender.
+  /// Date in whole microseconds at which the packet is offered; ascending for each sender.
   std::int64_t at_us;
   int from, to;
 };
@@ -19,8 +19,8 @@ struct Arrival {
 std::vector<Arrival> make_random_traffic(int processors, const network::Destinations& destinations,
                                          double packets_per_s, double window_us,
                                          std::uint64_t seed);
-/// The same with all other processors as equally probable destinations. A single processor sends
-/// none.
+/// Like make_random_traffic(), with all other processors as equally probable destinations. A single
+/// processor sends none.
 std::vector<Arrival> make_uniform_traffic(int processors, double packets_per_s, double window_us,
                                           std::uint64_t seed);
 

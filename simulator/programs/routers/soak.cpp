@@ -155,8 +155,8 @@ class Account {
   const std::vector<Planned>& plan_;
   std::set<std::size_t> was_sent_;
   std::uint64_t links_ = 0;
-  std::vector<std::vector<int>> deliveries_;  // processors that received it, by message
-  std::vector<std::vector<int>> returns_;     // processors that returned it, by message
+  std::vector<std::vector<int>> deliveries_;  // by message: the processors that received it
+  std::vector<std::vector<int>> returns_;     // by message: the processors that returned it
   // By sender, receiver and mode: 1 + number of the latest message.
   std::map<std::tuple<int, int, int>, std::uint64_t> last_;
 };
