@@ -82,7 +82,7 @@ class Application {
 
   const Common& common_;
   const Node node_;
-  radiosity::State state_;  ///< only entries of its own vertices and patches are valid
+  radiosity::State state_;  ///< only entries of this processor's own vertices and patches are valid
 
  private:
   Candidate find_best();
@@ -106,8 +106,8 @@ class Application {
   std::vector<network::Message> borders_;
 };
 
-/// The application at the root of the reduction tree. It computes, as all others do. It also
-/// selects the patch that shoots next, and it is the display.
+/// The application at the root of the reduction tree. Like all others it computes a part of the
+/// solution. It also selects the patch that shoots next, and it is the display.
 class Root : public Application {
  public:
   /// `nodes` are the nodes of all processors. `on_solved` is called when all processors have
