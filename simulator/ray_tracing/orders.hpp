@@ -129,8 +129,8 @@ class Orders {
     waits_for_order_ = false;
   }
 
-  // Wakes the user's process if it waits for a manual order or for the time of a later order. If it
-  // is still busy with the previous order, it will find the new order without this.
+  // Wakes the user's process if it waits for a manual order or for the time of a later order. A
+  // process that is still busy with the previous order finds the new order without being woken.
   void wake(machine::Seconds date) {
     if (waits_for_order_) user_->processor().wake_first_at(date, *user_, user_->waits());
   }
