@@ -66,8 +66,8 @@ ChartSize choose_size(const Trace& trace, std::size_t shown, const base::FigureS
   if (trace.cycle > 0) size.arrows = ARROWS;
   if (!style.is_figure()) return size;
   constexpr double LETTER = 0.6;       // mean width of a letter for a font size of 1
-  constexpr double PER_POINT = 3;      // columns of time
-  constexpr std::size_t LONGEST = 14;  // letters of a name
+  constexpr double PER_POINT = 3;      // columns of the time axis per point
+  constexpr std::size_t LONGEST = 14;  // maximum number of letters in a name
   std::size_t longest = 4;
   for (std::size_t i = 0; i < shown; ++i)
     longest = std::max(longest, std::min(LONGEST, length_of(trace.processors[i])));
@@ -219,7 +219,7 @@ class Chart {
       const auto attributes =
           fmt::format("y=\"{}\" text-anchor=\"end\" font-size=\"{}\" fill=\"{}\"",
                       to_hundredths(y + height / 2 + size / 3), size, is_small ? "#666" : "#222");
-      // letters that fit beside the row
+      // Number of letters that fit beside the row.
       const auto most = static_cast<std::size_t>((size_.left - scale(8)) / (0.58 * size));
       print("<text x=\"{}\" {}>{}</text>", to_hundredths(size_.left - scale(8)), attributes,
             base::escape_xml(shorten(name, most)));
@@ -231,11 +231,12 @@ class Chart {
   }
 
   // Draws an area whose height in each column is the sum of the column's fractions in `doing`.
-  // Callers draw areas on top of each other, the largest first. In a column between an empty and a
-  // full one, draws a step within the column instead: its position shows the fraction.
+  // Callers draw areas on top of each other, the largest first. Between an empty and a full column,
+  // the edge of the area moves within the column by the fraction instead.
   void draw_area(const TimelineRow& row, double height, std::initializer_list<std::size_t> doing,
                  const char* name, const char* colour) {
-    const int full = static_cast<int>(std::lround(2 * height / unit()));  // half units
+    // Full height, in halves of unit().
+    const int full = static_cast<int>(std::lround(2 * height / unit()));
     std::vector<double> shares;
     std::vector<int> levels;
     for (const auto& column : row.columns) {
@@ -324,7 +325,7 @@ class Chart {
       draw_wait(middles, trace_.waiting[i].processor,
                 trace_.waiting[(i + 1) % trace_.cycle].processor);
     double y = bottom_ + scale(34 + LINE);
-    // letters that fit below the chart
+    // Number of letters that fit below the chart.
     const auto most = static_cast<std::size_t>((size_.sum() - size_.left) / (0.58 * scale(12)));
     const auto say = [&](const std::string& text, const char* colour) {
       print("<text x=\"{}\" y=\"{}\" fill=\"{}\">{}</text>\n", size_.left, to_hundredths(y), colour,
@@ -341,10 +342,11 @@ class Chart {
       say(fmt::format("and {} more", trace_.waiting.size() - MOST_TOLD), "#666");
   }
 
-  // Draws an arrow in the right margin, from the row of the waiting processor to that of the other.
+  // Draws an arrow in the right margin, from the row of the waiting processor to the row of the
+  // processor for which it waits.
   void draw_wait(const std::vector<double>& middles, std::size_t from, std::size_t to) {
     if (from == to || std::max(from, to) >= middles.size()) return;
-    // arrows leave a row in its upper half and arrive in the lower
+    // Arrows leave a row in its upper half and arrive in the lower half of another.
     const double x = to_hundredths(size_.sum() - size_.arrows);
     const double a = to_hundredths(middles[from] - scale(4)),
                  b = to_hundredths(middles[to] + scale(4));

@@ -52,8 +52,8 @@ struct Trace {
   std::size_t cycle = 0;         ///< number of processes in the cycle; each waits for the next
 };
 
-// The writers throw base::InvariantBroken, before writing anything, for a trace that violates these
-// rules. The Trace Event Format and Paje store times as whole nanoseconds.
+// The writers throw base::InvariantBroken, before writing anything, for a trace that violates the
+// rules stated in struct Trace. The Trace Event Format and Paje store times as whole nanoseconds.
 
 /// Writes the Trace Event Format (JSON), which Perfetto and chrome://tracing can show. Each
 /// processor becomes a process of the viewer, with one track for its CPU and one for each outgoing
@@ -72,7 +72,7 @@ void save_paje(const Trace& trace, std::ostream& out);
 /// heights show their fractions of the time. Draws at most 64 processors; the others are only
 /// counted.
 void save_timeline(const Trace& trace, std::ostream& out);
-/// Returns the same chart in the size and font of a figure.
+/// Returns the chart of save_timeline() in the size and font of a figure.
 std::string draw_timeline(const Trace& trace, const base::FigureStyle& style);
 
 }  // namespace observe
