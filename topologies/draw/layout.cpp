@@ -153,7 +153,8 @@ void turn_upwards(Places& places, int root) {
 
 // Enlarges a drawing whose shortest link has no room for the port numbers of its ends.
 void lengthen_links(const Topology& topology, Places& places) {
-  constexpr double SHORTEST = 1.7, MOST = 2;  // units; largest factor
+  // Shortest link in units of the layout; largest factor of enlargement.
+  constexpr double SHORTEST = 1.7, MOST = 2;
   double shortest = SHORTEST;
   for (const auto& [a, b] : topology.links)
     shortest = std::min(shortest, std::hypot(places[a.processor].x - places[b.processor].x,

@@ -36,7 +36,7 @@ FittedName fit_name(const Measures& measures, const std::string& name);
 struct Lettering {
   double size;
   std::string colour = "#000000";
-  bool has_halo = false;  ///< true: with a white outline that keeps it readable on lines
+  bool has_halo = false;  ///< true for a white outline that keeps the text readable on lines
 };
 
 /// Collects the elements of an SVG, in points. The y axis points upwards in layouts, and downwards

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int DEPTH = 4;  // levels of elements: graphml, graph, node, data
 
-// Child elements that tlab reads, by the parent's name. It ignores other children. Elements in
+// Child elements that tlab reads, by the parent's name. tlab ignores other children. Elements in
 // PARTS, such as graphs, hyperedges and links to other files, are an error in any place not listed
 // here.
 const std::map<std::string, std::set<std::string>> KNOWN{

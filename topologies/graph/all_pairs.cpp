@@ -49,7 +49,7 @@ class Gathering {
       const int p = order[i], here = distance[p];
       const auto& peers = peers_[p];
       int back = 0;
-      // Has no branches, because the host's CPU could not predict them.
+      // The loop has no branches, because the host's CPU could not predict them.
       for (int port = PORTS - 1; port >= 0; --port) {
         const Short peer = peers[port], there = distance[peer];
         back = there < here ? port : back;
