@@ -21,8 +21,9 @@ struct Snapshot {
 /// Times at which the picture is recorded.
 struct Schedule {
   std::vector<double> at_s;  ///< times in seconds since the first task, ascending
-  double every_s = 0;        ///< interval in s between further times, at most 1000; 0 for none
-  int growth = 0;            ///< minimum number of further times, at equal intervals; 0 for none
+  /// Interval in s between further times, of which there are at most 1000; 0 for none.
+  double every_s = 0;
+  int growth = 0;  ///< minimum number of further times, at equal intervals; 0 for none
 };
 
 /// Records pictures at the times of a Schedule. The display must call note() before each change of
