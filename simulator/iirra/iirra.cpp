@@ -281,7 +281,8 @@ class Run {
   const Params& params_;
   const topologies::Topology& topology_;
   machine::Machine machine_;
-  std::vector<machine::Processor*> companions_;  // by processor; null if it has no second processor
+  // By processor; null for a processor without a companion.
+  std::vector<machine::Processor*> companions_;
   std::optional<shared_memory::SceneItems> items_;
   Shared shared_;
   std::optional<network::Network> network_;

@@ -50,7 +50,8 @@ class Coordinator {
   bool is_null_ = false;
   bool is_quitting_ = false;
   bool is_finishing_ = false, is_finished_ = false;
-  std::uint64_t parked_ = 0, finished_pixels_ = 0;  // pixels reported by workers in this phase
+  // Numbers of pixels that workers have reported in this phase.
+  std::uint64_t parked_ = 0, finished_pixels_ = 0;
   double interactive_since_s_ = 0;
 };
 

@@ -50,7 +50,7 @@ bool is_within(const renderer::Ray& ray, const Limits& limits);
 struct Quantities {
   double contrast = 0;
   int depth = 0;  ///< lowest tree level of the waiting rays of sample `pass`; 0 if none waits
-  double influence = 0;  ///< largest influence factor of these rays
+  double influence = 0;  ///< largest influence factor of the waiting rays of sample `pass`
   int pass = 0;  ///< lowest sample number of a pixel that has a waiting ray within the limits
 };
 

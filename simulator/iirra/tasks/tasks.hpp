@@ -28,7 +28,7 @@ struct Task {
   Quantities quantities = {};
   Advance next = Advance::sample;
   Importance importance = {};
-  /// Received from another processor and not yet worked on by this one.
+  /// True if the task came from another processor and this one has not yet worked on it.
   bool has_just_come = false;
 };
 
