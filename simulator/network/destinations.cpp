@@ -115,7 +115,8 @@ class WeightsReader {
 // count at the lowest port that leads to this neighbour.
 using PortLoads = std::vector<double>;
 
-// Adds the messages of one sender to the loads of the ports on the route.
+// Adds `messages`, which one sender sends to one destination, to the load of each port on the
+// route.
 void add_route(PortLoads& loads, const topologies::RoutingTable& routes, int from, int to,
                double messages) {
   while (from != to) {

@@ -17,7 +17,7 @@ enum class Pattern {
   bit_complement,  ///< the number with all bits inverted
   bit_reversal,    ///< the number with its bits in reverse order
   shuffle,         ///< the number rotated left by one bit
-  hot_spot,        ///< one processor with a given probability, else as uniform
+  hot_spot,        ///< a given processor with a given probability, otherwise as with `uniform`
   neighbour,       ///< any processor at the other end of a link, with equal probability
   file             ///< probabilities from a file
 };
@@ -57,7 +57,7 @@ class Destinations {
   /// time. No value for more than 4096 processors, where it would take too long.
   std::optional<double> eval_saturation_load(const topologies::Topology& topology,
                                              const topologies::RoutingTable& routes) const;
-  /// Mean number of links on the routes of messages. Counts each sender once.
+  /// Mean number of links on the routes of messages. Every sender has the same weight.
   double eval_mean_distance(const topologies::RoutingTable& routes) const;
 
  private:

@@ -170,9 +170,8 @@ struct Node {
   /// way to the sender either, returns no ways. If pointers are passed, also charges the allocation
   /// and release of a buffer for each way.
   WaysOut find_ways_out(Message& message, int came_by);
-  /// Removes and returns copies of GLOBAL messages of this processor's client. There is one copy
-  /// for each processor that a message cannot reach; the caller must send these copies next, which
-  /// return to the client.
+  /// Removes and returns the copies of GLOBAL messages that must return to this processor's client:
+  /// one for each processor that a message cannot reach. The caller must send these copies next.
   std::vector<Message> take_unreached() { return std::exchange(unreached_, {}); }
   /// Returns the messages that this processor must send instead of a message that could not leave
   /// by `way` because the link was cut.

@@ -70,7 +70,7 @@ class StoreAndForward {
     ByWay<ByWay<Channel<Pointer>*>> queue_in{};
     ByWay<Channel<Signal>*> sent{};
     ByWay<Channel<Pointer>*> to_sender{};
-    // The port that the next packet to a neighbour will take, by the lowest port to that neighbour.
+    // For each neighbour, at the lowest port that leads to it: the port that the next packet takes.
     std::array<std::int8_t, topologies::PORTS> turn{0, 1, 2, 3};
     std::uint32_t longest_queue = 0;
   };
