@@ -226,7 +226,7 @@ void Cpu::foresee_way_back() {
 }
 
 // Cancels a planned switch back to the low-priority process, because a high-priority process became
-// ready before it began.
+// ready before the switch began.
 void Cpu::stay_away() {
   interrupted_ = std::exchange(running_, nullptr);
   low_.way_back_from = NEVER;

@@ -136,7 +136,8 @@ class Cpu {
 
   // State of the high-priority process that occupies the CPU.
   struct High {
-    // The process waits for its charged cycles to pass. The end depends on the CPU's speed.
+    // True while the process waits for its charged cycles to pass. The end of this wait depends on
+    // the CPU's speed.
     bool computing = false;
     bool preempting = false;  // its next computation includes a switch from low priority
     std::uint64_t id = 0;     // pending events with another number have no effect
@@ -148,9 +149,10 @@ class Cpu {
     Seconds since{};         // start of its computation; ahead of the clock during a switch back
     Seconds end{};           // end of its computation if nothing interferes
     Seconds left{};          // computation still to be done, at full speed, while interrupted
-    Seconds way_back_from = NEVER;  // start of a switch back to it that is not yet counted in use_
-    Seconds slice_end{};            // end of its time slice
-    Seconds gives_way_at = NEVER;   // tick at which it yields to another ready low-priority process
+    // Start of a switch back to this process that is not yet counted in use_.
+    Seconds way_back_from = NEVER;
+    Seconds slice_end{};           // end of its time slice
+    Seconds gives_way_at = NEVER;  // tick at which it yields to another ready low-priority process
   };
   struct Timer {
     bool armed = false;
@@ -163,7 +165,8 @@ class Cpu {
   void dispatch_when_free();  // schedules dispatch() at free_at_
   void ask_dispatch();
   void dispatch();
-  void execute(Process& process);  // runs its body until it needs time, blocks or ends
+  // Runs the process's body until the process needs time, blocks or ends.
+  void execute(Process& process);
   void account_high(const Process& process, Seconds time);
   void release(Process& process, Seconds free_at);  // called when the process has blocked or ended
   void end_high_at(Seconds date);

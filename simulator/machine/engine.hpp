@@ -98,7 +98,7 @@ class Engine {
   /// Drops all pending events and ends the run.
   void stop() { events_.stop(End::stopped); }
   std::uint64_t handled() const { return events_.handled(); }  ///< number of handled events
-  /// Number that grows with each event that is scheduled during the present event.
+  /// A number that grows with each event scheduled during the present event, see Events::asked().
   std::uint64_t asked() const { return events_.asked(); }
 
   // --- for class Parts and for links between two parts ------------------------------------------

@@ -60,8 +60,8 @@ class LinkDirection {
   /// Assigns the direction to the channel with this name. Throws Misuse if another channel uses it.
   void carry(const std::string& channel);
   enum class Side : std::uint8_t { writer, reader };
-  /// Date of the engine that runs the link. A link between two parts of the machine has the engine
-  /// for such links, any other link the engine of its part.
+  /// Date of the engine that runs the link: the engine of the link's part or, for a link between
+  /// two parts, the separate engine for such links.
   Seconds now() const { return engine_.now(); }
   /// True if the link joins processors in different parts of the machine (see class Parts).
   bool is_between_parts() const { return &from_.engine() != &to_.engine(); }

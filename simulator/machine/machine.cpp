@@ -258,7 +258,7 @@ End Machine::run(Seconds until) {
   throw_failure();
   const bool cut = why != Engine::End::no_event_left && !all_have_ended(*this);
   // All processes had ended when the run stopped, so the events still in the queue would have had
-  // no effect. Sets the clock back to the last event that had one.
+  // no effect. Sets the clock back to the last event with an effect.
   if (!cut && why != Engine::End::no_event_left) parts_.rewind();
   for (const auto& processor : processors_) processor->cpu().flush_observer();
   for (const auto& link : links_) link->flush_observer();
@@ -303,7 +303,7 @@ void Machine::expect(const Failure& failure) {
 void Machine::happen_now() {
   auto& together = failures_.at(now());
   bool matters = false;
-  // A callback of on_failure() may append failures.
+  // Counts by index, because a callback of on_failure() may append failures.
   for (std::size_t i = 0; i < together.size(); ++i) {
     const Failure failure = together[i];
     matters |= happen(failure);

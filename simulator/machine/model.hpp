@@ -37,9 +37,9 @@ struct Entry {
   std::string source;
   std::string where;  ///< place named in messages, such as "my.toml:4: link.one_way_rate"
   std::optional<Range> range = {};
-  /// Formula for the quantity that the published cells of a calibrated entry determine. The formula
-  /// is linear in the entry. Empty if the cells determine the entry itself, and for entries that
-  /// are not calibrated.
+  /// Formula for the quantity that the published table cells of a calibrated entry determine. The
+  /// formula is linear in the entry. Empty if the cells determine the entry itself, and for entries
+  /// that are not calibrated.
   std::string holds = {};
 };
 
@@ -70,7 +70,7 @@ struct Model {
     Cycles return_to_low;  // switch back to the low-priority process
     // Instructions startp and endp: for branches of a PAR with equal priorities.
     Cycles start_process, end_process;
-    Cycles run_process;            // instruction runp: for a branch with different priority
+    Cycles run_process;            // instruction runp: for a branch of a PAR with another priority
     Cycles par_setup, par_branch;  // additional cycles of a PAR, and of each of its branches
   } scheduler;
   struct Channel {
@@ -99,7 +99,8 @@ struct Model {
   } alternative;
   struct Timer {
     Cycles read, wait_past, wait_future;  // instruction ldtimer; tin for a past or a future tick
-    double high_tick, low_tick;           // in seconds
+    // Period of the clock at high and at low priority, in seconds.
+    double high_tick, low_tick;
   } timer;
   struct Software {
     // Factor on the instructions of occam constructs, if code is compiled (Code::compiled).
@@ -144,8 +145,8 @@ using EntryValue = std::variant<double, std::string>;
 std::string to_text(const EntryValue& value);
 /// Values that replace those of a model, by key ("link.bit_rate").
 using Overrides = std::vector<std::pair<std::string, EntryValue>>;
-/// Makes a model with some changed entries. A changed entry keeps its unit, its provenance becomes
-/// "assumed" and its source `origin`. Throws BadInput.
+/// Makes a model with some changed entries. A changed entry keeps its unit. Its provenance becomes
+/// "assumed", and its source becomes `origin`. Throws BadInput.
 Model override_model(std::string_view name, const Overrides& entries, std::string_view origin);
 std::vector<std::string> builtin_models();
 /// Returns the first sentence of the built-in model's file. Throws BadInput for an unknown name.

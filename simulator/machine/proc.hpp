@@ -38,7 +38,7 @@ class [[nodiscard]] Proc final : public Operation {
   struct promise_type;
   using Frame = std::coroutine_handle<promise_type>;
 
-  Proc() = default;  ///< without a body
+  Proc() = default;  ///< makes a Proc without a body
   Proc(Proc&& other) noexcept : frame_(std::exchange(other.frame_, {})) {}
   Proc& operator=(Proc&& other) noexcept {
     std::swap(frame_, other.frame_);

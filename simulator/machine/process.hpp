@@ -34,8 +34,8 @@ struct Wait {
 
   /// Text for a deadlock report, such as "in on worker3.from.left".
   virtual std::string describe() const = 0;
-  /// Those processes that could, each alone, end the wait, as far as they are known. They may have
-  /// ended.
+  /// The processes of which any one could end the wait, as far as they are known. Some of them may
+  /// have ended.
   virtual std::vector<ProcessId> waits_for() const { return {}; }
   virtual Kind kind() const { return Kind::other; }
   /// Called after a link of the processor has been cut. Ends the wait of `process` if it waits for
@@ -110,9 +110,9 @@ class Process {
     return (priority_ == Priority::low || owes_much()) && must_sync();
   }
   bool owes_much() const { return debt_ > LONG_DEBT; }
-  /// Mean duration of a cycle while the debt was last paid, longer than a period of the CPU's clock
-  /// if DMA took cycles. Includes the effect of messages that started or ended during the payment,
-  /// but not of those that did so at its end.
+  /// Mean duration of a cycle while the debt was last paid. It is longer than a period of the CPU's
+  /// clock if DMA took cycles. Includes the effect of all messages on links during the payment,
+  /// except messages that started or ended exactly at its end.
   Seconds paid_cycle() const {
     return {paid_for_.value / static_cast<double>(std::max<std::int64_t>(1, paying_.value))};
   }
@@ -144,7 +144,7 @@ class Process {
   /// this one waits for input.
   void set_server() { is_server_ = true; }
   bool is_server() const { return is_server_; }
-  /// Number of waits that have started. It identifies the present wait.
+  /// Number of waits that have started, which identifies the present wait.
   std::uint64_t waits() const { return waits_; }
   const Wait* wait() const {
     return wait_;
@@ -157,7 +157,8 @@ class Process {
   Seconds blocked_since() const { return blocked_since_; }  ///< own time at which the wait began
   /// Total time in waits of this kind, including the present wait.
   Seconds blocked(Wait::Kind kind) const;
-  std::uint32_t trace_id() const { return trace_id_; }  ///< the id of its name, see Observer
+  /// The id of the process's name, see Observer.
+  std::uint32_t trace_id() const { return trace_id_; }
 
  private:
   friend class Cpu;
@@ -199,7 +200,7 @@ class Process {
   std::array<Seconds, 4> blocked_{};  // total duration of past waits, by Wait::Kind
   ProcessId id_;
   Cycles paying_{};      // size of the debt that is, or was last, being paid
-  Seconds paid_for_{};   // time spent so far on paying it
+  Seconds paid_for_{};   // time spent so far on paying the debt
   Seconds remaining_{};  // computation left to a low-priority process that lost the CPU
   std::uint64_t rank_ = NO_RANK;
   int wake_ups_ = 0;  // number of pending events scheduled by Processor::wake_at

@@ -85,8 +85,8 @@ class KeptSignals {
 
  private:
   static constexpr int SIGNALS[] = {SIGINT, SIGTERM, SIGSEGV};
-  // Blocks these signals while this object exists, because SimGrid's handlers would end the
-  // program.
+  // Blocks the signals in SIGNALS while this object exists, because SimGrid's handlers would end
+  // the program.
   const base::HeldSignals held_{SIGNALS};
   struct sigaction kept_[std::size(SIGNALS)];
   std::terminate_handler terminate_ = std::get_terminate();
