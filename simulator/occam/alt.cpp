@@ -183,7 +183,7 @@ void Select::spend_enabling(Process& self) {
 }
 
 // Charges the instruction altwt or taltwt. If an output arrives while a high-priority process pays
-// for this instruction, it wakes the process.
+// for this instruction, the output wakes the process.
 bool Select::spend_wait(Process& self, bool ready) {
   const auto& costs = self.processor().model().alternative;
   if (has_timer_)

@@ -173,7 +173,7 @@ template <class Inputs, class Then>
 struct Replicated {
   const Inputs& inputs;
   std::size_t favourite;
-  bool is_fair;  // the program pays for computing indices modulo size()
+  bool is_fair;  // if true, the program pays for computing indices modulo size()
   Then then;
 
   std::size_t size() const { return inputs.size(); }
