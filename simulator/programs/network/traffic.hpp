@@ -32,7 +32,7 @@ struct TrafficResult {
   std::vector<Delivery> deliveries;  ///< one for each arrival, in the same order
   double link_busy_max = 0;          ///< load of the busiest link direction, 0 to 1
   std::size_t longest_queue = 0;     ///< maximum number of packets in a queue
-  std::uint64_t links = 0;           ///< sum over all packets of the links they passed
+  std::uint64_t links = 0;           ///< number of links passed by packets, summed over all packets
 };
 
 /// Simulates store-and-forward routing of packets with `bytes` bytes on the topology of `setup`,
