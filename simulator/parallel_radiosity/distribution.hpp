@@ -22,7 +22,7 @@ struct Share {
   std::vector<std::uint32_t> patches;  ///< numbers of its patches, in ascending order
   /// Numbers of the corners of its patches, in ascending order.
   std::vector<std::uint32_t> vertices;
-  /// Shared vertices whose light is sent to, or received from, others.
+  /// Shared vertices whose light is sent to, or received from, other processors.
   std::vector<Border> out, in;
 };
 
@@ -30,8 +30,8 @@ struct Share {
 /// processor's patches are its vertices, so a vertex on a border belongs to several shares.
 std::vector<Share> distribute(const radiosity::Mesh& mesh, int processors, Distribution how);
 
-/// Decides for each shared vertex which of its processors computes the vertex's light; takes the
-/// processors in rotation. This processor sends the light to the others.
+/// Decides for each shared vertex which of its processors computes the vertex's light and sends it
+/// to the others. The choice rotates among the processors.
 void exchange_borders(std::vector<Share>& shares, std::size_t vertices);
 
 }  // namespace parallel_radiosity

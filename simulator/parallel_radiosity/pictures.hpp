@@ -8,7 +8,8 @@ namespace parallel_radiosity {
 
 /// Measurements of the final picture.
 struct PictureSummary {
-  double radiosity_mean = 0;  ///< mean over the patches whose material also exists in the reference
+  /// Mean radiosity over the patches whose material also exists in the reference.
+  double radiosity_mean = 0;
   double exposure = 0;        ///< factor on the picture's brightness for display; greater than 0
   double reference_mean = 0;  ///< mean radiosity of the reference; 0 without a reference
   std::optional<radiosity::PictureError> error;  ///< only with a reference
