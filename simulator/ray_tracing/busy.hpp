@@ -24,7 +24,7 @@ constexpr double SATURATED = 0.8;
 /// Loads of processors and links, as fractions of time.
 struct Busy {
   double worker_mean = 0, worker_max = 0;
-  /// Absent if this process has no CPU of its own.
+  /// Load of each of these processes; absent if the process has no CPU of its own.
   std::optional<double> coordinator, database, display;
   std::optional<double> router_mean;  ///< only if companions of workers route
   std::string cpu_busiest;
