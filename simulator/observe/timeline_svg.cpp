@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t MOST_PROCESSORS = 64;
 constexpr double LINE = 16;            // height of a line of text, for a font of 12
 constexpr double ARROWS = 90;          // width of the margin with the arrows of a cycle of waits
-constexpr std::size_t MOST_TOLD = 24;  // waiting processes listed below the chart
+constexpr std::size_t MOST_TOLD = 24;  // maximum number of waiting processes listed below the chart
 constexpr auto FAULT = "#b40000";
 constexpr auto LOW = "#9ecae1", HIGH = "#e6550d", SWITCHING = "#3b3b3b", MESSAGE = "#41ab5d";
 
@@ -60,7 +60,8 @@ struct ChartSize {
   double sum() const { return left + width + right + arrows; }
 };
 
-// Measures of the columns beside the time axis in a figure follow from their longest texts.
+// In a figure, the widths of the columns beside the time axis follow from the longest texts in
+// these columns.
 ChartSize choose_size(const Trace& trace, std::size_t shown, const base::FigureStyle& style) {
   ChartSize size;
   if (trace.cycle > 0) size.arrows = ARROWS;
@@ -188,11 +189,11 @@ class Chart {
     return top;
   }
 
-  // The right end of percentages.
+  // The x coordinate of the right end of the percentages.
   double find_end() const { return to_hundredths(size_.sum() - size_.arrows - scale(8)); }
 
   void draw_axis() {
-    constexpr double ROOM = 95;  // pixels for a label
+    constexpr double ROOM = 95;  // width in pixels of the label of a tick mark
     const double most = style_.is_figure() ? std::max(2.0, size_.width / scale(ROOM / 2)) : 14;
     const auto [step, unit, name] = choose_ticks(length_s(), most);
     const auto begin = to_nanoseconds(trace_.begin_s), end = to_nanoseconds(trace_.end_s);
@@ -231,8 +232,8 @@ class Chart {
   }
 
   // Draws an area whose height in each column is the sum of the column's fractions in `doing`.
-  // Callers draw areas on top of each other, the largest first. Between an empty and a full column,
-  // the edge of the area moves within the column by the fraction instead.
+  // Callers draw areas on top of each other, the largest first. In a column between an empty and a
+  // full one, the area has full height instead, and fills the fraction of the column's width.
   void draw_area(const TimelineRow& row, double height, std::initializer_list<std::size_t> doing,
                  const char* name, const char* colour) {
     // Full height, in halves of unit().
@@ -359,7 +360,7 @@ class Chart {
 
   const Trace& trace_;
   const base::FigureStyle& style_;
-  std::size_t shown_;  // number of processors
+  std::size_t shown_;  // number of processors in the chart
   ChartSize size_;
   Heights heights_;
   Timeline timeline_;

@@ -43,13 +43,14 @@ struct Trace {
   std::vector<std::string> processors, channels;  ///< names in UTF-8
   std::vector<Process> processes;
   std::vector<Link> links;
-  std::vector<Span> spans;          ///< for each processor, sorted by time
-  std::vector<Transfer> transfers;  ///< for each link, sorted by time
+  std::vector<Span> spans;          ///< sorted by time within each processor
+  std::vector<Transfer> transfers;  ///< sorted by time within each link
   double begin_s = 0, end_s = 0;    ///< period that the trace covers
   std::string title;
-  std::string fault;             ///< the fault that ended the run, in one line; "" for none
-  std::vector<Waiting> waiting;  ///< after a deadlock; first those of a cycle, in its order
-  std::size_t cycle = 0;         ///< number of processes in the cycle; each waits for the next
+  std::string fault;  ///< the fault that ended the run, in one line; "" for none
+  /// The processes that wait after a deadlock; those of a cycle come first, in its order.
+  std::vector<Waiting> waiting;
+  std::size_t cycle = 0;  ///< number of processes in the cycle; each waits for the next
 };
 
 // The writers throw base::InvariantBroken, before writing anything, for a trace that violates the
