@@ -39,8 +39,8 @@ struct Observer {
 struct CpuUse {
   /// Execution time by priority; context switches count as high priority.
   Seconds busy_high{}, busy_low{};
-  /// Idle time of the CPU lost to DMA and to a companion processor. If the CPU is busy, lost cycles
-  /// extend its busy time instead.
+  /// Idle time of the CPU lost to DMA and to a companion (a second processor on the same memory).
+  /// If the CPU is busy, lost cycles extend its busy time instead.
   Seconds stolen_idle{};
   std::uint64_t preemptions = 0, dispatches = 0;
   Seconds busy() const { return busy_high + busy_low; }

@@ -54,9 +54,10 @@ struct Model {
     Hertz clock;
   } cpu;
   struct Memory {
-    double steal_word;       // CPU cycles that a link's DMA takes for each 4-byte word
-    double least_share;      // fraction of the memory cycles that DMA always leaves to the CPU
-    double companion_share;  // fraction of its cycles that a CPU loses if it has a companion
+    double steal_word;   // CPU cycles that a link's DMA takes for each 4-byte word
+    double least_share;  // fraction of the memory cycles that DMA always leaves to the CPU
+    // Fraction of its cycles that a CPU loses if a second processor shares its memory.
+    double companion_share;
   } memory;
   struct Link {
     double bit_rate;                      // bits/s
@@ -79,7 +80,8 @@ struct Model {
     Cycles soft_setup;  // `in` or `out` if the partner already waits on the same processor
     Cycles copy_word;   // copying a 4-byte word to or from a partner on the same processor
     Cycles out_word;    // additional cycles of the instruction `outword`, for a message of one word
-    Cycles wake_companion;  // making a process on the companion's CPU ready
+    // Making a process ready on the companion, the second processor on the same memory.
+    Cycles wake_companion;
     /// Minimum time from the start of `in` or `out` until the process reaches a link.
     Cycles least_to_link() const { return operands + blocked; }
   } channel;

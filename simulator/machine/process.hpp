@@ -79,18 +79,19 @@ class Process {
     if (debt_ > MUCH_DEBT) sync_if_much();
   }
   void charge(Seconds duration);
-  /// Pays the debt of cycles. Afterwards the clock has reached this process's own time, and the
-  /// process has the CPU. Returns true if other processes may have run meanwhile.
+  /// Pays the debt: lets simulated time pass for the cycles that the process was charged.
+  /// Afterwards the clock has reached the process's own time, and the process has the CPU. Returns
+  /// true if other processes may have run meanwhile.
   bool sync() {
     const bool must = must_sync();
     if (must) suspend();
     return must;
   }
-  /// Declares that the process has no debt and now executes its last instruction. If this
+  /// Declares that the process has no unpaid cycles and now executes its last instruction. If this
   /// instruction makes a process ready that takes the CPU, the body nevertheless ends first.
   void end_by_this() { ends_by_this_ = true; }
   /// Yields the CPU until Processor::make_ready is called. A low-priority process must have paid
-  /// its debt before.
+  /// its debt (called sync()) before.
   void block(Wait& wait);
   /// Executes an operation completely and returns it. If the operation has to wait, it continues
   /// outside of the body's stack; it must then neither sync nor block.
@@ -104,8 +105,9 @@ class Process {
   // True if sync() would yield the CPU. An operation must then return false, and must not test this
   // again when it continues.
   inline bool must_sync() const;
-  /// Like must_sync(), for operations that pass on the process's own time. For a high-priority
-  /// process, true only if its debt is also larger than LONG_DEBT.
+  /// Like must_sync(), for operations that tell other processes this process's own time, which may
+  /// then be ahead of the clock. For a high-priority process, true only if its debt of cycles is
+  /// also larger than LONG_DEBT.
   bool must_sync_if_long() const {
     return (priority_ == Priority::low || owes_much()) && must_sync();
   }
@@ -123,11 +125,11 @@ class Process {
   bool has_rank() const { return rank_ != NO_RANK; }
   /// True if the process now executes on a stack of its own, so that it may wait anywhere.
   bool has_stack() const { return coroutine_ && !operation_; }
-  /// Marks the process as blocked from its own time on; a part of block().
+  /// Marks the process as blocked from its own time (own_time()) on; a part of block().
   void start_wait(Wait& wait);
   // --------------------------------------------------------------------------------------------
 
-  /// Pays the debt and returns the date. Throws Misuse if another process calls it.
+  /// Calls sync() and returns the date. Throws Misuse if another process calls it.
   Seconds now();
   /// The process's own time: the clock plus the time to pay the debt at the present speed and
   /// without pre-emption. It is exact if the debt has just been paid. Wait::on_stretch must update
@@ -154,7 +156,7 @@ class Process {
   void tell_cut() {
     if (state_ == State::blocked && wait_) wait_->on_cut(*this);
   }
-  Seconds blocked_since() const { return blocked_since_; }  ///< own time at which the wait began
+  Seconds blocked_since() const { return blocked_since_; }  ///< own_time() when the wait began
   /// Total time in waits of this kind, including the present wait.
   Seconds blocked(Wait::Kind kind) const;
   /// The id of the process's name, see Observer.
@@ -199,8 +201,8 @@ class Process {
   std::uint64_t waits_ = 0;
   std::array<Seconds, 4> blocked_{};  // total duration of past waits, by Wait::Kind
   ProcessId id_;
-  Cycles paying_{};      // size of the debt that is, or was last, being paid
-  Seconds paid_for_{};   // time spent so far on paying the debt
+  Cycles paying_{};      // number of cycles that are, or were last, being paid
+  Seconds paid_for_{};   // time spent so far on paying these cycles
   Seconds remaining_{};  // computation left to a low-priority process that lost the CPU
   std::uint64_t rank_ = NO_RANK;
   int wake_ups_ = 0;  // number of pending events scheduled by Processor::wake_at
