@@ -66,13 +66,13 @@ class ChannelBase {
     const Party& waiting = end_of(writer).waiting;
     return waiting.process && waiting.since <= (hard() ? std::min(at, link_->now()) : at) && !cut();
   }
-  /// Used by an ALT that finds no output: registers `process`, which waits from its own time on.
-  /// The next output wakes the process, even if this output is already known and will wait from a
-  /// later date on.
+  /// Used by an ALT that finds no output: registers `process`, which waits from its own time on
+  /// (Process::own_time). The next output wakes the process, even if this output is already known
+  /// and will wait from a later date on.
   void enable(Process& process);
   void disable() { alternative_ = {}; }
-  /// Changes the date from which the process registered by enable() waits. Called when that
-  /// process's own time is ahead of the clock and has moved.
+  /// Changes the date from which the process registered by enable() waits. Called when that date is
+  /// ahead of the clock and has moved.
   void move_enabling(machine::Seconds since) { alternative_.since = since; }
   /// Used by ALTs: reserves the input end for the process, until leave_input(). See take().
   void take_input(Process& process) { take(reader, process); }
@@ -105,7 +105,7 @@ class ChannelBase {
  private:
   struct Party {
     Process* process = nullptr;
-    // Own time of the process at its arrival, which may be ahead of the clock.
+    // Process::own_time() at the arrival of the process, which may be ahead of the clock.
     machine::Seconds since{};
   };
   struct End {
