@@ -59,7 +59,8 @@ struct Message {
   std::shared_ptr<const Contents> contents = {};
   Returned returned = Returned::no;
   int links = 0;  ///< number of links passed so far
-  /// For GLOBAL messages: number of link cuts before the message was sent, see Routing::epoch().
+  /// For broadcast (GLOBAL) messages: number of link cuts before the message was sent, see
+  /// Routing::epoch().
   std::size_t tree = 0;
 
   /// Length in bytes of the part that identifies a message: address, sender and length, five words
@@ -170,8 +171,9 @@ struct Node {
   /// way to the sender either, returns no ways. If pointers are passed, also charges the allocation
   /// and release of a buffer for each way.
   WaysOut find_ways_out(Message& message, int came_by);
-  /// Removes and returns the copies of GLOBAL messages that must return to this processor's client:
-  /// one for each processor that a message cannot reach. The caller must send these copies next.
+  /// Removes and returns the copies of broadcast (GLOBAL) messages that must return to this
+  /// processor's client: one for each processor that a message cannot reach. The caller must send
+  /// these copies next.
   std::vector<Message> take_unreached() { return std::exchange(unreached_, {}); }
   /// Returns the messages that this processor must send instead of a message that could not leave
   /// by `way` because the link was cut.
