@@ -268,8 +268,8 @@ class Coordinator {
     send_finished();
   }
 
-  // Sends the final sums of finished adaptive pixels to the display, which would otherwise give all
-  // samples of a pixel equal weights.
+  // Sends the final sums of finished pixels with adaptive sampling to the display, which would
+  // otherwise give all samples of a pixel equal weights.
   void send_finished() {
     for (const FinishedPixel& finished : ledger_->take_finished()) {
       this_process().charge(setup_.message.made);

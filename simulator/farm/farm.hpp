@@ -43,7 +43,7 @@ struct Params {
 };
 
 struct Result : ray_tracing::Rendering {
-  /// Maximum time for reclassifying all rays, in simulated s.
+  /// Maximum time in simulated seconds for comparing all rays with new limits.
   std::optional<double> reorder_pause_s;
   double interactive_s = 0;  ///< duration of the interactive phase, part of time_s
   RayStores::Lengths peaks;  ///< maximum number of rays in each store of the database
