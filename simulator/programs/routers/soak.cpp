@@ -72,7 +72,8 @@ class Account {
           const std::vector<Planned>& plan)
       : routing_(routing), on_(on), plan_(plan), deliveries_(plan.size()), returns_(plan.size()) {}
 
-  // Called after a fault, which changes routes: any processor may then answer an InPathTo message.
+  // Called after a fault, which changes routes: any processor may then answer an offered (InPathTo)
+  // message.
   void expect_any_route() { all_on_the_way_ = true; }
 
   void send(std::size_t number) {
