@@ -1,5 +1,6 @@
 #pragma once
-// Distribution of patches over processors. AMP gives all processors equal numbers (thesis, 5.1).
+// Distribution of patches over processors. The thesis's radiosity system AMP gives all processors
+// equal numbers of patches (5.1).
 #include "renderer/radiosity/light/solve.hpp"
 
 namespace parallel_radiosity {
