@@ -48,8 +48,9 @@ class Orders {
           user_ ? "[[order]]: found one after the picture was complete, expected it earlier"
                 : "[[order]]: found one before the first task, expected it later");
     const double tick_s = occam::date_of(*user_, 1).value;
-    // If the own time of the user's process is ahead of the clock, the process has already found
-    // that no order is due before this own time. The new order must therefore be later.
+    // The own time of the user's process (its date including charged cycles) may be ahead of the
+    // clock. The process has then already found that no order is due before its own time, so the
+    // new order must be later.
     const bool is_blocked = user_->state() == machine::Process::State::blocked;
     const auto own = is_blocked ? user_->blocked_since() : user_->own_time();
     const double from_s = std::max(after, own).value;
