@@ -57,8 +57,8 @@ class GraphmlReader {
 
   const XmlElement& graphml_;
   std::string file_;
-  std::map<std::string, Key> keys_;      // by id
-  std::map<std::string, int> vertices_;  // by id
+  std::map<std::string, Key> keys_;      // the file's keys, by id
+  std::map<std::string, int> vertices_;  // numbers of the vertices, by id
   std::set<std::string> names_;
   // Source, target and id of the edges that have an id.
   std::set<std::tuple<int, int, std::string>> edges_;

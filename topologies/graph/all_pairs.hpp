@@ -11,7 +11,7 @@ namespace topologies {
 
 /// Distances over all ordered pairs of processors in a connected topology.
 struct Distances {
-  std::int64_t sum = 0;  ///< in links
+  std::int64_t sum = 0;  ///< sum of all distances, in links
   int longest = 0;       ///< the diameter, in links
 };
 

@@ -52,9 +52,10 @@ RoutingTable make_table(std::shared_ptr<const Rule> rule);
 
 struct SpanningTree {
   int root = 0;
-  std::vector<int> parent;                 ///< -1 at the root
+  std::vector<int> parent;                 ///< parent of each processor; -1 for the root
   std::vector<std::vector<int>> children;  ///< by ascending port of the parent
-  std::vector<int> depth;                  ///< shortest distance from the root
+  /// Shortest distance of each processor from the root, in links.
+  std::vector<int> depth;
 };
 
 /// Makes the tree by breadth-first search from `root`, with neighbours by ascending port. The
