@@ -19,7 +19,7 @@ using programs::Setup;
 using ray_tracing::Role;
 
 struct Params {
-  renderer::Params image;  ///< size, shading and shading limits
+  renderer::Params image;  ///< the image's size, shading and limits of shading
   std::vector<Limits> stages =
       std::vector<Limits>(1);  ///< successive limits of the interactive phase
   std::vector<Order> script;   ///< the user's orders; the program adds Begin and Leave
@@ -39,7 +39,8 @@ struct Params {
   /// task. Workers acknowledge the last of them. With 0, workers have the scene from the start, as
   /// in the thesis's measurements.
   std::uint32_t scene_message = 0;
-  std::optional<std::uint64_t> worker_memory, database_memory;  ///< in bytes; default: the model's
+  /// Memory in bytes; by default as in the model.
+  std::optional<std::uint64_t> worker_memory, database_memory;
 };
 
 struct Result : ray_tracing::Rendering {
@@ -53,7 +54,8 @@ struct Result : ray_tracing::Rendering {
   topologies::Topology topology;    ///< the workers' topology without a link that was removed
   double mean_depth = 0;            ///< mean distance of workers from the coordinator, in links
   machine::Cycles kernel_cycles{};  ///< cycles charged for the workers' tasks
-  double kernel_host_s = 0;         ///< measured only with Setup::profile
+  /// Host time in s of the workers' tasks; only with Setup::profile.
+  double kernel_host_s = 0;
 };
 
 /// Throws base::BadInput that names the field, the value found and the values expected.

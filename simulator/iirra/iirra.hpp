@@ -67,7 +67,7 @@ constexpr int MAX_CELL = 512;
 /// The processors of each role.
 struct Places {
   int coordinator = 0, display = 0;
-  std::vector<int> workers;  ///< in ascending order
+  std::vector<int> workers;  ///< numbers of the workers, in ascending order
 };
 /// Chooses the processors of each role. Throws base::BadInput if there are fewer than three.
 Places find_places(const topologies::Topology& topology, bool is_far);

@@ -151,7 +151,7 @@ class Cpu {
     Seconds left{};          // computation still to be done, at full speed, while interrupted
     // Start of a switch back to this process that is not yet counted in use_.
     Seconds way_back_from = NEVER;
-    Seconds slice_end{};           // end of its time slice
+    Seconds slice_end{};           // end of the process's time slice
     Seconds gives_way_at = NEVER;  // tick at which it yields to another ready low-priority process
   };
   struct Timer {

@@ -22,7 +22,7 @@ class Cable {
  public:
   struct End {
     Processor* processor;
-    std::size_t port;  ///< 0 to 3
+    std::size_t port;  ///< number of the link port, 0 to 3
     /// Fractions of the CPU's cycles that the link takes: [0] with one direction busy, [1] with
     /// both directions busy.
     std::array<double, 2> shares;

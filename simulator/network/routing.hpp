@@ -60,7 +60,7 @@ class Routing {
   using Ports = std::vector<std::uint8_t>;  // by processor: one bit for each port
   struct Trees {
     std::mutex lock;
-    std::map<int, Ports> by_sender;  // made on demand
+    std::map<int, Ports> by_sender;  // trees by sender; each is made when first needed
   };
   struct Epoch {
     topologies::Topology topology;  // the topology without links that were cut

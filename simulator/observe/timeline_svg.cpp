@@ -52,7 +52,7 @@ double to_hundredths(double length) { return std::round(100 * length) / 100; }
 
 // Lengths of a chart: pixels on the screen, points in a figure.
 struct ChartSize {
-  double left = 150, width = 1380, right = 70;  // names, time axis, percentages
+  double left = 150, width = 1380, right = 70;  // widths of names, time axis, percentages
   double arrows = 0;                            // margin for the arrows of a cycle of waits
   double scale = 1;                             // relative to a font of 12 pixels
   std::size_t columns = 1380;
@@ -121,7 +121,7 @@ class Chart {
     text_ += legend;
     draw_axis();
     double y = top_;
-    std::vector<double> middles;  // y of the CPUs' rows
+    std::vector<double> middles;  // y coordinates of the middles of the CPUs' rows
     for (std::size_t i = 0; i < shown_; ++i) {
       draw_cpu(i, y);
       middles.push_back(y + heights_.cpu / 2);

@@ -44,7 +44,8 @@ struct Common {
   const Params& params;
   MessageBytes bytes;
   Kernels& kernels;
-  std::optional<shared_memory::SceneItems> items;  ///< only if geometry is distributed
+  /// Set only if the geometry is distributed over the processors.
+  std::optional<shared_memory::SceneItems> items;
   int root = 0;
   kernels::ByModel<MessageWork> messages;
 };
@@ -55,7 +56,8 @@ struct Node {
   std::size_t children = 0;
   Share share;
   network::Client* client = nullptr;
-  shared_memory::DataManager* manager = nullptr;  ///< only if geometry is distributed
+  /// Set only if the geometry is distributed over the processors.
+  shared_memory::DataManager* manager = nullptr;
 };
 
 class Application {

@@ -15,7 +15,7 @@ enum class Distribution : std::uint8_t {
 /// the light of these vertices.
 struct Border {
   int other = 0;
-  std::vector<std::uint32_t> vertices;  ///< in ascending order
+  std::vector<std::uint32_t> vertices;  ///< numbers of the shared vertices, in ascending order
 };
 
 /// The part of the mesh assigned to a processor.

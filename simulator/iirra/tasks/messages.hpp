@@ -9,7 +9,7 @@
 namespace iirra {
 
 /// Numbers of processes in network addresses.
-constexpr int TASK_PROCESS = shared_memory::FIRST_FREE_PROCESS;  ///< task managers
+constexpr int TASK_PROCESS = shared_memory::FIRST_FREE_PROCESS;  ///< number of task managers
 constexpr int DISPLAY_PROCESS = TASK_PROCESS + 1;
 
 // --- tasks ------------------------------------------------------------------------------------

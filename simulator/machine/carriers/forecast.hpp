@@ -92,7 +92,7 @@ class Forecast {
   void foresee(Link& link, std::size_t direction);
 
   std::vector<Link> links_;
-  std::vector<std::size_t> changed_;  // indices of links
+  std::vector<std::size_t> changed_;  // indices of links whose predictions are outdated
   std::vector<Entry> heap_;
   std::uint64_t numbers_ = 0;
 };
