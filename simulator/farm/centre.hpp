@@ -16,7 +16,8 @@ struct RayDatabase {
   machine::OperationCosts cost;
   kernels::RecordBytes bytes;
   kernels::MessageCosts message;
-  double longest_pause_s = 0;  ///< maximum time for reclassifying all rays, in simulated seconds
+  /// Maximum time in simulated seconds for comparing all rays with new limits.
+  double longest_pause_s = 0;
   void run(Channel<DatabaseRequest>& from_coord, Channel<DatabaseReply>& into_coord);
 };
 

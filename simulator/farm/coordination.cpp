@@ -268,8 +268,8 @@ class Coordinator {
     send_finished();
   }
 
-  // Sends the final sums of finished adaptive pixels to the display, which would otherwise give all
-  // samples of a pixel equal weights.
+  // Sends the final sums of finished pixels with adaptive sampling to the display, which would
+  // otherwise give all samples of a pixel equal weights.
   void send_finished() {
     for (const FinishedPixel& finished : ledger_->take_finished()) {
       this_process().charge(setup_.message.made);
@@ -296,8 +296,8 @@ class Coordinator {
   }
 
   // For CellOrder::adaptive: compares the object hit by a sample with the objects hit by the
-  // neighbouring samples one cell away. If they differ, the smaller cells within this cell are
-  // urgent. Then stores the primary rays of these smaller cells.
+  // neighbouring samples one cell away. If they differ, the smaller cells within the sample's cell
+  // are urgent. Then stores the primary rays of these smaller cells.
   void divide(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
     const auto object = hit ? hit->object : renderer::NO_OBJECT;
     seen_[ray.sample] = object;

@@ -28,8 +28,8 @@ struct CoordinationChannels {
 };
 
 /// Parameters of the process that distributes rays. It sends rays from the ray database to the
-/// workers. The workers return intersections. The process makes their child rays and forwards the
-/// intersections to the display (thesis, figure 4.15).
+/// workers, which return intersections. It makes the child rays of each intersection and forwards
+/// the intersection to the display (thesis, figure 4.15).
 struct CoordinationSetup {
   const renderer::Scene& scene;
   const renderer::Params& params;

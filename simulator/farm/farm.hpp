@@ -19,14 +19,14 @@ using programs::Setup;
 using ray_tracing::Role;
 
 struct Params {
-  renderer::Params image;  ///< size, shading and shading limits
+  renderer::Params image;  ///< the image's size, shading and limits of shading
   std::vector<Limits> stages =
       std::vector<Limits>(1);  ///< successive limits of the interactive phase
   std::vector<Order> script;   ///< the user's orders; the program adds Begin and Leave
   int max_cell = 16;           ///< side of the largest image cell in pixels, a power of two
   CellOrder order = CellOrder::random;
   CellLight cells = CellLight::constant;
-  /// An order of single pixels. Unless it is `cells`, it replaces `max_cell` and `order`.
+  /// Order of computing single pixels. A value other than `cells` overrides `max_cell` and `order`.
   ray_tracing::PixelOrder pixels = ray_tracing::PixelOrder::cells;
   /// A coarse picture that the display draws before the first ray (thesis, 4.1). If absent, the
   /// display starts black.
@@ -39,21 +39,23 @@ struct Params {
   /// task. Workers acknowledge the last of them. With 0, workers have the scene from the start, as
   /// in the thesis's measurements.
   std::uint32_t scene_message = 0;
-  std::optional<std::uint64_t> worker_memory, database_memory;  ///< in bytes; default: the model's
+  /// Memory in bytes; by default as in the model.
+  std::optional<std::uint64_t> worker_memory, database_memory;
 };
 
 struct Result : ray_tracing::Rendering {
-  /// Maximum time for reclassifying all rays, in simulated s.
+  /// Maximum time in simulated seconds for comparing all rays with new limits.
   std::optional<double> reorder_pause_s;
   double interactive_s = 0;  ///< duration of the interactive phase, part of time_s
   RayStores::Lengths peaks;  ///< maximum number of rays in each store of the database
   std::uint64_t tasks = 0;   ///< number of tasks, which are rays or blocks
   std::size_t peak_tasks_in_farm = 0;
-  double drain_s = 0;               ///< part of time_s that follows the sending of the last task
+  double drain_s = 0;               ///< part of time_s after the last task was sent
   topologies::Topology topology;    ///< the workers' topology without a link that was removed
   double mean_depth = 0;            ///< mean distance of workers from the coordinator, in links
   machine::Cycles kernel_cycles{};  ///< cycles charged for the workers' tasks
-  double kernel_host_s = 0;         ///< measured only with Setup::profile
+  /// Host time in s of the workers' tasks; only with Setup::profile.
+  double kernel_host_s = 0;
 };
 
 /// Throws base::BadInput that names the field, the value found and the values expected.

@@ -23,7 +23,7 @@ constexpr std::uint32_t TAG_BYTES = 4;      ///< a message without contents: one
 constexpr std::uint32_t LIMITS_BYTES = 32;  ///< parameters of increasing realism (Limits): 8 words
 constexpr std::uint32_t BLOCK_BYTES = TAG_BYTES + 4 * 4;  ///< position and size of a block
 
-/// Pixel number and three sums of 8 bytes.
+/// Length of a FinishedPixel: the tag, the pixel's number and three sums of 8 bytes each.
 constexpr std::uint32_t FINISHED_BYTES = TAG_BYTES + 4 + 3 * 8;
 
 constexpr std::uint32_t WEIGHTS_BYTES = 12;  ///< added to LIMITS_BYTES if the limits have weights

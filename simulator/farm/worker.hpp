@@ -1,7 +1,7 @@
 #pragma once
-// Processes of a worker (thesis, 4.3.6.2). At high priority run a data router with one sender
-// process for each way out, and a results router (which collects results). At low priority runs the
-// application.
+// Processes of a worker (thesis, 4.3.6.2). Two kinds of process run at high priority: a data router
+// with one sender process for each way out, and a results router, which collects results. The
+// application runs at low priority.
 #include <span>
 #include <vector>
 

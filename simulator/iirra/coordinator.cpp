@@ -130,7 +130,8 @@ std::vector<int> Coordinator::measure_cells(const std::vector<SampledCell>& cell
   return worker_of;
 }
 
-// Only for green balancing: gives a child in the tree of requests the next undistributed cell.
+// Gives a child in the tree of requests the next cell that has not been distributed. Used by green
+// balancing only.
 void Coordinator::serve_demand(int child) {
   if (next_of_pool_ == pool_.size()) return;
   ++shared_.record.counts.moves;

@@ -21,7 +21,7 @@ constexpr int TASK_BITS = DATA_BIT | TASK_BIT;
 constexpr int DISPLAY_BITS = DATA_BIT | 1 << DISPLAY_PROCESS;
 constexpr int NO_PROCESS = 0;  // the client that sends the user's orders receives no messages
 
-// Returns the workers closest to worker `self`: those at the smallest distance that any worker has.
+// Returns the workers closest to worker `self`: all those at the smallest distance from it.
 std::vector<int> find_nearest(const network::Routing& routing, const std::vector<int>& workers,
                               int self) {
   std::vector<int> nearest;
@@ -38,8 +38,8 @@ std::vector<int> find_nearest(const network::Routing& routing, const std::vector
   return nearest;
 }
 
-// For green balancing: returns, by processor, the parent in the tree along which tasks are
-// requested.
+// For each processor: its parent in the tree along which tasks are requested. Used by green
+// balancing.
 std::vector<int> find_parents(const topologies::Topology& topology, const Places& places) {
   const auto tree = topologies::make_spanning_tree(topology, places.coordinator);
   base::require(
@@ -281,7 +281,8 @@ class Run {
   const Params& params_;
   const topologies::Topology& topology_;
   machine::Machine machine_;
-  std::vector<machine::Processor*> companions_;  // by processor; null if it has no second processor
+  // By processor; null for a processor without a companion.
+  std::vector<machine::Processor*> companions_;
   std::optional<shared_memory::SceneItems> items_;
   Shared shared_;
   std::optional<network::Network> network_;

@@ -36,27 +36,28 @@ struct Params {
   std::vector<Order> script;  ///< the user's orders, by ascending time
   int max_cell = 16;  ///< side of the largest cells in pixels: a power of two from 2 to MAX_CELL
   CellOrder order = CellOrder::bayer;
-  /// An order of single pixels. Unless it is `cells`, it replaces `order`.
+  /// Order of computing single pixels. A value other than `cells` overrides `order`, the order of
+  /// cells.
   ray_tracing::PixelOrder pixels = ray_tracing::PixelOrder::cells;
   Weights weights;  ///< weights for stages and orders that set none
   Start start = Start::scattered;
   BalanceMethod balance = BalanceMethod::neighbours;
   int reserve = 1;  ///< minimum number of tasks of a worker; a worker with fewer requests more
-  /// The display is as far as possible from the coordinator; if false, beside it.
+  /// If true, the display is as far as possible from the coordinator; if false, next to it.
   bool is_far = true;
   /// If true, each worker's data manager has a processor of its own, with the same memory (thesis,
   /// 6.2).
   bool is_double = false;
-  /// The display polls workers for pictures; if false, workers send them unasked.
+  /// If true, the display polls workers for pictures; if false, workers send them unasked.
   bool is_polled = true;
   int polls = 4;  ///< maximum number of unanswered polls
-  /// Records a second version of each picture, with the borders of cells.
+  /// If true, a second version of each picture shows the borders of cells.
   bool has_borders = false;
   double frame_s = 0.04;   ///< minimum time in s between two polls of a worker
   std::uint64_t seed = 1;  ///< seed for the values `random` and `adaptive` of `order`
   snapshots::Schedule snapshot_times;
   network::Method method = network::Method::green;
-  /// Number of each router's buffers; by default enough for all workers.
+  /// Number of buffers of each router; by default enough for all workers.
   std::optional<std::size_t> buffers;
   std::optional<shared_memory::DataParams> data;  ///< if absent, all processors hold the scene
   std::optional<std::uint64_t> memory;            ///< bytes per processor; default: the model's
@@ -66,7 +67,7 @@ constexpr int MAX_CELL = 512;
 /// The processors of each role.
 struct Places {
   int coordinator = 0, display = 0;
-  std::vector<int> workers;  ///< in ascending order
+  std::vector<int> workers;  ///< numbers of the workers, in ascending order
 };
 /// Chooses the processors of each role. Throws base::BadInput if there are fewer than three.
 Places find_places(const topologies::Topology& topology, bool is_far);

@@ -72,7 +72,8 @@ void Sampler::measure(const Point& p) {
   shared_.record.counts.samples_outside += shared_.is_outside(p);
 }
 
-// Traces a ray, then the shadow feelers that start at its hit. Queues all other child rays.
+// Traces a ray, then the shadow feelers (rays to the lights) that start at its hit. Queues all
+// other child rays.
 void Sampler::trace(Sample& sample, const Ray& ray, bool is_outside) {
   const auto& sampling = params_.image.sampling;
   const bool is_judged = is_adaptive(sampling) && !is_outside;

@@ -46,11 +46,12 @@ class Coordinator {
   std::size_t stage_ = 0;
   Limits limits_;         // limits of the interactive phase
   bool is_last_ = false;  // true in the non-interactive phase, without limits
-  // No step within the limits is left, and the coordinator waits for an order.
+  // True if no step within the limits is left and the coordinator waits for an order.
   bool is_null_ = false;
   bool is_quitting_ = false;
   bool is_finishing_ = false, is_finished_ = false;
-  std::uint64_t parked_ = 0, finished_pixels_ = 0;  // pixels reported by workers in this phase
+  // Numbers of pixels that workers have reported in this phase.
+  std::uint64_t parked_ = 0, finished_pixels_ = 0;
   double interactive_since_s_ = 0;
 };
 

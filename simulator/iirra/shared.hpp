@@ -32,7 +32,7 @@ struct Shared {
   machine::Seconds charged_with_data_s{};  ///< duration of charged_with_data
   ray_tracing::Orders<Limits> orders;      ///< orders of the user
   Record record;
-  Traced scratch = {};  ///< second target of ray kernels that run again to be timed
+  Traced scratch = {};  ///< result of ray kernels that run again only to be timed
 
   double now_s() const { return occam_now() - record.begun_s; }
   static double occam_now() { return machine::this_process().now().value; }

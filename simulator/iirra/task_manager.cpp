@@ -145,7 +145,7 @@ MovedCell TaskManager::pack(const TaskCell& cell) {
     moved.samples.push_back(samples_.at(p));
     forget_inner(p);
   }
-  // the receiver takes the samples of an incomplete level again from the start
+  // The receiver computes all samples of an incomplete level anew.
   if (cell.sampled > 0)
     for (int i = 0; i < cell.sampled; ++i)
       forget_inner(points_of_level(cell, cell.level + 1)[static_cast<std::size_t>(i)]);

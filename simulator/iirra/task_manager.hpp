@@ -53,7 +53,7 @@ class TaskManager {
   std::uint32_t phase_ = 0;
   int order_ = 0;
   std::uint64_t finished_ = 0;  // number of finished pixels
-  // Pixels of this phase that were not yet reported.
+  // Numbers of pixels of this phase that have not yet been reported.
   std::uint64_t new_parked_ = 0, new_finished_ = 0;
 };
 

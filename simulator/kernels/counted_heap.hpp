@@ -7,7 +7,7 @@
 
 namespace kernels {
 
-/// Move element i up, or down, until the heap property holds. `before(a, b)` is true if a precedes
+/// Moves element i up, or down, until the heap property holds. `before(a, b)` is true if a precedes
 /// b. Element 0 of a heap precedes all others. Both functions return the number of exchanges.
 template <class T, class Before>
 std::uint64_t sift_up(std::vector<T>& heap, std::size_t i, Before before) {

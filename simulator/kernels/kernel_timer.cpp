@@ -132,8 +132,8 @@ double KernelTimer::time_batch(int passes) const {
   return time([&] { run_batch(passes); });
 }
 
-// Runs the yardstick twice and times the second run. Batches are treated alike. The first run
-// brings caches and branch predictors into a known state.
+// Runs the yardstick twice and times the second run. The first run brings caches and branch
+// predictors into a known state. Batches are timed in the same way.
 double KernelTimer::time_yardstick() const {
   host_.yardstick();
   return time(host_.yardstick);

@@ -3,8 +3,8 @@
 // three reasons: a call is often shorter than a reading of the clock, other work of the simulation
 // has filled the caches, and other programs slow the host by varying amounts. The solutions:
 // - Calls are stored as functions that repeat them, called replays. Replays are measured in batches
-// of
-//   2 ms or 8192 calls. A single call of at least 2 ms is a batch by itself.
+//   with a duration of 2 ms or with 8192 calls. A single call of at least 2 ms is a batch by
+//   itself.
 // - A batch runs several times, each time between two runs of a yardstick, which is a kernel with
 //   constant work. The median of the ratios is the batch's time in units of yardstick runs.
 #include <cstdint>

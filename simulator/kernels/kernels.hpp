@@ -162,7 +162,7 @@ class KernelCost {
   bool profile_;
   double profile_s_ = 0;
   std::uint64_t profiled_ = 0;       // number of calls that profile_s_ stands for
-  std::uint64_t each_of_ = 1;        // one call in so many is measured
+  std::uint64_t each_of_ = 1;        // one in so many calls is measured
   std::uint64_t next_profiled_ = 0;  // number of the next call to be measured
   std::unique_ptr<Timed> timed_;     // only if costs are host times
   KernelUse use_;
@@ -181,9 +181,8 @@ inline auto block_kernel(const renderer::Scene& scene, const renderer::Params& p
   };
 }
 
-/// Costs of operations: of finding intersections, and of tracing whole shading trees. The scale
-/// factor of shading is that of the central process, which does the shading if tasks are single
-/// rays.
+/// Costs of finding intersections, and of tracing whole shading trees. Shading inside a tree costs
+/// as much as in the central process, which shades if tasks are single rays.
 machine::OperationCosts intersection_costs(const machine::Model& model);
 machine::OperationCosts tree_costs(const machine::Model& model);
 /// Costs of operations in the central process: computations and display.

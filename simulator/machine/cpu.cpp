@@ -91,7 +91,7 @@ void Cpu::dispatch_when_free() {
 void Cpu::ask_dispatch() {
   const auto then = [this, id = ++dispatch_id_] {
     if (id != dispatch_id_) return engine_.ignore_event();
-    // DMA has meanwhile delayed the end of the last process.
+    // DMA has meanwhile delayed the end of the last process, so the CPU is still busy.
     if (free_at_ > now()) return ask_dispatch();
     dispatch();
   };
@@ -174,7 +174,8 @@ void Cpu::end_high_at(Seconds date) {
 }
 
 void Cpu::release(Process& process, Seconds free_at) {
-  // Made ready by the last instruction of a process that thereby ended: no state was saved.
+  // The last instruction of `process` made a high-priority process ready and ended `process`. The
+  // pre-emption is taken back, because there was no state to save.
   if (interrupted_ == &process) {
     interrupted_ = nullptr;
     high_.preempting = false;
@@ -225,7 +226,7 @@ void Cpu::foresee_way_back() {
 }
 
 // Cancels a planned switch back to the low-priority process, because a high-priority process became
-// ready before it began.
+// ready before the switch began.
 void Cpu::stay_away() {
   interrupted_ = std::exchange(running_, nullptr);
   low_.way_back_from = NEVER;

@@ -39,8 +39,8 @@ struct Observer {
 struct CpuUse {
   /// Execution time by priority; context switches count as high priority.
   Seconds busy_high{}, busy_low{};
-  /// Idle time of the CPU lost to DMA and to a companion processor. If the CPU is busy, lost cycles
-  /// extend its busy time instead.
+  /// Idle time of the CPU lost to DMA and to a companion (a second processor on the same memory).
+  /// If the CPU is busy, lost cycles extend its busy time instead.
   Seconds stolen_idle{};
   std::uint64_t preemptions = 0, dispatches = 0;
   Seconds busy() const { return busy_high + busy_low; }
@@ -113,7 +113,7 @@ class Cpu {
   /// high-priority process was charged before it blocked.
   static constexpr std::size_t BY_COMPANION = 4;
   void set_stolen(std::size_t thief, double share);
-  CpuUse use() const { return use_by(now()); }  ///< up to the present date
+  CpuUse use() const { return use_by(now()); }  ///< use up to the present date
   /// Use up to a date in the future, if no event occurs before that date.
   CpuUse use_by(Seconds date) const;
   /// Lower bound on the time until a process ends its present computation. Assumes that it gets the
@@ -136,7 +136,8 @@ class Cpu {
 
   // State of the high-priority process that occupies the CPU.
   struct High {
-    // The process waits for its charged cycles to pass. The end depends on the CPU's speed.
+    // True while the process waits for its charged cycles to pass. The end of this wait depends on
+    // the CPU's speed.
     bool computing = false;
     bool preempting = false;  // its next computation includes a switch from low priority
     std::uint64_t id = 0;     // pending events with another number have no effect
@@ -148,9 +149,10 @@ class Cpu {
     Seconds since{};         // start of its computation; ahead of the clock during a switch back
     Seconds end{};           // end of its computation if nothing interferes
     Seconds left{};          // computation still to be done, at full speed, while interrupted
-    Seconds way_back_from = NEVER;  // start of a switch back to it that is not yet counted in use_
-    Seconds slice_end{};            // end of its time slice
-    Seconds gives_way_at = NEVER;   // tick at which it yields to another ready low-priority process
+    // Start of a switch back to this process that is not yet counted in use_.
+    Seconds way_back_from = NEVER;
+    Seconds slice_end{};           // end of the process's time slice
+    Seconds gives_way_at = NEVER;  // tick at which it yields to another ready low-priority process
   };
   struct Timer {
     bool armed = false;
@@ -163,7 +165,8 @@ class Cpu {
   void dispatch_when_free();  // schedules dispatch() at free_at_
   void ask_dispatch();
   void dispatch();
-  void execute(Process& process);  // runs its body until it needs time, blocks or ends
+  // Runs the process's body until the process needs time, blocks or ends.
+  void execute(Process& process);
   void account_high(const Process& process, Seconds time);
   void release(Process& process, Seconds free_at);  // called when the process has blocked or ended
   void end_high_at(Seconds date);
@@ -205,8 +208,8 @@ class Cpu {
   std::uint64_t dispatch_id_ = 0;  // scheduled calls with another number have no effect
   // The process that leaves the CPU at free_at_, if that is ahead of the clock.
   Process* last_high_ = nullptr;
-  // True while the body of a process executes that has just reached a link. The next process may
-  // start only after all other processes that reach links at this date.
+  // True while the CPU executes the body of a process that has just reached a link. The next
+  // process may start only after all other processes that reach links at this date.
   bool has_come_to_link_ = false;
   High high_;
   CpuUse use_;

@@ -10,8 +10,8 @@ namespace {
 // Waking a sleeping thread would take longer.
 constexpr int TRIES = 2000;
 
-// Waits until `value` differs from `old`: checks it repeatedly, then sleeps. Sleeps at once unless
-// `may_spin`; this is for pools with more threads than the host has processors.
+// Waits until `value` differs from `old`: checks it repeatedly, then sleeps. If `may_spin` is
+// false, sleeps at once, as in a pool with more threads than the host has processors.
 template <class Value>
 void wait_while(const std::atomic<Value>& value, Value old, bool may_spin) {
   for (int i = 0; may_spin && i < TRIES; ++i) {

@@ -35,7 +35,7 @@ class Crew {
 
   const Share share_;
   const bool may_spin_;
-  // Number of members that are still working, without member 0.
+  // Number of members that are still working, not counting member 0.
   std::atomic<std::size_t> at_work_{0};
   std::atomic<bool> is_over_{false};
   std::mutex lock_;

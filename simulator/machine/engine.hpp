@@ -11,7 +11,8 @@ namespace machine {
 /// How messages are moved over links. Results differ only by rounding of dates.
 enum class Links : std::uint8_t {
   simgrid,  ///< SimGrid; allows one machine in the life of a host process
-  direct,   ///< faster without SimGrid, most of all on large machines; processes are fibers
+  /// The carrier without SimGrid; faster, most of all on large machines. Processes are fibers.
+  direct,
 };
 
 struct EngineParams {
@@ -41,7 +42,8 @@ class Engine {
   std::size_t add_link(int a, int b, LinkRates rates, std::size_t rank) {
     return carrier_->add_link(a, b, rates, rank);
   }
-  /// True if every process needs a stack, even for a Proc. This is so with SimGrid's actors.
+  /// True if every process needs a stack, even if its body is a Proc (a coroutine without a stack).
+  /// SimGrid's actors need stacks.
   bool needs_stacks() const { return needs_stacks_; }
   /// Makes the coroutine of a process. It is resumed by callbacks and, after run(), only to unwind
   /// its stack.
@@ -96,7 +98,7 @@ class Engine {
   /// Drops all pending events and ends the run.
   void stop() { events_.stop(End::stopped); }
   std::uint64_t handled() const { return events_.handled(); }  ///< number of handled events
-  /// Number that grows with each event that is scheduled during the present event.
+  /// A number that grows with each event scheduled during the present event, see Events::asked().
   std::uint64_t asked() const { return events_.asked(); }
 
   // --- for class Parts and for links between two parts ------------------------------------------

@@ -22,8 +22,9 @@ class Cable {
  public:
   struct End {
     Processor* processor;
-    std::size_t port;  ///< 0 to 3
-    /// Fractions of the CPU's cycles that the link takes: with one direction busy, with both busy.
+    std::size_t port;  ///< number of the link port, 0 to 3
+    /// Fractions of the CPU's cycles that the link takes: [0] with one direction busy, [1] with
+    /// both directions busy.
     std::array<double, 2> shares;
   };
   Cable(End a, End b) : ends_{a, b} {}
@@ -59,7 +60,8 @@ class LinkDirection {
   /// Assigns the direction to the channel with this name. Throws Misuse if another channel uses it.
   void carry(const std::string& channel);
   enum class Side : std::uint8_t { writer, reader };
-  /// Clock of the engine that runs the link: that of its part, or of the links between parts.
+  /// Date of the engine that runs the link: the engine of the link's part or, for a link between
+  /// two parts, the separate engine for such links.
   Seconds now() const { return engine_.now(); }
   /// True if the link joins processors in different parts of the machine (see class Parts).
   bool is_between_parts() const { return &from_.engine() != &to_.engine(); }
@@ -92,7 +94,8 @@ class LinkDirection {
   bool is_cut() const { return cut_; }
   bool is_busy() const { return busy_; }  ///< true while a message is moving
   /// Fraction of the present message that will have been moved by `date`, if nothing else happens
-  /// on the link before. Returns 0 during the delay in link switches, or if there is no message.
+  /// on the link before that date. Returns 0 during the delay in link switches, or if there is no
+  /// message.
   double passed(Seconds date) const;
   /// Use up to the present date. A message is counted when it has arrived.
   LinkUse use() const { return use_by(engine_.now()); }

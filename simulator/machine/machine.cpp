@@ -40,7 +40,7 @@ std::array<double, 2> steal(const Model& model, const LinkRates& rates) {
 
 // The processes that have not ended, on processors that have not been stopped, by id.
 using Blocked = std::map<ProcessId, const Process*>;
-// For each blocked process, all processes that alone could end its wait.
+// For each blocked process: the processes of which any one could end its wait.
 using Waits = std::map<ProcessId, std::vector<ProcessId>>;
 
 bool waits_for_input(const Process& process) {
@@ -149,7 +149,7 @@ void throw_if_deadlocked(const Machine& machine) {
 std::vector<const Process*> find_wait_cycle(const Machine& machine) {
   Blocked blocked = find_blocked(machine);
   std::erase_if(blocked, [](const auto& of) {
-    // After an interrupted run, processes may be ready instead.
+    // After an interrupted run, a process that has not ended may be ready instead of blocked.
     return of.second->state() != Process::State::blocked;
   });
   std::vector<const Process*> cycle;
@@ -257,7 +257,8 @@ End Machine::run(Seconds until) {
   const Engine::End why = parts_.run(until, lookahead());
   throw_failure();
   const bool cut = why != Engine::End::no_event_left && !all_have_ended(*this);
-  // Only events without effect were left.
+  // All processes had ended when the run stopped, so the events still in the queue would have had
+  // no effect. Sets the clock back to the last event with an effect.
   if (!cut && why != Engine::End::no_event_left) parts_.rewind();
   for (const auto& processor : processors_) processor->cpu().flush_observer();
   for (const auto& link : links_) link->flush_observer();
@@ -302,7 +303,7 @@ void Machine::expect(const Failure& failure) {
 void Machine::happen_now() {
   auto& together = failures_.at(now());
   bool matters = false;
-  // A callback of on_failure() may append failures.
+  // Counts by index, because a callback of on_failure() may append failures.
   for (std::size_t i = 0; i < together.size(); ++i) {
     const Failure failure = together[i];
     matters |= happen(failure);

@@ -37,8 +37,9 @@ struct Entry {
   std::string source;
   std::string where;  ///< place named in messages, such as "my.toml:4: link.one_way_rate"
   std::optional<Range> range = {};
-  /// Only for a calibrated entry whose published cells determine another quantity. This quantity,
-  /// as a formula that is linear in the entry. Empty if the cells determine the entry itself.
+  /// Formula for the quantity that the published table cells of a calibrated entry determine. The
+  /// formula is linear in the entry. Empty if the cells determine the entry itself, and for entries
+  /// that are not calibrated.
   std::string holds = {};
 };
 
@@ -53,9 +54,10 @@ struct Model {
     Hertz clock;
   } cpu;
   struct Memory {
-    double steal_word;       // CPU cycles that a link's DMA takes for each 4-byte word
-    double least_share;      // fraction of the memory cycles that DMA always leaves to the CPU
-    double companion_share;  // fraction of its cycles that a CPU loses if it has a companion
+    double steal_word;   // CPU cycles that a link's DMA takes for each 4-byte word
+    double least_share;  // fraction of the memory cycles that DMA always leaves to the CPU
+    // Fraction of its cycles that a CPU loses if a second processor shares its memory.
+    double companion_share;
   } memory;
   struct Link {
     double bit_rate;                      // bits/s
@@ -69,34 +71,38 @@ struct Model {
     Cycles return_to_low;  // switch back to the low-priority process
     // Instructions startp and endp: for branches of a PAR with equal priorities.
     Cycles start_process, end_process;
-    Cycles run_process;            // instruction runp: for a branch with different priority
+    Cycles run_process;            // instruction runp: for a branch of a PAR with another priority
     Cycles par_setup, par_branch;  // additional cycles of a PAR, and of each of its branches
   } scheduler;
   struct Channel {
     Cycles operands;    // loading the operands of the instructions `in` or `out`
-    Cycles blocked;     // `in` or `out` if it must wait or if it starts a link
+    Cycles blocked;     // `in` or `out` if it must wait for its partner or if it starts a link
     Cycles soft_setup;  // `in` or `out` if the partner already waits on the same processor
-    Cycles copy_word;   // copying a 4-byte word to or from such a partner
+    Cycles copy_word;   // copying a 4-byte word to or from a partner on the same processor
     Cycles out_word;    // additional cycles of the instruction `outword`, for a message of one word
-    Cycles wake_companion;  // making a process on the companion's CPU ready
+    // Making a process ready on the companion, the second processor on the same memory.
+    Cycles wake_companion;
     /// Minimum time from the start of `in` or `out` until the process reaches a link.
     Cycles least_to_link() const { return operands + blocked; }
   } channel;
   struct Alternative {
-    Cycles setup, timer_setup, end;    // instructions alt, talt, altend
-    Cycles enable_ready, enable_not;   // instruction enbc with its operands, for a channel guard
+    Cycles setup, timer_setup, end;  // instructions alt, talt, altend
+    // Instruction enbc with its operands, for a channel guard that is ready or not ready.
+    Cycles enable_ready, enable_not;
     Cycles enable_skip, enable_timer;  // instructions enbs, enbt
-    Cycles wait_ready, wait_not;       // instruction altwt
-    Cycles timer_wait_ready, timer_wait_not;      // instruction taltwt
+    Cycles wait_ready, wait_not;       // instruction altwt, if a guard is ready or none is
+    // Instruction taltwt, if a guard is ready or none is.
+    Cycles timer_wait_ready, timer_wait_not;
     Cycles disable, disable_skip, disable_timer;  // instructions disc, diss, dist
-    // For an ALT with replicated guards: a step of the replicator for each guard, both when guards
-    // are enabled and when they are disabled; index modulo the number of guards; address of the
-    // chosen channel; update of the guard that has precedence (favourite).
+    // Additional costs of replicated guards: a step of the replicator, for enabling a guard and
+    // again for disabling it; an index modulo the number of guards; the address of the chosen
+    // channel; the update of the guard that has precedence (favourite).
     Cycles replicated, modulo, taken, favourite;
   } alternative;
   struct Timer {
-    Cycles read, wait_past, wait_future;  // instructions ldtimer and tin
-    double high_tick, low_tick;           // in seconds
+    Cycles read, wait_past, wait_future;  // instruction ldtimer; tin for a past or a future tick
+    // Period of the clock at high and at low priority, in seconds.
+    double high_tick, low_tick;
   } timer;
   struct Software {
     // Factor on the instructions of occam constructs, if code is compiled (Code::compiled).
@@ -141,8 +147,8 @@ using EntryValue = std::variant<double, std::string>;
 std::string to_text(const EntryValue& value);
 /// Values that replace those of a model, by key ("link.bit_rate").
 using Overrides = std::vector<std::pair<std::string, EntryValue>>;
-/// Makes a model with some changed entries. A changed entry keeps its unit, its provenance becomes
-/// "assumed" and its source `origin`. Throws BadInput.
+/// Makes a model with some changed entries. A changed entry keeps its unit. Its provenance becomes
+/// "assumed", and its source becomes `origin`. Throws BadInput.
 Model override_model(std::string_view name, const Overrides& entries, std::string_view origin);
 std::vector<std::string> builtin_models();
 /// Returns the first sentence of the built-in model's file. Throws BadInput for an unknown name.

@@ -111,8 +111,9 @@ void Parts::be_at(double date) {
   between_->events().advance(date);
 }
 
-// End of the window that starts at `date`. Up to this date, no process can reach a link between
-// parts: an announced process not before its computation ends, any other not within the lookahead.
+// End of the window that starts at `date`. Before this end, no process can reach a link between
+// parts. An announced process reaches a link only when its computation ends; any other process
+// needs at least the lookahead.
 Moment Parts::end_of_window(double date, double lookahead) const {
   double end = at_the_earliest(date, lookahead);
   for (const auto& engine : engines_)

@@ -23,8 +23,8 @@ class Parts {
  public:
   Parts(EngineParams params = {});
 
-  /// Adds a processor and returns its engine. If `beside` is given, this is the engine; otherwise
-  /// it is the engine of the part that EngineParams::parts names.
+  /// Adds a processor and returns its engine: `beside` if this is not null, otherwise the engine of
+  /// the part that EngineParams::parts names.
   Engine& add_processor(const std::string& name, const Engine* beside = nullptr);
   /// The engine that runs the links between processors whose engines are `a` and `b`.
   Engine& between(Engine& a, Engine& b) { return &a == &b ? a : *between_; }
@@ -42,7 +42,8 @@ class Parts {
   void stop();
   std::uint64_t handled() const;
 
-  /// Numbers of windows so far; only for a machine in several parts.
+  /// Numbers of windows so far. In a window, an interval of simulated time, all parts run in
+  /// parallel. Only for a machine in several parts.
   struct Windows {
     std::uint64_t all = 0, shared = 0;  ///< windows; `shared`: those with events in several parts
     std::uint64_t at_links = 0;         ///< windows for events on links between parts

@@ -38,7 +38,7 @@ class [[nodiscard]] Proc final : public Operation {
   struct promise_type;
   using Frame = std::coroutine_handle<promise_type>;
 
-  Proc() = default;  ///< without a body
+  Proc() = default;  ///< makes a Proc without a body
   Proc(Proc&& other) noexcept : frame_(std::exchange(other.frame_, {})) {}
   Proc& operator=(Proc&& other) noexcept {
     std::swap(frame_, other.frame_);
@@ -81,7 +81,7 @@ struct Proc::promise_type {
   std::suspend_always initial_suspend() noexcept { return {}; }
   std::suspend_always final_suspend() noexcept { return {}; }
   void return_void() {}
-  void unhandled_exception() { throw; }  // leaves go_on()
+  void unhandled_exception() { throw; }  // the exception leaves go_on()
 };
 
 inline bool Proc::go_on(Process& self) {

@@ -43,7 +43,8 @@ void Process::live() {
   try {
     const Body body = std::move(body_);
     if (!cancelled_) body();
-    // The process ends when the clock has reached its own time.
+    // The process ends only when the clock has reached its own time, which includes all charged
+    // cycles.
     if (!cancelled_ && !ends_by_this_) sync();
   } catch (const Cancelled&) {
   } catch (const std::exception&) {
@@ -56,7 +57,8 @@ void Process::live_on() {
   try {
     if (proc_ && !proc_.go_on(*this)) return;
     proc_ = {};
-    // The process ends when the clock has reached its own time.
+    // The process ends only when the clock has reached its own time, which includes all charged
+    // cycles.
     if (!ends_by_this_ && must_sync()) return;
   } catch (const std::exception&) {
     processor_.fail(std::current_exception());
@@ -122,7 +124,8 @@ void Process::start_wait(Wait& wait) {
 
 void Process::note_end_of_run() {
   Engine& engine = processor_.engine();
-  // The run must end at its limit even if the process blocked later.
+  // The process blocked at a date beyond the time limit. An event at this date makes the run end at
+  // its limit.
   if (blocked_since_ > engine.until()) engine.at(blocked_since_, [] {});
 }
 
@@ -155,9 +158,9 @@ Seconds Process::blocked(Wait::Kind kind) const {
                       : over;
 }
 
-// Syncs if the debt of cycles is too large or extends beyond the time limit of the run. Otherwise a
-// process that only computes would keep the run from ending at its limit, at a failure or on
-// request. A Proc cannot sync here; if its debt is too large, it throws.
+// Syncs if too many charged cycles are unpaid, or if they extend beyond the time limit of the run.
+// Otherwise a process that only computes would keep the run from ending at its limit, at a failure
+// or on request. A Proc cannot sync here; if too many of its cycles are unpaid, it throws.
 void Process::sync_if_much() {
   if (executing != this) return;
   const Seconds earliest = processor_.now() + debt_ / processor_.clock();

@@ -34,8 +34,8 @@ struct Wait {
 
   /// Text for a deadlock report, such as "in on worker3.from.left".
   virtual std::string describe() const = 0;
-  /// Those processes that could, each alone, end the wait, as far as they are known. They may have
-  /// ended.
+  /// The processes of which any one could end the wait, as far as they are known. Some of them may
+  /// have ended.
   virtual std::vector<ProcessId> waits_for() const { return {}; }
   virtual Kind kind() const { return Kind::other; }
   /// Called after a link of the processor has been cut. Ends the wait of `process` if it waits for
@@ -79,18 +79,19 @@ class Process {
     if (debt_ > MUCH_DEBT) sync_if_much();
   }
   void charge(Seconds duration);
-  /// Pays the debt of cycles. Afterwards the clock has reached this process's own time, and the
-  /// process has the CPU. Returns true if other processes may have run meanwhile.
+  /// Pays the debt: lets simulated time pass for the cycles that the process was charged.
+  /// Afterwards the clock has reached the process's own time, and the process has the CPU. Returns
+  /// true if other processes may have run meanwhile.
   bool sync() {
     const bool must = must_sync();
     if (must) suspend();
     return must;
   }
-  /// Declares that the process has no debt and now executes its last instruction. If this
+  /// Declares that the process has no unpaid cycles and now executes its last instruction. If this
   /// instruction makes a process ready that takes the CPU, the body nevertheless ends first.
   void end_by_this() { ends_by_this_ = true; }
   /// Yields the CPU until Processor::make_ready is called. A low-priority process must have paid
-  /// its debt before.
+  /// its debt (called sync()) before.
   void block(Wait& wait);
   /// Executes an operation completely and returns it. If the operation has to wait, it continues
   /// outside of the body's stack; it must then neither sync nor block.
@@ -104,14 +105,16 @@ class Process {
   // True if sync() would yield the CPU. An operation must then return false, and must not test this
   // again when it continues.
   inline bool must_sync() const;
-  /// Like must_sync(), for operations that pass on the process's own time. For a high-priority
-  /// process, true only if its debt is also larger than LONG_DEBT.
+  /// Like must_sync(), for operations that tell other processes this process's own time, which may
+  /// then be ahead of the clock. For a high-priority process, true only if its debt of cycles is
+  /// also larger than LONG_DEBT.
   bool must_sync_if_long() const {
     return (priority_ == Priority::low || owes_much()) && must_sync();
   }
   bool owes_much() const { return debt_ > LONG_DEBT; }
-  /// Mean duration of a cycle while the debt was last paid. Messages on links that started or ended
-  /// during the payment have an effect, but not those at its end.
+  /// Mean duration of a cycle while the debt was last paid. It is longer than a period of the CPU's
+  /// clock if DMA took cycles. Includes the effect of all messages on links during the payment,
+  /// except messages that started or ended exactly at its end.
   Seconds paid_cycle() const {
     return {paid_for_.value / static_cast<double>(std::max<std::int64_t>(1, paying_.value))};
   }
@@ -122,11 +125,11 @@ class Process {
   bool has_rank() const { return rank_ != NO_RANK; }
   /// True if the process now executes on a stack of its own, so that it may wait anywhere.
   bool has_stack() const { return coroutine_ && !operation_; }
-  /// Marks the process as blocked from its own time on; a part of block().
+  /// Marks the process as blocked from its own time (own_time()) on; a part of block().
   void start_wait(Wait& wait);
   // --------------------------------------------------------------------------------------------
 
-  /// Pays the debt and returns the date. Throws Misuse if another process calls it.
+  /// Calls sync() and returns the date. Throws Misuse if another process calls it.
   Seconds now();
   /// The process's own time: the clock plus the time to pay the debt at the present speed and
   /// without pre-emption. It is exact if the debt has just been paid. Wait::on_stretch must update
@@ -143,7 +146,7 @@ class Process {
   /// this one waits for input.
   void set_server() { is_server_ = true; }
   bool is_server() const { return is_server_; }
-  /// Number of waits that have started. It identifies the present wait.
+  /// Number of waits that have started, which identifies the present wait.
   std::uint64_t waits() const { return waits_; }
   const Wait* wait() const {
     return wait_;
@@ -153,10 +156,11 @@ class Process {
   void tell_cut() {
     if (state_ == State::blocked && wait_) wait_->on_cut(*this);
   }
-  Seconds blocked_since() const { return blocked_since_; }  ///< own time at which the wait began
+  Seconds blocked_since() const { return blocked_since_; }  ///< own_time() when the wait began
   /// Total time in waits of this kind, including the present wait.
   Seconds blocked(Wait::Kind kind) const;
-  std::uint32_t trace_id() const { return trace_id_; }  ///< the id of its name, see Observer
+  /// The id of the process's name, see Observer.
+  std::uint32_t trace_id() const { return trace_id_; }
 
  private:
   friend class Cpu;
@@ -197,8 +201,8 @@ class Process {
   std::uint64_t waits_ = 0;
   std::array<Seconds, 4> blocked_{};  // total duration of past waits, by Wait::Kind
   ProcessId id_;
-  Cycles paying_{};      // size of the debt that is, or was last, being paid
-  Seconds paid_for_{};   // time spent so far on paying it
+  Cycles paying_{};      // number of cycles that are, or were last, being paid
+  Seconds paid_for_{};   // time spent so far on paying these cycles
   Seconds remaining_{};  // computation left to a low-priority process that lost the CPU
   std::uint64_t rank_ = NO_RANK;
   int wake_ups_ = 0;  // number of pending events scheduled by Processor::wake_at

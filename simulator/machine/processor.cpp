@@ -39,7 +39,8 @@ void Processor::remove(const Process& process) {
   const auto last = std::find_if(processes_.rbegin(), processes_.rend(),
                                  [&](const auto& p) { return p.get() == &process; });
   const auto place = std::next(last).base();
-  // Done seldom, because most removed processes may still have pending events of wake_at().
+  // This search is done seldom, because most removed processes may still have pending events of
+  // wake_at().
   if (removed_.size() >= sweep_at_) {
     std::erase_if(removed_, [](const auto& p) { return p->wake_ups_ == 0; });
     sweep_at_ = 2 * removed_.size() + 16;

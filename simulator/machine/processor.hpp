@@ -127,9 +127,10 @@ class Processor {
   std::string name_, role_;
   std::shared_ptr<Memory> memory_;
   std::vector<std::unique_ptr<Process>> processes_;
-  // Kept while an event of wake_at() may refer to them.
+  // Removed processes, kept while an event of wake_at() may refer to them.
   std::vector<std::unique_ptr<Process>> removed_;
-  std::size_t sweep_at_ = 16;  // size of removed_ at which entries without such events are deleted
+  // Size of removed_ at which processes without pending events are deleted.
+  std::size_t sweep_at_ = 16;
 };
 
 inline bool Process::must_sync() const {

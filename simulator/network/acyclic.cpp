@@ -126,7 +126,7 @@ class AcyclicRouter {
     }
   }
 
-  // Queues a message that must be sent again, for a temporary process that does this. No other
+  // Queues a message that must be sent again, for a temporary process that sends it. No other
   // process waits for the temporary process. If receivers or senders sent such messages, they could
   // wait for each other in a cycle.
   void send_later(Message message) {

@@ -41,7 +41,7 @@ class ChalmersRouter {
   }
 
   // The PRI PAR of figure 5.11 of the thesis: sends the message and meanwhile buffers all messages
-  // that arrive. A GLOBAL message leaves by all its ways in parallel.
+  // that arrive. A broadcast (GLOBAL) message leaves by all its ways in parallel.
   void send(const Waiting& next, std::vector<int>& failed) {
     Channel<Signal> to_handle_input(name_);
     const auto pass = [&](int way) {

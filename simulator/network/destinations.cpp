@@ -68,7 +68,7 @@ std::vector<int> make_permutation(Pattern pattern, int n) {
   return to;
 }
 
-// Weights of the destinations of each sender.
+// For each sender: the weight of each destination, by the destination's number.
 using Weights = std::vector<std::map<int, double>>;
 
 class WeightsReader {
@@ -111,10 +111,12 @@ class WeightsReader {
   Weights weights_;
 };
 
-// Messages through each port, at [processor * PORTS + port], at the lowest port to a neighbour.
+// Number of messages through each port, at [processor * PORTS + port]. Messages to a neighbour
+// count at the lowest port that leads to this neighbour.
 using PortLoads = std::vector<double>;
 
-// Adds the messages of one sender to the loads of the ports on the route.
+// Adds `messages`, which one sender sends to one destination, to the load of each port on the
+// route.
 void add_route(PortLoads& loads, const topologies::RoutingTable& routes, int from, int to,
                double messages) {
   while (from != to) {
@@ -185,7 +187,8 @@ void Destinations::add_neighbours(const topologies::Topology& topology) {
   }
 }
 
-// The hot spot itself sends to all other processors.
+// All processors send to the hot spot with the probability hot_share. The hot spot itself sends to
+// all other processors with equal probability.
 void Destinations::add_hot_spot(const PatternParams& params) {
   base::require(params.hot_spot < processors_, "program.hot_spot",
                 "found {}, expected the number of a processor, 0 to {}", params.hot_spot,
@@ -244,7 +247,7 @@ double Destinations::eval_busiest_link(const topologies::Topology& topology,
     for (const auto& [to, until] : shares_[from])
       add_route(loads, routes, from, to, (1 - uniform_) * (until - std::exchange(before, until)));
   }
-  // Parallel links share the messages to a neighbour.
+  // Parallel links share the messages to a neighbour equally.
   const auto parallel = topologies::parallel_ports(topology);
   const auto share = [&](const topologies::End& end) {
     double sum = 0;

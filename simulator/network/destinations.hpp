@@ -17,7 +17,7 @@ enum class Pattern {
   bit_complement,  ///< the number with all bits inverted
   bit_reversal,    ///< the number with its bits in reverse order
   shuffle,         ///< the number rotated left by one bit
-  hot_spot,        ///< one processor with a given probability, else as uniform
+  hot_spot,        ///< a given processor with a given probability, otherwise as with `uniform`
   neighbour,       ///< any processor at the other end of a link, with equal probability
   file             ///< probabilities from a file
 };
@@ -47,9 +47,9 @@ class Destinations {
   /// the diagonal of transpose, where sender and destination are the same processor.
   std::optional<int> draw(int from, base::Random& random) const;
 
-  /// Messages on the busiest direction of a link for each message that every sender sends, if
-  /// messages follow `routes`. Takes time proportional to the square of the number of processors if
-  /// the pattern is uniform or hot_spot.
+  /// Number of messages on the busiest direction of a link if every sender sends one message on
+  /// `routes`. Takes time proportional to the square of the number of processors if the pattern is
+  /// uniform or hot_spot.
   double eval_busiest_link(const topologies::Topology& topology,
                            const topologies::RoutingTable& routes) const;
   /// The largest load that a network can accept on given routes, as a fraction of the capacity of a
@@ -57,7 +57,7 @@ class Destinations {
   /// time. No value for more than 4096 processors, where it would take too long.
   std::optional<double> eval_saturation_load(const topologies::Topology& topology,
                                              const topologies::RoutingTable& routes) const;
-  /// Mean number of links on the routes of messages. Counts each sender once.
+  /// Mean number of links on the routes of messages. Every sender has the same weight.
   double eval_mean_distance(const topologies::RoutingTable& routes) const;
 
  private:
@@ -72,7 +72,8 @@ class Destinations {
 
   int processors_;
   double uniform_ = 0;  // probability of a destination drawn from all other processors
-  std::vector<std::vector<Share>> shares_;  // by sender: other destinations; empty for none
+  // By sender: shares of the other destinations; empty if there are none.
+  std::vector<std::vector<Share>> shares_;
 };
 
 /// The column "saturation_load" with the result of Destinations::eval_saturation_load.

@@ -32,8 +32,9 @@ struct Params {
   /// that the client receives messages for, one bit for each. If empty, each processor has one
   /// client for all.
   std::vector<std::vector<std::uint32_t>> processes;
-  /// By processor: the companion that runs clients number 1 and higher, or null if all clients run
-  /// on the processor itself. If empty, null for all processors.
+  /// For each processor: its companion (a second processor on the same memory), which runs clients
+  /// number 1 and higher, or null if all clients run on the processor itself. If empty, null for
+  /// all processors.
   std::vector<const machine::Processor*> companions = {};
 };
 

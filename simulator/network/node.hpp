@@ -59,7 +59,8 @@ struct Message {
   std::shared_ptr<const Contents> contents = {};
   Returned returned = Returned::no;
   int links = 0;  ///< number of links passed so far
-  /// For GLOBAL messages: number of cuts of links when it was sent, see Routing::epoch().
+  /// For broadcast (GLOBAL) messages: number of link cuts before the message was sent, see
+  /// Routing::epoch().
   std::size_t tree = 0;
 
   /// Length in bytes of the part that identifies a message: address, sender and length, five words
@@ -116,8 +117,8 @@ struct RouterUse {
   RouterUse& operator+=(const RouterUse& other);  ///< adds all numbers except most_held
 };
 
-/// Cycles of a router's operations, from the section [operation] of the model file. They are those
-/// of compiled code.
+/// Cycles of a router's operations, from the section [operation] of the model file, with the factor
+/// for compiled code.
 struct RouterCosts {
   RouterCosts() = default;
   explicit RouterCosts(const machine::Model& model);
@@ -153,7 +154,7 @@ struct Node {
   RouterCosts costs;
   std::array<Channel<Message>*, topologies::PORTS> link_in{}, link_out{};
   std::vector<Channel<Handed>*> client_in, client_out;
-  /// By client: bit set of the process numbers that it receives messages for.
+  /// For each client: the set of process numbers for which it receives messages, one bit each.
   std::vector<std::uint32_t> processes;
   RouterUse use;
   std::size_t held = 0;  ///< number of messages now in the queues
@@ -170,8 +171,9 @@ struct Node {
   /// way to the sender either, returns no ways. If pointers are passed, also charges the allocation
   /// and release of a buffer for each way.
   WaysOut find_ways_out(Message& message, int came_by);
-  /// Returns messages that must be returned to this processor's client and that the caller must
-  /// send next. They stand for the processors that the client's GLOBAL message cannot reach.
+  /// Removes and returns the copies of broadcast (GLOBAL) messages that must return to this
+  /// processor's client: one for each processor that a message cannot reach. The caller must send
+  /// these copies next.
   std::vector<Message> take_unreached() { return std::exchange(unreached_, {}); }
   /// Returns the messages that this processor must send instead of a message that could not leave
   /// by `way` because the link was cut.

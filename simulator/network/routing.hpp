@@ -20,8 +20,8 @@ class Routing {
   /// The kind of routes and trees that are made when a link has been cut.
   enum class Kind { shortest, up_down };
 
-  /// `tree` is the broadcast tree for GLOBAL messages of all senders. If absent, each sender has a
-  /// breadth-first tree of its own.
+  /// `tree` is the tree for broadcast (GLOBAL) messages of all senders. If absent, each sender has
+  /// a breadth-first tree of its own.
   Routing(const topologies::Topology& topology, topologies::RoutingTable routes,
           std::optional<TreeLinks> tree = std::nullopt, Kind kind = Kind::shortest);
 
@@ -35,8 +35,8 @@ class Routing {
   Kind kind() const { return kind_; }
   /// Mean number of links on a route, over all pairs of processors that are connected.
   double mean_distance() const { return routes_.mean_distance(); }
-  /// Number of cuts of links so far. A GLOBAL message keeps using the tree of its epoch (the time
-  /// between two cuts when it was sent), so that no processor receives it twice.
+  /// Number of cuts of links so far. A broadcast (GLOBAL) message keeps using the tree of its epoch
+  /// (the time between two cuts when it was sent), so that no processor receives it twice.
   std::size_t epoch() const { return epochs_.size() - 1; }
   /// Ports of processor `at` that lead to its children in the tree of `sender`, in ascending order.
   const std::vector<int>& tree_ports(std::size_t epoch, int sender, int at) const;
@@ -60,12 +60,12 @@ class Routing {
   using Ports = std::vector<std::uint8_t>;  // by processor: one bit for each port
   struct Trees {
     std::mutex lock;
-    std::map<int, Ports> by_sender;  // made on demand
+    std::map<int, Ports> by_sender;  // trees by sender; each is made when first needed
   };
   struct Epoch {
     topologies::Topology topology;  // the topology without links that were cut
     std::optional<TreeLinks> tree;
-    // Only the links of the tree, or all links if there is no tree.
+    // The topology with only the links of the tree, or with all links if there is no tree.
     topologies::Topology allowed = {};
     std::shared_ptr<Trees> trees = std::make_shared<Trees>();
   };
@@ -79,9 +79,9 @@ class Routing {
   std::vector<std::array<std::int8_t, topologies::PORTS>> parallel_;
 };
 
-/// Makes routes that cannot deadlock, and a tree from the root for all GLOBAL messages. Keeps
-/// `routes` if on these routes and the tree links cannot wait for each other in a cycle. Otherwise
-/// makes up*/down* routes: a message that has gone down never goes up again.
+/// Makes routes that cannot deadlock, and a tree from the root for all broadcast (GLOBAL) messages.
+/// Keeps `routes` if messages on these routes and on the tree cannot make links wait for each other
+/// in a cycle. Otherwise makes up*/down* routes: a message that has gone down never goes up again.
 Routing make_acyclic_routing(const topologies::Topology& topology,
                              const topologies::RoutingTable& routes);
 

@@ -43,7 +43,8 @@ class StoreAndForward {
   /// routers. The topology must be valid (topologies::check).
   StoreAndForward(machine::Machine& machine, const topologies::Topology& topology, int first = 0)
       : StoreAndForward(machine, topology, make_routes(topology), first) {}
-  /// As above, with given routes instead of shortest ones. All pairs need a route.
+  /// Like the first constructor, but with the given routes, which must join all pairs of
+  /// processors.
   StoreAndForward(machine::Machine& machine, const topologies::Topology& topology,
                   topologies::RoutingTable routes, int first = 0);
 
@@ -69,7 +70,7 @@ class StoreAndForward {
     ByWay<ByWay<Channel<Pointer>*>> queue_in{};
     ByWay<Channel<Signal>*> sent{};
     ByWay<Channel<Pointer>*> to_sender{};
-    // The port that the next packet to a neighbour will take, by the lowest port to that neighbour.
+    // For each neighbour, at the lowest port that leads to it: the port that the next packet takes.
     std::array<std::int8_t, topologies::PORTS> turn{0, 1, 2, 3};
     std::uint32_t longest_queue = 0;
   };

@@ -51,7 +51,8 @@ struct ControlPanel {
   /// Functions that each return the quantities of a processor; the list may be empty.
   std::vector<Inspect> inspections;
   TakeOrder take_order;  ///< empty (no function) if the program takes no orders
-  /// Ends commands of the live page; only orders of the file remain.
+  /// Makes the program refuse further commands of the live page. Orders of the experiment file
+  /// remain.
   std::function<void()> close_orders;
   /// Limits in force, as a record of the program's list "stage".
   std::function<std::any()> limits;

@@ -8,7 +8,7 @@
 namespace observe {
 
 /// Percentiles of the latencies of messages in seconds (nearest rank), and how far the mean still
-/// changes during the measurement. No value without messages.
+/// changes during the measurement. All values are empty if there are no messages.
 struct Latencies {
   std::optional<double> p50_s = {}, p95_s = {}, p99_s = {}, longest_s = {};
   /// Mean of the second half of the measured messages over that of the first half, minus 1.
@@ -20,15 +20,15 @@ struct Passage {
   double sent_s, latency_s;
 };
 
-/// Evaluates messages that were sent between two dates. The halves for the drift are halves of this
-/// time.
+/// Evaluates messages that were sent between two dates. The drift compares the two halves of this
+/// period.
 Latencies eval_latencies(const std::vector<Passage>& passages, double from_s, double to_s);
 
 /// A sentence that asks for a longer measurement if the mean latency still changes by more than
 /// 10 %; else "".
 std::string describe_drift(const Latencies& latencies);
 
-/// Columns of a program that measures latencies, which are its member `latencies`.
+/// Columns for a program whose results have a member `latencies`.
 base::Columns<Latencies> latency_columns();
 
 }  // namespace observe

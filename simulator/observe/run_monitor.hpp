@@ -11,8 +11,8 @@ struct RunMonitor {
   machine::Seconds until{std::numeric_limits<double>::infinity()};  ///< limit in simulated seconds
   machine::Seconds from{};              ///< date at which the trace starts
   Trace* trace = nullptr;               ///< trace to be filled during the run; may be null
-  RunController* controller = nullptr;  ///< may be null
-  RunObserver* observer = nullptr;      ///< may be null
+  RunController* controller = nullptr;  ///< controls the speed of the run; may be null
+  RunObserver* observer = nullptr;      ///< follows the run; may be null
 
   machine::End end = machine::End::done;  ///< reason for the end of the run
   std::exception_ptr deadlock = {};       ///< the exception thrown, if `end` is End::deadlock

@@ -11,7 +11,7 @@ struct RunObserver {
   virtual void begin(const machine::Machine& machine, const ControlPanel& view) = 0;
   /// Called before the picture of the control panel, if there is one, changes at the date `now_s`.
   virtual void before_change(double now_s) = 0;
-  /// Called after the run.
+  /// Called after the run, which ended at the date `now_s` in seconds.
   virtual void end(double now_s) = 0;
 };
 

@@ -26,9 +26,9 @@ struct TimelineStretch {
 
 struct Timeline {
   std::vector<TimelineRow> cpus;
-  /// By CPU; only periods of at least three columns.
+  /// The stretches of each CPU that are at least three columns long.
   std::vector<std::vector<TimelineStretch>> stretches;
-  /// By link number in the Trace; links that are not shown have no columns.
+  /// The row of each link of the Trace; links that are not shown have no columns.
   std::vector<TimelineRow> links;
 };
 

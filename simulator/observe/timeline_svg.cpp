@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t MOST_PROCESSORS = 64;
 constexpr double LINE = 16;            // height of a line of text, for a font of 12
 constexpr double ARROWS = 90;          // width of the margin with the arrows of a cycle of waits
-constexpr std::size_t MOST_TOLD = 24;  // waiting processes listed below the chart
+constexpr std::size_t MOST_TOLD = 24;  // maximum number of waiting processes listed below the chart
 constexpr auto FAULT = "#b40000";
 constexpr auto LOW = "#9ecae1", HIGH = "#e6550d", SWITCHING = "#3b3b3b", MESSAGE = "#41ab5d";
 
@@ -52,7 +52,7 @@ double to_hundredths(double length) { return std::round(100 * length) / 100; }
 
 // Lengths of a chart: pixels on the screen, points in a figure.
 struct ChartSize {
-  double left = 150, width = 1380, right = 70;  // names, time axis, percentages
+  double left = 150, width = 1380, right = 70;  // widths of names, time axis, percentages
   double arrows = 0;                            // margin for the arrows of a cycle of waits
   double scale = 1;                             // relative to a font of 12 pixels
   std::size_t columns = 1380;
@@ -60,14 +60,15 @@ struct ChartSize {
   double sum() const { return left + width + right + arrows; }
 };
 
-// Measures of the columns beside the time axis in a figure follow from their longest texts.
+// In a figure, the widths of the columns beside the time axis follow from the longest texts in
+// these columns.
 ChartSize choose_size(const Trace& trace, std::size_t shown, const base::FigureStyle& style) {
   ChartSize size;
   if (trace.cycle > 0) size.arrows = ARROWS;
   if (!style.is_figure()) return size;
   constexpr double LETTER = 0.6;       // mean width of a letter for a font size of 1
-  constexpr double PER_POINT = 3;      // columns of time
-  constexpr std::size_t LONGEST = 14;  // letters of a name
+  constexpr double PER_POINT = 3;      // columns of the time axis per point
+  constexpr std::size_t LONGEST = 14;  // maximum number of letters in a name
   std::size_t longest = 4;
   for (std::size_t i = 0; i < shown; ++i)
     longest = std::max(longest, std::min(LONGEST, length_of(trace.processors[i])));
@@ -120,7 +121,7 @@ class Chart {
     text_ += legend;
     draw_axis();
     double y = top_;
-    std::vector<double> middles;  // y of the CPUs' rows
+    std::vector<double> middles;  // y coordinates of the middles of the CPUs' rows
     for (std::size_t i = 0; i < shown_; ++i) {
       draw_cpu(i, y);
       middles.push_back(y + heights_.cpu / 2);
@@ -188,11 +189,11 @@ class Chart {
     return top;
   }
 
-  // The right end of percentages.
+  // The x coordinate of the right end of the percentages.
   double find_end() const { return to_hundredths(size_.sum() - size_.arrows - scale(8)); }
 
   void draw_axis() {
-    constexpr double ROOM = 95;  // pixels for a label
+    constexpr double ROOM = 95;  // width in pixels of the label of a tick mark
     const double most = style_.is_figure() ? std::max(2.0, size_.width / scale(ROOM / 2)) : 14;
     const auto [step, unit, name] = choose_ticks(length_s(), most);
     const auto begin = to_nanoseconds(trace_.begin_s), end = to_nanoseconds(trace_.end_s);
@@ -219,7 +220,7 @@ class Chart {
       const auto attributes =
           fmt::format("y=\"{}\" text-anchor=\"end\" font-size=\"{}\" fill=\"{}\"",
                       to_hundredths(y + height / 2 + size / 3), size, is_small ? "#666" : "#222");
-      // letters that fit beside the row
+      // Number of letters that fit beside the row.
       const auto most = static_cast<std::size_t>((size_.left - scale(8)) / (0.58 * size));
       print("<text x=\"{}\" {}>{}</text>", to_hundredths(size_.left - scale(8)), attributes,
             base::escape_xml(shorten(name, most)));
@@ -232,10 +233,11 @@ class Chart {
 
   // Draws an area whose height in each column is the sum of the column's fractions in `doing`.
   // Callers draw areas on top of each other, the largest first. In a column between an empty and a
-  // full one, draws a step within the column instead: its position shows the fraction.
+  // full one, the area has full height instead, and fills the fraction of the column's width.
   void draw_area(const TimelineRow& row, double height, std::initializer_list<std::size_t> doing,
                  const char* name, const char* colour) {
-    const int full = static_cast<int>(std::lround(2 * height / unit()));  // half units
+    // Full height, in halves of unit().
+    const int full = static_cast<int>(std::lround(2 * height / unit()));
     std::vector<double> shares;
     std::vector<int> levels;
     for (const auto& column : row.columns) {
@@ -324,7 +326,7 @@ class Chart {
       draw_wait(middles, trace_.waiting[i].processor,
                 trace_.waiting[(i + 1) % trace_.cycle].processor);
     double y = bottom_ + scale(34 + LINE);
-    // letters that fit below the chart
+    // Number of letters that fit below the chart.
     const auto most = static_cast<std::size_t>((size_.sum() - size_.left) / (0.58 * scale(12)));
     const auto say = [&](const std::string& text, const char* colour) {
       print("<text x=\"{}\" y=\"{}\" fill=\"{}\">{}</text>\n", size_.left, to_hundredths(y), colour,
@@ -341,10 +343,11 @@ class Chart {
       say(fmt::format("and {} more", trace_.waiting.size() - MOST_TOLD), "#666");
   }
 
-  // Draws an arrow in the right margin, from the row of the waiting processor to that of the other.
+  // Draws an arrow in the right margin, from the row of the waiting processor to the row of the
+  // processor for which it waits.
   void draw_wait(const std::vector<double>& middles, std::size_t from, std::size_t to) {
     if (from == to || std::max(from, to) >= middles.size()) return;
-    // arrows leave a row in its upper half and arrive in the lower
+    // Arrows leave a row in its upper half and arrive in the lower half of another.
     const double x = to_hundredths(size_.sum() - size_.arrows);
     const double a = to_hundredths(middles[from] - scale(4)),
                  b = to_hundredths(middles[to] + scale(4));
@@ -357,7 +360,7 @@ class Chart {
 
   const Trace& trace_;
   const base::FigureStyle& style_;
-  std::size_t shown_;  // number of processors
+  std::size_t shown_;  // number of processors in the chart
   ChartSize size_;
   Heights heights_;
   Timeline timeline_;

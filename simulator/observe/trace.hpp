@@ -43,17 +43,18 @@ struct Trace {
   std::vector<std::string> processors, channels;  ///< names in UTF-8
   std::vector<Process> processes;
   std::vector<Link> links;
-  std::vector<Span> spans;          ///< for each processor, sorted by time
-  std::vector<Transfer> transfers;  ///< for each link, sorted by time
+  std::vector<Span> spans;          ///< sorted by time within each processor
+  std::vector<Transfer> transfers;  ///< sorted by time within each link
   double begin_s = 0, end_s = 0;    ///< period that the trace covers
   std::string title;
-  std::string fault;             ///< the fault that ended the run, in one line; "" for none
-  std::vector<Waiting> waiting;  ///< after a deadlock; first those of a cycle, in its order
-  std::size_t cycle = 0;         ///< number of processes in the cycle; each waits for the next
+  std::string fault;  ///< the fault that ended the run, in one line; "" for none
+  /// The processes that wait after a deadlock; those of a cycle come first, in its order.
+  std::vector<Waiting> waiting;
+  std::size_t cycle = 0;  ///< number of processes in the cycle; each waits for the next
 };
 
-// The writers throw base::InvariantBroken, before writing anything, for a trace that violates these
-// rules. The Trace Event Format and Paje store times as whole nanoseconds.
+// The writers throw base::InvariantBroken, before writing anything, for a trace that violates the
+// rules stated in struct Trace. The Trace Event Format and Paje store times as whole nanoseconds.
 
 /// Writes the Trace Event Format (JSON), which Perfetto and chrome://tracing can show. Each
 /// processor becomes a process of the viewer, with one track for its CPU and one for each outgoing
@@ -72,7 +73,7 @@ void save_paje(const Trace& trace, std::ostream& out);
 /// heights show their fractions of the time. Draws at most 64 processors; the others are only
 /// counted.
 void save_timeline(const Trace& trace, std::ostream& out);
-/// Returns the same chart in the size and font of a figure.
+/// Returns the chart of save_timeline() in the size and font of a figure.
 std::string draw_timeline(const Trace& trace, const base::FigureStyle& style);
 
 }  // namespace observe

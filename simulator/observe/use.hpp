@@ -54,7 +54,7 @@ struct KernelUse {
 };
 
 /// Use from the machine's start to the present date. Throws base::InvariantBroken if a resource
-/// would have been busy for longer than that.
+/// would have been busy for longer than this period.
 Use collect(const machine::Machine& machine);
 /// Use during the period from `before` to `after`.
 Use between(const Use& before, const Use& after);

@@ -96,7 +96,8 @@ bool Select::go_on(Process& self) {
       for (const Guard& guard : guards_)
         if (guard.condition && guard.channel) guard.channel->take_input(self);
       stage_ = Stage::enables;
-      // a small debt of cycles is paid later, together with the cost of enabling the guards
+      // A small number of unpaid cycles is paid later, together with the cost of enabling the
+      // guards.
       if (self.owes_much() && self.must_sync()) return false;
       [[fallthrough]];
     case Stage::enables:
@@ -108,7 +109,7 @@ bool Select::go_on(Process& self) {
       stage_ = Stage::enables_late;
       return false;
     case Stage::enables_late: {
-      // The debt of cycles has been paid by now, so enabling began span(enabled_) ago.
+      // All charged cycles have been paid by now, so enabling began span(enabled_) ago.
       cycle_ = self.paid_cycle();
       begin_ = self.own_time() - span(enabled_);
       const bool ready = some_ready(self);
@@ -129,15 +130,15 @@ bool Select::go_on(Process& self) {
   return true;
 }
 
-// True if the clock must reach the process's own time before the guards are tested. Before that
-// date an output from another CPU may still arrive. Moreover, the own time may move to an earlier
-// date than predicted, which may precede the tick of a timer guard.
+// True if the clock must reach the process's own time (Process::own_time) before the guards are
+// tested. Before that date an output from another CPU may still arrive. Moreover, the own time may
+// move to an earlier date than predicted, which may precede the tick of a timer guard.
 bool Select::must_settle(const Process& self) const {
   return looks_at_others_ || has_timer_ ? self.must_sync() : self.must_sync_if_long();
 }
 
-// Called when the own time of a waiting process has moved: moves the dates at which the wait and
-// the enabling of the guards began.
+// Called when the own time (Process::own_time) of a waiting process has moved: moves the dates at
+// which the wait and the enabling of the guards began.
 void Select::on_stretch(Process& process, const machine::Stretch& stretch) {
   const Seconds enabled_at = stretch(begin_ + span(enabled_));
   begin_ = stretch(begin_);
@@ -153,9 +154,9 @@ bool Select::some_ready(const Process& self) const {
   });
 }
 
-// Cost of the instruction alt and of enabling all guards. To enable a guard costs another number of
-// cycles if the guard is ready. An output that waits keeps waiting; hence, if none waits at the end
-// of enabling, none was waiting earlier.
+// Cost of the instruction alt and of enabling all guards. Enabling costs a different number of
+// cycles for a guard that is ready. An output that waits keeps waiting; hence, if no output waits
+// at the end of enabling, none was waiting earlier.
 Cycles Select::cost_to_enable_all(const Process& self) const {
   const auto waits = [&](const Guard& guard) {
     return guard.condition && guard.channel && guard.channel->has_output() &&
@@ -175,14 +176,15 @@ Cycles Select::cost_to_enable_all(const Process& self) const {
 // before the end of enabling, a later call charges the difference.
 void Select::spend_enabling(Process& self) {
   const Cycles known = cost_to_enable_all(self);
-  // The link of a guard that was ready has been cut.
+  // The cost is lower than before because the link of a ready guard has been cut. Charged cycles
+  // are not refunded.
   if (known < enabled_ && any_cut(guards_)) return;
   self.charge(Cycles{known.value - enabled_.value});
   enabled_ = known;
 }
 
 // Charges the instruction altwt or taltwt. If an output arrives while a high-priority process pays
-// for this instruction, it wakes the process.
+// for this instruction, the output wakes the process.
 bool Select::spend_wait(Process& self, bool ready) {
   const auto& costs = self.processor().model().alternative;
   if (has_timer_)

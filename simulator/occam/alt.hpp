@@ -38,9 +38,11 @@ struct Guard {
   ChannelBase* channel = nullptr;
   Kind kind = Kind::skip;
   bool condition = true;
-  /// Each of its enabling and disabling also costs a step of the replicator.
+  /// True if the guard is one of a replicated ALT. Each enabling and each disabling then also costs
+  /// a step of the replicator.
   bool replicated = false;
-  bool is_fair = false;   ///< each of these also costs a division, see fair_each
+  /// If true, each enabling and disabling also costs a division, see fair_each.
+  bool is_fair = false;
   std::int64_t tick = 0;  ///< first tick at which the guard is ready, counted as in wait_until()
 };
 
@@ -171,7 +173,7 @@ template <class Inputs, class Then>
 struct Replicated {
   const Inputs& inputs;
   std::size_t favourite;
-  bool is_fair;  // the program pays for computing indices modulo size()
+  bool is_fair;  // if true, the program pays for computing indices modulo size()
   Then then;
 
   std::size_t size() const { return inputs.size(); }

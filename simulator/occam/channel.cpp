@@ -35,7 +35,7 @@ void ChannelBase::check_may_take(Side side, Process& self) {
   End& end = end_of(side);
   const machine::Processor& here = self.processor();
   if (!end.place)
-    // The first user of a soft channel determines its processor.
+    // The processor of the first user becomes the processor of both ends of a soft channel.
     end_of(writer).place = end_of(reader).place = &here;
   const bool is_here = end.place == &here;
   const auto is_free = [&] { return !end.taken_by || end.taken_by == &self; };
@@ -99,8 +99,9 @@ void ChannelBase::wake_alternative(Seconds at) {
     waiting.processor().make_ready(waiting, std::max(at, alternative_.since));
 }
 
-// Makes a process wait at its end of the link, from its own time on (which may be ahead of the
-// clock). Schedules an event only if the arrival can affect another process, and then returns true.
+// Makes a process wait at its end of the link, from its own time on (Process::own_time, which may
+// be ahead of the clock). Schedules an event only if the arrival can affect another process, and
+// then returns true.
 bool ChannelBase::come_to_link(Side side, Process& process) {
   const Seconds date = process.blocked_since();
   end_of(side).waiting = {&process, date};
@@ -274,8 +275,8 @@ void ChannelBase::Exchange::wait_for_partner(Process& self) {
   if (side_ == writer && channel_->alternative_.process) channel_->wake_alternative(own.since);
 }
 
-// Called when the own time of a waiting process has moved: moves the start of its wait. Events that
-// were scheduled for the old date have no effect.
+// Called when the own time (Process::own_time) of a waiting process has moved: moves the start of
+// its wait. Events that were scheduled for the old date have no effect.
 void ChannelBase::Exchange::on_stretch(Process& process, const machine::Stretch& /*stretch*/) {
   Party& own = channel_->end_of(side_).waiting;
   if (own.process != &process) return;

@@ -56,7 +56,7 @@ class ChannelBase {
   bool cut() const { return link_ && link_->is_cut(); }
 
   /// Id of the last process that output to this channel; 0 if there was none. Deadlock reports
-  /// assume that it would end an ALT's wait.
+  /// assume that this process would end the wait of an ALT on the channel.
   machine::ProcessId last_writer() const { return end_of(writer).user; }
   /// True if an output waits now, or will wait from a known future date on. Used by ALTs.
   bool has_output() const { return end_of(writer).waiting.process != nullptr; }
@@ -66,12 +66,13 @@ class ChannelBase {
     const Party& waiting = end_of(writer).waiting;
     return waiting.process && waiting.since <= (hard() ? std::min(at, link_->now()) : at) && !cut();
   }
-  /// Used by an ALT that finds no output: registers `process`, which waits from its own time on.
-  /// The next output wakes it, even if this output is already known and will wait from a later date
-  /// on.
+  /// Used by an ALT that finds no output: registers `process`, which waits from its own time on
+  /// (Process::own_time). The next output wakes the process, even if this output is already known
+  /// and will wait from a later date on.
   void enable(Process& process);
   void disable() { alternative_ = {}; }
-  /// Changes the date of enable(), when the own time of its process, ahead of the clock, has moved.
+  /// Changes the date from which the process registered by enable() waits. Called when that date is
+  /// ahead of the clock and has moved.
   void move_enabling(machine::Seconds since) { alternative_.since = since; }
   /// Used by ALTs: reserves the input end for the process, until leave_input(). See take().
   void take_input(Process& process) { take(reader, process); }
@@ -88,9 +89,9 @@ class ChannelBase {
     std::uint64_t first, rest;
   };
   /// take() and leave() begin and end every operation of a process. take() throws Misuse if another
-  /// process is using this end of the channel, or if the process is on the wrong processor. On a
-  /// hard channel, the right processor is that at the link's end; on a soft channel, the first one
-  /// that used it.
+  /// process is using this end of the channel, or if the process is on the wrong processor. The
+  /// right processor is the one at this end of the link. For a soft channel it is the one given to
+  /// the constructor, or else the first one that used the channel.
   void take(Side side, Process& process) {
     End& end = end_of(side);
     if (end.place != &process.processor() || end.taken_by) check_may_take(side, process);
@@ -104,7 +105,7 @@ class ChannelBase {
  private:
   struct Party {
     Process* process = nullptr;
-    // Own time of the process at its arrival, which may be ahead of the clock.
+    // Process::own_time() at the arrival of the process, which may be ahead of the clock.
     machine::Seconds since{};
   };
   struct End {
@@ -132,7 +133,7 @@ class ChannelBase {
   bool rest_to_come_ = false;  // the first part has arrived, the rest has not
   machine::LinkDirection* link_ = nullptr;
   Party alternative_;  // the process in an ALT that has enabled a guard on this channel
-  std::uint64_t alternative_wait_ = 0;  // number of the wait of this process
+  std::uint64_t alternative_wait_ = 0;  // number of the wait of alternative_.process
   std::uint64_t bytes_ = 0;             // length in bytes of the present output
   End ends_[2];                         // indexed by Side
   ChannelUse use_;
@@ -185,9 +186,8 @@ class [[nodiscard]] ChannelBase::Exchange : public machine::Operation, machine::
 
 /// Parts of a message, each communicated separately:
 /// - simple: one part.
-/// - variant: occam's PROTOCOL with CASE, `channel ! tag; contents`. First the tag (a byte), then
-/// the
-///   contents, if there are any.
+/// - variant: occam's PROTOCOL with CASE, `channel ! tag; contents`. The first part is the tag (a
+///   byte); the contents follow, if there are any.
 /// - counted: an array, `channel ! size::message`. First the size (the first word of the message's
 ///   bytes), then the rest.
 enum class Protocol : std::uint8_t { simple, variant, counted };

@@ -19,10 +19,10 @@ struct Branch {
   machine::Process::Body body;
 };
 
-/// PAR: executes all branches on this processor, and returns when the last one has ended. This
-/// process itself executes the last branch that has its own priority. The other branches are
-/// started by the instruction startp, or runp if their priority differs (PRI PAR). Each branch ends
-/// with the instruction endp.
+/// PAR: executes all branches on this processor, and returns when the last one has ended. The
+/// calling process itself executes the last of the branches that have its own priority. The other
+/// branches are started by the instruction startp, or runp if their priority differs (PRI PAR).
+/// Each branch ends with the instruction endp.
 void par(std::initializer_list<Branch> branches);
 void par(std::span<const Branch> branches);
 

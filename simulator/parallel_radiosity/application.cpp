@@ -29,7 +29,7 @@ Kernels::Kernels(const Setup& setup, const radiosity::Mesh& mesh, const Params& 
   if (setup.cycles_per_host_s) scratch = make_state(mesh, params.solve.sends);
 }
 
-// To copy a colour between a table and a message takes a block move of the colour's words.
+// Copying a colour between a table and a message takes a block move of the colour's words.
 MessageWork::MessageWork(const machine::Model& model)
     : identification(kernels::message_costs(model)),
       colour_copied{get_instruction(model, "move_setup").value +

@@ -44,7 +44,8 @@ struct Common {
   const Params& params;
   MessageBytes bytes;
   Kernels& kernels;
-  std::optional<shared_memory::SceneItems> items;  ///< only if geometry is distributed
+  /// Set only if the geometry is distributed over the processors.
+  std::optional<shared_memory::SceneItems> items;
   int root = 0;
   kernels::ByModel<MessageWork> messages;
 };
@@ -55,7 +56,8 @@ struct Node {
   std::size_t children = 0;
   Share share;
   network::Client* client = nullptr;
-  shared_memory::DataManager* manager = nullptr;  ///< only if geometry is distributed
+  /// Set only if the geometry is distributed over the processors.
+  shared_memory::DataManager* manager = nullptr;
 };
 
 class Application {
@@ -82,7 +84,7 @@ class Application {
 
   const Common& common_;
   const Node node_;
-  radiosity::State state_;  ///< only entries of its own vertices and patches are valid
+  radiosity::State state_;  ///< only entries of this processor's own vertices and patches are valid
 
  private:
   Candidate find_best();
@@ -106,8 +108,8 @@ class Application {
   std::vector<network::Message> borders_;
 };
 
-/// The application at the root of the reduction tree. It computes, as all others do. It also
-/// selects the patch that shoots next, and it is the display.
+/// The application at the root of the reduction tree. Like all others it computes a part of the
+/// solution. It also selects the patch that shoots next, and it is the display.
 class Root : public Application {
  public:
   /// `nodes` are the nodes of all processors. `on_solved` is called when all processors have

@@ -38,7 +38,7 @@ bool is_facing(const Patch& a, const Patch& b) {
 // faces the patch that shoots. Sums over a sample of evenly spaced patches that shoot.
 std::vector<double> estimate_work(const Mesh& mesh) {
   constexpr std::size_t SENDERS = 64;
-  constexpr double TEST = 0.1;  // relative to the work of a ray
+  constexpr double TEST = 0.1;  // work of a visibility test, relative to that of a ray
   const std::size_t step = std::max<std::size_t>(1, mesh.patches.size() / SENDERS);
   std::vector<double> work;
   for (const Patch& patch : mesh.patches) {

@@ -1,5 +1,6 @@
 #pragma once
-// Distribution of patches over processors. AMP gives all processors equal numbers (thesis, 5.1).
+// Distribution of patches over processors. The thesis's radiosity system AMP gives all processors
+// equal numbers of patches (5.1).
 #include "renderer/radiosity/light/solve.hpp"
 
 namespace parallel_radiosity {
@@ -14,7 +15,7 @@ enum class Distribution : std::uint8_t {
 /// the light of these vertices.
 struct Border {
   int other = 0;
-  std::vector<std::uint32_t> vertices;  ///< in ascending order
+  std::vector<std::uint32_t> vertices;  ///< numbers of the shared vertices, in ascending order
 };
 
 /// The part of the mesh assigned to a processor.
@@ -22,7 +23,7 @@ struct Share {
   std::vector<std::uint32_t> patches;  ///< numbers of its patches, in ascending order
   /// Numbers of the corners of its patches, in ascending order.
   std::vector<std::uint32_t> vertices;
-  /// Shared vertices whose light is sent to, or received from, others.
+  /// Shared vertices whose light is sent to, or received from, other processors.
   std::vector<Border> out, in;
 };
 
@@ -30,8 +31,8 @@ struct Share {
 /// processor's patches are its vertices, so a vertex on a border belongs to several shares.
 std::vector<Share> distribute(const radiosity::Mesh& mesh, int processors, Distribution how);
 
-/// Decides for each shared vertex which of its processors computes the vertex's light; takes the
-/// processors in rotation. This processor sends the light to the others.
+/// Decides for each shared vertex which of its processors computes the vertex's light and sends it
+/// to the others. The choice rotates among the processors.
 void exchange_borders(std::vector<Share>& shares, std::size_t vertices);
 
 }  // namespace parallel_radiosity

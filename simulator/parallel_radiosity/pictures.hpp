@@ -8,10 +8,12 @@ namespace parallel_radiosity {
 
 /// Measurements of the final picture.
 struct PictureSummary {
-  double radiosity_mean = 0;  ///< mean over the patches whose material also exists in the reference
+  /// Mean radiosity over the patches whose material also exists in the reference.
+  double radiosity_mean = 0;
   double exposure = 0;        ///< factor on the picture's brightness for display; greater than 0
-  double reference_mean = 0;  ///< only with a reference
-  std::optional<radiosity::PictureError> error;  ///< only with a reference
+  double reference_mean = 0;  ///< mean radiosity of the reference; 0 without a reference
+  /// Difference from the reference's picture; only with a reference.
+  std::optional<radiosity::PictureError> error;
 };
 
 /// Draws an intermediate frame with a z-buffer. The light within patches is interpolated.
@@ -27,7 +29,7 @@ struct Pictures {
   PictureSummary summary;
   std::vector<programs::Image> images;
   std::vector<snapshots::Snapshot> previews;  ///< every frame as the display draws it
-  int width = 0;                              ///< in pixels
+  int width = 0;                              ///< width of the previews in pixels
 };
 
 /// Makes a picture "N-shots" of each frame except the last, and "picture" of the last one. With a

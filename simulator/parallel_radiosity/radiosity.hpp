@@ -23,7 +23,8 @@ using programs::Setup;
 /// The illumination that the display has after a number of shots.
 struct Frame {
   int shots = 0;
-  double at_s = 0;                       ///< date in s at which the display had received all of it
+  /// Date in s at which the display had received the whole frame.
+  double at_s = 0;
   double unshot = 0;                     ///< fraction of the light that has not been shot
   std::vector<radiosity::Rgb> vertices;  ///< radiosity of each vertex, without ambient light
   radiosity::Rgb ambient;
@@ -51,7 +52,7 @@ struct Params {
 
 /// Fractions of the processors' time. They sum to 1.
 struct Loss {
-  double useful = 0;  ///< kernels, where each vertex counts only once
+  double useful = 0;  ///< time in kernels; a vertex that several processors compute counts once
   /// Repeated computation of vertices that several processors share, because they own adjacent
   /// patches. Estimated from numbers of vertices, as if all vertices took equal time.
   double repeated = 0;

@@ -35,7 +35,8 @@ base::Fields<RoomParams> reference_fields();
 /// or of the reference cannot be read.
 void check(const RoomParams& params);
 
-/// Loads the scene's room, with the creases that the parameters choose for its mesh.
+/// Loads the scene's room, with the creases (lines along which its mesh is divided) that the
+/// parameters choose.
 radiosity::Room load_scene(const RoomParams& params);
 /// Solves the reference with the scene's parameters, with three exceptions: `refine` and `senders`
 /// are the reference's own, and the creases come from its file. Returns nothing if there is no

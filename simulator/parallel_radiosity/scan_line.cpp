@@ -24,7 +24,7 @@ constexpr std::array<const char*, 3> PICTURES = {"bilinear", "bicubic", "fine"};
 // One pixel of the line in all three pictures: the two interpolations and the reference.
 struct Pixel {
   int x = 0;
-  std::array<int, 3> displayed{};  // 0 to 255
+  std::array<int, 3> displayed{};  // displayed values, 0 to 255
   std::array<double, 3> linear{};
   bool emits = false;
 };

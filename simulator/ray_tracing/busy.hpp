@@ -9,7 +9,7 @@ enum class Role : std::uint8_t {
   worker,
   database,
   display,
-  router  ///< routes messages and manages data for its companion, which is a worker
+  router  ///< routes messages and manages data for a worker, with which it shares a memory
 };
 /// The name of a role, as returned by machine::Processor::role().
 std::string to_string(Role role);
@@ -24,9 +24,10 @@ constexpr double SATURATED = 0.8;
 /// Loads of processors and links, as fractions of time.
 struct Busy {
   double worker_mean = 0, worker_max = 0;
-  /// Absent if this process has no CPU of its own.
+  /// Load of each of these processes; absent if the process has no CPU of its own.
   std::optional<double> coordinator, database, display;
-  std::optional<double> router_mean;  ///< only if companions of workers route
+  /// Mean load of the second processors (companions) of workers, if these route messages.
+  std::optional<double> router_mean;
   std::string cpu_busiest;
   /// Load of the busiest CPU, and the part of it at high priority.
   double cpu_max = 0, cpu_high = 0;
@@ -42,7 +43,8 @@ void check_label(const topologies::Topology& topology, int id);
 /// Computes the loads. If the run ended before its first task, all loads are 0.
 Busy make_busy(const observe::Use& use);
 base::Columns<Busy> busy_columns();
-/// The column cpu_busy_router_mean. It is absent if no companions of workers route.
+/// The column cpu_busy_router_mean. It is absent unless workers have a second processor (companion)
+/// that routes.
 base::Columns<Busy> router_columns();
 
 using programs::Load;
@@ -50,7 +52,7 @@ using Loads = std::vector<Load>;
 /// Loads of the resources that all these programs have, busiest first:
 /// - "workers": mean load of their CPUs, with the fraction spent on routing;
 /// - "workerN (routing)": load by high-priority processes, for the worker that routes most;
-/// - "data managers": mean load of the CPUs of workers' companions, if these route messages;
+/// - "data managers": mean load of the CPUs of workers' second processors, if these route messages;
 /// - "link A>B": the busiest direction of a link;
 /// - the database and the display, if they have CPUs of their own;
 /// - `coordination`, and `tasks` (the time after the last task was sent), as given by the caller.

@@ -48,8 +48,9 @@ class Orders {
           user_ ? "[[order]]: found one after the picture was complete, expected it earlier"
                 : "[[order]]: found one before the first task, expected it later");
     const double tick_s = occam::date_of(*user_, 1).value;
-    // If the own time of the user's process is ahead of the clock, the process has already found
-    // that no order is due before this own time. The new order must therefore be later.
+    // The own time of the user's process (its date including charged cycles) may be ahead of the
+    // clock. The process has then already found that no order is due before its own time, so the
+    // new order must be later.
     const bool is_blocked = user_->state() == machine::Process::State::blocked;
     const auto own = is_blocked ? user_->blocked_since() : user_->own_time();
     const double from_s = std::max(after, own).value;
@@ -129,8 +130,8 @@ class Orders {
     waits_for_order_ = false;
   }
 
-  // Wakes the user's process if it waits for a manual order or for the time of a later order. If it
-  // is still busy with the previous order, it will find the new order without this.
+  // Wakes the user's process if it waits for a manual order or for the time of a later order. A
+  // process that is still busy with the previous order finds the new order without being woken.
   void wake(machine::Seconds date) {
     if (waits_for_order_) user_->processor().wake_first_at(date, *user_, user_->waits());
   }

@@ -15,7 +15,8 @@ namespace {
 
 bool is_of_stage(const KeyImage& image) { return image.name.starts_with("stage"); }
 
-// For each stage except the last, the date of its end: a key image was saved at this date.
+// For each stage except the last, the date of its end, at which a key image (a copy of the picture)
+// was saved.
 std::vector<Cell> stage_cells(const Rendering& r) {
   std::vector<Cell> cells;
   for (const auto& image : r.key_images)

@@ -30,7 +30,8 @@ struct Rendering {
   machine::End end = machine::End::done;
   std::uint64_t events = 0;                 ///< number of simulated events
   std::vector<observe::KernelUse> kernels;  ///< kernels called on any processor
-  std::vector<std::string> notes;           ///< about orders without effect and removed links
+  /// Sentences about orders without effect and about removed links.
+  std::vector<std::string> notes;
 };
 
 /// Renders the final picture of every run with these parameters, with the sequential renderer.
@@ -48,8 +49,8 @@ base::Columns<Rendering> speed_columns();
 base::Columns<Rendering> ray_columns();
 /// The columns order_to_pixel_s, setup_s and total_s.
 base::Columns<Rendering> time_columns();
-/// Columns for the end of each stage, and for the fraction of lit pixels in its key image. Also the
-/// column aborted.
+/// Columns for the end of each stage, and for the fraction of lit pixels in the picture at this
+/// end. Also the column aborted.
 base::Columns<Rendering> stage_columns();
 
 /// Results of a run besides its rows, and the picture's quality over time.
@@ -57,9 +58,9 @@ struct Given {
   programs::Extras extras;    ///< without the loads, and without the results of Setup::profile
   snapshots::Figures growth;  ///< empty if quality over time was not recorded
 };
-/// Collects these results. The images are the final picture, key images, pictures at the requested
-/// times, and an animation of the growing picture. `max_cell` is the side of the largest image
-/// cells in pixels.
+/// Collects the results of a run besides its rows. The images are the final picture, pictures at
+/// ends of stages and at orders (key images), pictures at the requested times, and an animation of
+/// the growing picture. `max_cell` is the side of the largest image cells in pixels.
 Given make_given(const programs::Setup& setup, const SceneChoice& scene,
                  const renderer::Params& image, int max_cell, const Rendering& rendering);
 

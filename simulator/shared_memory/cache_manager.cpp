@@ -8,7 +8,7 @@ using occam::this_process;
 
 namespace {
 
-// Number of queued accesses; while the queue is full, the application waits.
+// Maximum number of queued accesses; while the queue is full, the application waits.
 constexpr std::size_t MOST_NOTED = 64;
 constexpr std::uint64_t WORD = 4;  // bytes of a queued access
 

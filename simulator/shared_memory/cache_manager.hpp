@@ -39,7 +39,7 @@ class CompanionManager : public DataManager {
 
  private:
   struct Order {
-    /// Record to fetch; if absent, only tells that accesses are queued.
+    /// Record to fetch; if absent, the order only announces that accesses are queued.
     std::optional<std::size_t> record;
     static constexpr std::uint64_t bytes() { return 4; }
   };

@@ -52,7 +52,8 @@ struct DataUse {
   /// Number of links that requests did not have to pass, because a cache or a waiting queue on the
   /// route answered them.
   std::uint64_t spared_by_path = 0, spared_by_queue = 0;
-  /// Number of requests received from other processors: the sum of the next three.
+  /// Number of requests received from other processors: the sum of `answered`, `queued` and
+  /// `passed_on`.
   std::uint64_t seen = 0;
   std::uint64_t answered = 0, queued = 0, passed_on = 0;
   Seconds waited{};  ///< total time spent waiting for replies

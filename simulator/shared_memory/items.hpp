@@ -26,7 +26,7 @@ class Catalogue {
   std::uint64_t largest() const;  ///< size of the largest item in bytes
 
  private:
-  // Place of the first item of each class, then the number of items.
+  // Place of the first item of each class. The last element is the number of all items.
   std::vector<std::size_t> first_;
   std::vector<std::uint64_t> bytes_;
 };

@@ -35,8 +35,8 @@ class SceneItems {
 /// program.
 class SceneReader : public renderer::Access {
  public:
-  /// `scale` is a factor on the cost of counted work. If costs are host times, it makes the sum
-  /// equal to the kernel's measured time.
+  /// `scale` is a factor on the cost of counted work. If costs are host times, this factor makes
+  /// the sum of the charged costs equal to the kernel's measured time.
   SceneReader(const SceneItems& items, DataManager& manager, const machine::OperationCosts& costs,
               double scale)
       : items_(items), manager_(manager), costs_(costs), scale_(scale) {}

@@ -1,12 +1,10 @@
 #pragma once
 // Data managers for the processors of a network, with two schemes of distributing data:
 // - items: an item is fetched from a cache on the route to the coordinator or, if none has it, from
-// the
-//   coordinator's disk (thesis, 5.1.2.3);
+//   the coordinator's disk (thesis, 5.1.2.3);
 // - pages: all items lie in pages of fixed size in a common address space. Each processor owns a
-// block
-//   of pages, which stays in its memory, and other processors fetch pages from it (Badouel; thesis,
-//   5.1.2.1).
+//   block of pages, which stays in its memory, and other processors fetch pages from it (Badouel;
+//   thesis, 5.1.2.1).
 #include <memory>
 
 #include "simulator/observe/control_panel.hpp"

@@ -21,8 +21,9 @@ struct Snapshot {
 /// Times at which the picture is recorded.
 struct Schedule {
   std::vector<double> at_s;  ///< times in seconds since the first task, ascending
-  double every_s = 0;        ///< interval in s between further times, at most 1000; 0 for none
-  int growth = 0;            ///< minimum number of further times, at equal intervals; 0 for none
+  /// Interval in s between further times, of which there are at most 1000; 0 for none.
+  double every_s = 0;
+  int growth = 0;  ///< minimum number of further times, at equal intervals; 0 for none
 };
 
 /// Records pictures at the times of a Schedule. The display must call note() before each change of
@@ -39,8 +40,8 @@ class Recorder {
   /// Records the final picture. No recording may follow.
   void end(double now_s, const std::function<Snapshot()>& look);
 
-  /// pictures() returns the pictures for at_s and every_s of the schedule, growth() those for its
-  /// growth.
+  /// pictures() returns the pictures for Schedule::at_s and Schedule::every_s, growth() those for
+  /// Schedule::growth.
   const std::vector<Snapshot>& pictures() const { return pictures_; }
   const std::vector<Snapshot>& growth() const { return growth_; }
 

@@ -64,8 +64,8 @@ Places make_grid(int n, double spacing, Column column, Row row) {
   return places;
 }
 
-// By distance from the root: the processors there. Within a level, children follow the order of
-// their parents.
+// The processors of each level of the tree, indexed by their distance from the root. Within a
+// level, children follow the order of their parents.
 std::vector<std::vector<int>> make_levels(const SpanningTree& tree) {
   std::vector<std::vector<int>> levels{{tree.root}};
   while (!levels.back().empty()) {
@@ -78,8 +78,9 @@ std::vector<std::vector<int>> make_levels(const SpanningTree& tree) {
   return levels;
 }
 
-// The horizontal position of each processor, by number: midway between the first and last leaf of
-// its subtree. Leaves are at 0, 1, 2 and so on, from left to right.
+// The horizontal position of each processor, indexed by its number: midway between the first and
+// last leaf of the processor's subtree. The leaves have the positions 0, 1, 2 and so on, from left
+// to right.
 std::vector<double> make_middles(const SpanningTree& tree) {
   std::vector<double> from(tree.parent.size()), to(tree.parent.size());
   double leaves = 0;
@@ -152,7 +153,8 @@ void turn_upwards(Places& places, int root) {
 
 // Enlarges a drawing whose shortest link has no room for the port numbers of its ends.
 void lengthen_links(const Topology& topology, Places& places) {
-  constexpr double SHORTEST = 1.7, MOST = 2;  // units; largest factor
+  // Shortest link in units of the layout; largest factor of enlargement.
+  constexpr double SHORTEST = 1.7, MOST = 2;
   double shortest = SHORTEST;
   for (const auto& [a, b] : topology.links)
     shortest = std::min(shortest, std::hypot(places[a.processor].x - places[b.processor].x,
@@ -182,8 +184,9 @@ Places make_found_places(const Topology& topology) {
   return places;
 }
 
-// Offsets of the midpoints of a grid's links from the straight line. Links between adjacent
-// processors stay straight. Longer links, which would cross other processors, bend sideways.
+// The offset of each link's midpoint from the straight line, for the links of a grid. Links between
+// adjacent processors stay straight. Longer links, which would cross other processors, bend
+// sideways.
 Places make_swerves(const Topology& topology, const Places& places, double spacing) {
   std::vector<Place> swerves(topology.links.size());
   for (size_t i = 0; i < swerves.size(); ++i) {
@@ -196,7 +199,8 @@ Places make_swerves(const Topology& topology, const Places& places, double spaci
   return swerves;
 }
 
-// Moves several links between the same two processors apart, to both sides of the straight line.
+// Spreads parallel links (links between the same two processors) to both sides of the straight line
+// between the processors.
 void part_parallel_links(const Topology& topology, Layout& layout) {
   constexpr double APART = 0.3;
   const auto& links = topology.links;
@@ -216,7 +220,7 @@ void part_parallel_links(const Topology& topology, Layout& layout) {
   }
 }
 
-// The smallest distance between a curve and the processors that it does not join.
+// The smallest distance from a link's curve to any processor other than the link's two ends.
 double find_clearance(const Places& places, const Link& link, const Place& swerve) {
   constexpr int SAMPLES = 24;
   const auto curve = make_curve(places[link.a.processor], places[link.b.processor], swerve);
@@ -230,9 +234,9 @@ double find_clearance(const Places& places, const Link& link, const Place& swerv
   return nearest;
 }
 
-// Bends links that would run through other processors, as little as possible.
+// Bends each link that would run through a third processor, no further than necessary.
 void avoid_processors(const Topology& topology, Layout& layout) {
-  constexpr double CLEAR = 0.55;  // a processor has the radius 0.375
+  constexpr double CLEAR = 0.55;  // in units of the layout; the radius of a processor is 0.375
   for (std::size_t i = 0; i < topology.links.size(); ++i) {
     const auto& link = topology.links[i];
     const Place &from = layout.processors[link.a.processor],

@@ -77,8 +77,8 @@ void draw_half(Sheet& sheet, const Half& half, const std::vector<Node>& nodes, c
   sheet.close();
 }
 
-// The index of the extra processor with this name, or the number of extra processors if there is
-// none.
+// The index in `extras` of the extra processor called `name`; the size of `extras` if there is no
+// such processor.
 size_t find_extra(const Loads& loads, const std::string& name) {
   return static_cast<size_t>(std::ranges::find(loads.extras, name, &Loads::Extra::name) -
                              loads.extras.begin());
@@ -114,8 +114,8 @@ void check_loads(const Topology& topology, const Loads& loads) {
   }
 }
 
-// Places extra processors in rows above the topology. The row is the number of links between the
-// extra processor and the root, counted along extra processors.
+// Places extra processors, which are outside the topology, in rows above it. The first row has the
+// extra processors with a link to the root, each further row those with a link to the row before.
 std::vector<Place> place_extras(const Loads& loads, const Place& root, double top) {
   std::vector<size_t> row;
   std::vector<int> width, place;

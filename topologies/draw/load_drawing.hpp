@@ -16,7 +16,8 @@ struct Loads {
   std::vector<double> processors;  ///< load of each processor, by number
   /// Load of each link: [0] from a to b, [1] from b to a.
   std::vector<std::array<double, 2>> links;
-  std::vector<std::string> labels = {};  ///< of processors; by default the topology's labels
+  /// Names to show in the processors; by default the topology's labels.
+  std::vector<std::string> labels = {};
 
   /// A processor outside the topology, with a link to the root or to an earlier extra processor.
   struct Extra {

@@ -11,7 +11,8 @@ using Curve = std::array<Place, 4>;
 
 double distance(const Place& a, const Place& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-// The place beside the first end of a curve, `along` units from it and `aside` to the left.
+// The place at a distance of `along` units from the first end of a curve, moved by `aside` units to
+// the left of the curve.
 Place place_beside(const Curve& curve, double along, double aside) {
   const Place from = curve[0], to = eval_curve(curve, 0.25);
   const double length = distance(from, to), x = (to.x - from.x) / length,
@@ -19,11 +20,13 @@ Place place_beside(const Curve& curve, double along, double aside) {
   return {from.x + along * x - aside * y, from.y + along * y + aside * x};
 }
 
-// Points that other texts must not touch, in squares of one unit.
+// Discs (processors and port numbers) that further port numbers should not overlap. The discs are
+// stored by squares of one unit, so that a search visits only near ones.
 class Crowd {
  public:
   void add(const Place& at, double radius) { squares_[key(at.x, at.y)].push_back({at, radius}); }
-  // How far other discs overlap this one, summed over these discs.
+  // The depth by which each stored disc overlaps the disc around `at`, summed over the stored
+  // discs.
   double eval_overlap(const Place& at, double radius) const {
     double overlap = 0;
     for (const double dx : {-1, 0, 1})
@@ -41,7 +44,7 @@ class Crowd {
   std::unordered_map<long, std::vector<std::pair<Place, double>>> squares_;
 };
 
-// The curves that leave each processor, each from its first to its last end.
+// For each processor, the curves of its links, each directed away from the processor.
 std::vector<std::vector<Curve>> list_curves(const Topology& topology, const Layout& layout) {
   std::vector<std::vector<Curve>> of(static_cast<std::size_t>(topology.processors));
   for (std::size_t i = 0; i < topology.links.size(); ++i) {
@@ -54,8 +57,8 @@ std::vector<std::vector<Curve>> list_curves(const Topology& topology, const Layo
   return of;
 }
 
-// How far other curves reach into a disc at `at`, summed over the curves. The disc marks a port of
-// the link that the curve `own` draws.
+// The depth by which each curve other than `own` enters the disc around `at`, summed over these
+// curves. The disc is the place of a port number of the link that `own` draws.
 double eval_crossing(const std::vector<Curve>& curves, const Curve& own, const Place& at,
                      double radius) {
   double depth = 0;

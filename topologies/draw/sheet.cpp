@@ -12,7 +12,7 @@ namespace {
 
 constexpr double MARGIN = 4;            // points around a drawing
 constexpr double LETTER = 0.62;         // mean width of a letter for a font size of 1
-constexpr double LEAST_READABLE = 3.5;  // points
+constexpr double LEAST_READABLE = 3.5;  // font size in points
 constexpr std::size_t LONGEST_NAME = 7;
 
 // The smallest distance between two processors, in units of the layout; 1 for a single one.
@@ -25,7 +25,7 @@ double find_closest(Places places) {
   return std::isfinite(closest) ? closest : 1;
 }
 
-// Diameter of a processor around a name, per point of font size.
+// The diameter that a processor needs to hold a name of `letters` letters, per point of font size.
 double eval_room(std::size_t letters) {
   return std::hypot(LETTER * static_cast<double>(std::max<std::size_t>(letters, 2)), 0.8) + 0.45;
 }
@@ -50,8 +50,8 @@ Measures choose_measures(const Places& places, std::size_t letters, double outsi
                          const base::FigureStyle& style) {
   Measures m;
   if (!style.is_figure()) return m;
-  constexpr double LARGEST_UNIT = 1.8;  // in processors
-  constexpr std::size_t LONGEST = 4;    // longer names are smaller
+  constexpr double LARGEST_UNIT = 1.8;  // in diameters of a processor
+  constexpr std::size_t LONGEST = 4;    // longest name, in letters, for which processors grow
   const double closest = find_closest(places);
   const auto [left, right] = std::ranges::minmax(places, {}, &Place::x);
   m.processor = style.font_pt * eval_room(std::min(letters, LONGEST));
@@ -111,7 +111,8 @@ void Sheet::box(const Place& middle, double width, double height, const std::str
 }
 
 void Sheet::text(const Place& middle, const std::string& words, const Lettering& lettering) {
-  constexpr double BASELINE = 0.36;  // from the middle of letters to their foot
+  // From the middle of letters down to their baseline, for a font size of 1.
+  constexpr double BASELINE = 0.36;
   const auto& [size, colour, has_halo] = lettering;
   include(middle, width_of(words, size), size);
   const auto halo = has_halo ? fmt::format(
@@ -128,7 +129,8 @@ void Sheet::text(const Place& middle, const std::string& words, const Lettering&
 
 void Sheet::open(const std::string& of_class, const std::string& tip) {
   text_ += fmt::format("<g class=\"{}\">", of_class);
-  // A title element would become the tool tip of the whole drawing in some browsers.
+  // The tool tip is the attribute xlink:title, because some browsers would show an element <title>
+  // as the tool tip of the whole drawing.
   if (!tip.empty())
     text_ += fmt::format("<a xlink:title=\"{}\">", base::escape_xml(base::blank_controls(tip)));
   closing_ = tip.empty() ? "</g>\n" : "</a></g>\n";
@@ -150,7 +152,7 @@ std::string Sheet::finish(const std::string& title) const {
       "<title>{}</title>\n",
       size, left, top, width, height, base::escape_xml(style_.font),
       base::escape_xml(base::blank_controls(title)));
-  // figures are for paper
+  // A figure is for paper and needs neither a background nor colours for dark mode.
   if (!style_.is_figure())
     svg += fmt::format(
         "{}\n<rect class=\"paper\" fill=\"#ffffff\" x=\"{:.2f}\" y=\"{:.2f}\" width=\"{:.2f}\" "

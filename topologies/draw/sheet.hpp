@@ -10,9 +10,9 @@ namespace topologies {
 
 /// Lengths of a drawing in points.
 struct Measures {
-  double unit = 36;       ///< unit of a layout
-  double processor = 27;  ///< diameter
-  double font = 11;       ///< of names
+  double unit = 36;       ///< one unit of the layout
+  double processor = 27;  ///< diameter of a processor
+  double font = 11;       ///< font size of names
   double port = 8;        ///< font size of port numbers
 };
 
@@ -36,10 +36,11 @@ FittedName fit_name(const Measures& measures, const std::string& name);
 struct Lettering {
   double size;
   std::string colour = "#000000";
-  bool has_halo = false;  ///< true: with a white outline that keeps it readable on lines
+  bool has_halo = false;  ///< true for a white outline that keeps the text readable on lines
 };
 
-/// Collects elements in points. Layout places have y upwards; points have y downwards.
+/// Collects the elements of an SVG, in points. The y axis points upwards in layouts, and downwards
+/// in the SVG.
 class Sheet {
  public:
   Sheet(base::FigureStyle style, double unit) : style_(std::move(style)), unit_(unit) {}
@@ -56,7 +57,8 @@ class Sheet {
   void box(const Place& middle, double width, double height, const std::string& fill, double line);
   /// Draws a centred text whose letters have their middle at `middle`.
   void text(const Place& middle, const std::string& words, const Lettering& lettering);
-  /// Groups the elements until close() under a class, with a tool tip unless it is "".
+  /// Opens a group with the class `of_class` for all elements until close(). `tip` is the group's
+  /// tool tip; "" means none.
   void open(const std::string& of_class, const std::string& tip);
   void close();
   /// Reserves room for an area around a point.

@@ -240,7 +240,7 @@ std::string to_dot(const Topology& topology) {
                   name);
     names.push_back(quote(name));
   }
-  auto title = topology.name;  // only written for readers: read_dot ignores it
+  auto title = topology.name;  // shown only to human readers; read_dot ignores it
   if (!can_quote(title)) std::ranges::replace(title, '\\', '/');
   std::string text =
       fmt::format("graph G {{\nlabel={};\nroot={};\nnode [shape=circle];\nedge [fontsize=8];\n",

@@ -54,7 +54,7 @@ class DotGraph {
     int around;
     std::set<int> nodes = {};
     DotAttributes node_defaults = {}, edge_defaults = {};
-    std::map<std::string, int> groups = {};  // by name
+    std::map<std::string, int> groups = {};  // numbers of the subgraphs, by name
   };
   struct Edge {
     int tail, head, line;
@@ -72,7 +72,7 @@ class DotGraph {
   bool is_strict_, is_directed_;
   std::vector<Group> groups_{{-1}};
   std::vector<RawVertex> nodes_;
-  std::map<std::string, int> node_of_;  // by name
+  std::map<std::string, int> node_of_;  // numbers of the nodes, by name
   std::vector<Edge> edges_;
   std::multimap<std::pair<int, int>, int> between_;  // numbers of the edges by tail and head
   std::string root_;

@@ -28,8 +28,8 @@ std::string to_csv(const Topology& topology);
 
 /// Formats the topology's metrics as an aligned table with one metric per row.
 std::string to_metrics(const Topology& topology);
-/// Adds rows for the mean distance and the busiest link on `routes`, and whether messages on these
-/// routes can deadlock in a cycle of links.
+/// Like to_metrics(topology), with additional rows for messages on `routes`: the mean distance, the
+/// busiest link, and whether these messages can deadlock in a cycle of links.
 std::string to_metrics(const Topology& topology, const RoutingTable& routes);
 
 }  // namespace topologies

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int DEPTH = 4;  // levels of elements: graphml, graph, node, data
 
-// Child elements that tlab reads, by the parent's name. It ignores other children. Elements in
+// Child elements that tlab reads, by the parent's name. tlab ignores other children. Elements in
 // PARTS, such as graphs, hyperedges and links to other files, are an error in any place not listed
 // here.
 const std::map<std::string, std::set<std::string>> KNOWN{
@@ -57,8 +57,8 @@ class GraphmlReader {
 
   const XmlElement& graphml_;
   std::string file_;
-  std::map<std::string, Key> keys_;      // by id
-  std::map<std::string, int> vertices_;  // by id
+  std::map<std::string, Key> keys_;      // the file's keys, by id
+  std::map<std::string, int> vertices_;  // numbers of the vertices, by id
   std::set<std::string> names_;
   // Source, target and id of the edges that have an id.
   std::set<std::tuple<int, int, std::string>> edges_;

@@ -55,7 +55,7 @@ bool read_flag(const RawVertex& vertex, const std::string& file) {
                base::quote(vertex.root));
 }
 
-// Returns -1 if the file names no root.
+// The index of the root vertex; -1 if the file names no root.
 int find_root(const RawGraph& graph, const std::string& file) {
   int root = -1;
   const auto designate = [&](int v) {

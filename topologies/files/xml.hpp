@@ -12,7 +12,7 @@ namespace topologies {
 /// if it has none.
 struct XmlElement {
   std::string space, name;
-  /// Names and values; only attributes without a prefix.
+  /// Names and values of the attributes that have no prefix.
   std::vector<std::pair<std::string, std::string>> attributes;
   std::string text;  ///< the text directly inside the element, trimmed
   std::vector<XmlElement> children;

@@ -49,7 +49,7 @@ class Gathering {
       const int p = order[i], here = distance[p];
       const auto& peers = peers_[p];
       int back = 0;
-      // No branches, since a processor could not predict them.
+      // The loop has no branches, because the host's CPU could not predict them.
       for (int port = PORTS - 1; port >= 0; --port) {
         const Short peer = peers[port], there = distance[peer];
         back = there < here ? port : back;
@@ -143,8 +143,8 @@ AllPairs search_all_pairs(const Topology& topology) {
   return {add_distances(topology, orbits, gatherings), make_load(topology, sent)};
 }
 
-// For trees. A link separates two sets of processors and carries one message for every ordered pair
-// with one processor in each set.
+// Measures a tree. A link of a tree separates two sets of processors and carries one message for
+// every ordered pair with one processor in each set.
 AllPairs eval_tree(const Topology& topology) {
   const std::int64_t n = topology.processors;
   const auto search = make_search(topology, topology.root);
@@ -172,15 +172,15 @@ bool has_ports_of_mesh(const Topology& topology, const Grid& grid) {
   });
 }
 
-// For meshes. A message takes the lowest suitable port: first north along the source's column, then
-// along the row, then south along the destination's column.
+// Measures a mesh. A message takes the lowest suitable port: first north along the source's column,
+// then along the row, then south along the destination's column.
 AllPairs eval_mesh(const Topology& topology, const Grid& grid) {
   const std::int64_t rows = grid.down.size, columns = grid.along.size;
   AllPairs all{{grid.sum_of_distances(), grid.diameter()}, {}};
   for (const auto& [a, b] : topology.links) {
     const std::int64_t row = a.processor / columns, column = a.processor % columns;
     const std::int64_t above = row + 1, below = rows - above, left = column + 1;
-    if (a.port == 3)  // north-south link: from all rows above to one column below, and back
+    if (a.port == 3)  // north-south link: between all rows above and its own column below
       all.load.push_back({above * below * columns, below * above * columns});
     else  // east-west link: along the row of the source or of the destination
       all.load.push_back({(below + below + 1) * left * (columns - left),
@@ -193,9 +193,8 @@ AllPairs eval_mesh(const Topology& topology, const Grid& grid) {
 
 Load make_load(const Topology& topology, const Sent& sent) {
   const auto parallel = parallel_ports(topology);
-  // One link's share of the messages that a processor sends to a neighbour over several parallel
-  // links. `sum` is the number of these messages. `turn` is the rank of this link, by ascending
-  // port.
+  // The messages that a processor sends to a neighbour over one of several parallel links. `sum`
+  // counts the messages over all of them. `turn` is the rank of this link, by ascending port.
   const auto at = [&](const End& end) {
     const auto& next = parallel[end.processor];
     std::int64_t sum = 0, count = 0, turn = 0;

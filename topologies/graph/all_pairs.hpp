@@ -11,7 +11,7 @@ namespace topologies {
 
 /// Distances over all ordered pairs of processors in a connected topology.
 struct Distances {
-  std::int64_t sum = 0;  ///< in links
+  std::int64_t sum = 0;  ///< sum of all distances, in links
   int longest = 0;       ///< the diameter, in links
 };
 
@@ -23,8 +23,8 @@ using Load = std::vector<std::array<std::int64_t, 2>>;
 using Sent = std::vector<std::int64_t>;
 
 /// Spreads the messages to each neighbour evenly over all parallel links, even if `sent` counts
-/// them all at one port. If the number is not divisible, the links on the lowest ports carry one
-/// more.
+/// them all at one port. If the division leaves a remainder, the links on the lowest ports carry
+/// one message more.
 Load make_load(const Topology& topology, const Sent& sent);
 
 struct AllPairs {

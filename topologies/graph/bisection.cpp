@@ -43,8 +43,8 @@ class Halves {
         std::ranges::count_if(links_[of], [&](int other) { return (into >> other & 1U) != 0; }));
   }
 
-  // A lower bound on the links that later assignments cut. Each unassigned processor counts its
-  // links to the side where it has fewer of them.
+  // A lower bound on the number of links that will be cut by later assignments. The bound adds, for
+  // each unassigned processor, its links to the side to which it has fewer links.
   int bound(int next, const std::array<Set, 2>& sides) const {
     int least = 0;
     for (int rest = next; rest < count_; ++rest)
@@ -71,7 +71,8 @@ class Halves {
   }
 
   int count_, larger_, fewest_ = 0;
-  // Neighbours, by position in the breadth-first order.
+  // The neighbours of each processor. Numbers of processors are their positions in the
+  // breadth-first order.
   std::array<std::vector<int>, MOST_BISECTED> links_;
 };
 

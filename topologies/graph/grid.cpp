@@ -21,8 +21,8 @@ bool is_grid(const Topology& topology, const Grid& grid) {
          });
 }
 
-// Candidate numbers of rows and columns from the topology's shape. Without a suitable shape, a
-// single row.
+// The numbers of rows and columns that the topology's shape states, still to be verified. If the
+// shape is not a grid of the right size, returns a single row.
 std::pair<int, int> find_sizes(const Topology& topology) {
   const auto& [form, rows, columns] = topology.shape;
   const bool fits =

@@ -21,7 +21,7 @@ struct Metrics {
   int processors = 0;
   int links = 0;
   int degree_min = 0, degree_max = 0;  ///< smallest and largest number of links of a processor
-  int diameter = 0;                    ///< in links
+  int diameter = 0;                    ///< largest distance, in links
   double mean_distance = 0;            ///< in links, over ordered pairs of distinct processors
   /// Minimum number of links between two halves; none if unknown.
   std::optional<int> bisection_width;

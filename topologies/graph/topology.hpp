@@ -30,11 +30,13 @@ struct Link {
 struct Shape {
   enum class Form { unknown, line, ring, grid, hypercube, around_root };
   Form form = Form::unknown;
-  int rows = 0, columns = 0;  ///< size of a grid, numbered row by row; otherwise 0
+  /// Numbers of rows and columns of a grid, whose processors are numbered row by row; 0 for any
+  /// other form.
+  int rows = 0, columns = 0;
 };
 
 struct Topology {
-  std::string name;  ///< the text that specifies it, such as "tree:7", or the path of the file
+  std::string name;  ///< specification of the topology, such as "tree:7", or the path of its file
   int processors = 0;
   int root = 0;                        ///< the processor nearest to the host computer
   std::vector<Link> links;             ///< sorted by (a.processor, b.processor, a.port)
@@ -75,11 +77,11 @@ void sort_links(Topology& topology);
 /// lowest port of the lower-numbered processor remains.
 std::vector<Link> distinct_links(const Topology& topology);
 
-/// By processor and port: the next port that leads to the same neighbour, in cyclic order. A port
-/// without a parallel link, or without any link, leads to itself.
+/// For each processor and port: the next port that leads to the same neighbour, in cyclic order. A
+/// port without a parallel link, or without any link, leads to itself.
 std::vector<std::array<std::int8_t, PORTS>> parallel_ports(const Topology& topology);
 
-/// By processor and port: the neighbour, or the processor itself if the port has no link.
+/// For each processor and port: the neighbour, or the processor itself if the port has no link.
 using Peers = std::vector<std::array<int, PORTS>>;
 Peers make_peers(const Topology& topology);
 

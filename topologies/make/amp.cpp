@@ -167,9 +167,9 @@ std::vector<Link> make_links(const Peers& peers) {
 
 }  // namespace
 
-//       0                     starts with four random links a processor, three at the root; then
-//     / | '                   exchanges two links if that does not lengthen the mean distance;
-//    1--2--3                  numbered level by level from the root: here amp:6
+//       0                     The search starts with four random links per processor (root: three)
+//     / | '                   and exchanges two links if the mean distance does not increase.
+//    1--2--3                  Processors are numbered level by level from the root; here: amp:6
 //    |' | /|
 //    |  5  |
 //    |  |  |

@@ -109,8 +109,8 @@ Topology make_mesh(int rows, int columns) {
     if ((p + 1) % columns) add(t, {p, 2}, {p + 1, 1});
     if (p + columns < t.processors) add(t, {p, 3}, {p + columns, 0});
   }
-  // A cut that halves the mesh crosses the longer side. If that side has an odd length, the cut has
-  // a step in the middle row or column, which cuts one more link.
+  // A smallest cut into two halves runs across the longer side. If that side has an odd length, the
+  // cut has a step in the middle row or column, which cuts one more link.
   const auto [narrow, wide] = std::minmax(rows, columns);
   t.bisection_width = wide == 1 ? 0 : narrow + (wide % 2 && narrow > 1 ? 1 : 0);
   return sorted(std::move(t));

@@ -19,7 +19,7 @@ Topology make_tree(int n, int arity = 3);  ///< n >= 1, arity 1..3; thesis, figu
 Topology make_binary(int n);  ///< a tree with at most two children per processor: make_tree(n, 2)
 Topology make_mesh(int rows, int columns);   ///< rows, columns >= 1
 Topology make_torus(int rows, int columns);  ///< rows, columns >= 1; a row of two has one link
-Topology make_hypercube(int dimensions);     ///< 0..4
+Topology make_hypercube(int dimensions);     ///< dimensions in 0..4
 Topology make_star(int n);                   ///< a centre and n - 1 leaves, n in 1..5
 
 struct Generator {

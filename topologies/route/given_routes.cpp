@@ -33,7 +33,7 @@ struct Step {
 
 class Reader {
  public:
-  using Steps = std::map<int, Step>;  // by the processor that takes the step
+  using Steps = std::map<int, Step>;  // by the processor at which the step begins
 
   Reader(const Topology& topology, const std::string& text, const std::string& name)
       : topology_(topology), around_(neighbours(topology)), csv_(text, name) {
@@ -90,7 +90,7 @@ class Reader {
                               path[i + 1], topology_.name));
   }
 
-  // Adds the steps of a row's path, in one of its directions, to the steps already known.
+  // Adds the steps of `path`, which is the path of `row` in one of its two directions.
   void add_steps(const Row& row, const std::vector<int>& path) {
     for (size_t i = 0; i + 1 < path.size(); ++i) {
       const int at = path[i], next = path[i + 1];
@@ -110,10 +110,11 @@ class Reader {
   base::CsvReader csv_;
   std::deque<Row> rows_;
   std::set<std::pair<int, int>> given_;  // pairs (from, to) for which the file has a row
-  std::map<int, Steps> steps_;           // by destination of the paths
+  std::map<int, Steps> steps_;           // by the last processor of the paths
 };
 
-// Follows given paths to their destinations. All other pairs use the routes in `others`.
+// Routes that follow the given paths to their destinations. All other pairs of processors use the
+// routes in `others`.
 class GivenRule : public Rule {
  public:
   GivenRule(const Topology& topology, RoutingTable others,

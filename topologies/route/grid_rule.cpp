@@ -31,7 +31,7 @@ int GridRule::next_port(int from, int to) const {
 
 int XyRule::next_port(int from, int to) const {
   const int columns = grid().along.size;
-  // The destination is in another column: go along the row.
+  // True if the destination is in another column, so that the message first goes along the row.
   const bool along = from % columns != to % columns;
   return find_port(from, to, [&](int peer) { return !along || peer / columns == from / columns; });
 }

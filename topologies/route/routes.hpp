@@ -9,12 +9,13 @@
 
 namespace topologies {
 
-/// The routes between all pairs of processors. Copies share one Rule, which determines memory and
-/// time. Several threads may query ports and distances at the same time.
+/// The routes between all pairs of processors. All copies share one Rule; the kind of rule
+/// determines the memory and time of queries. Several threads may query ports and distances at the
+/// same time.
 struct RoutingTable {
   int processors = 0;
   std::shared_ptr<const Rule> rule;
-  bool is_shortest = false;  ///< make_routes made these routes
+  bool is_shortest = false;  ///< true if make_routes() made these routes
 
   /// The port of `from` that leads to `to`; -1 if from == to or if there is no route.
   int next_port(int from, int to) const { return from == to ? -1 : rule->next_port(from, to); }
@@ -28,19 +29,19 @@ struct RoutingTable {
 /// afterwards. A message takes the lowest port to a neighbour that is one link nearer to its
 /// destination.
 ///
-/// A message in a hypercube therefore corrects the dimensions in a fixed order. In a mesh, it goes
-/// north, then along the row, then south. Therefore messages in hypercubes and meshes cannot
-/// deadlock in a cycle of waiting links.
+/// In a hypercube, a message therefore crosses the dimensions in a fixed order. In a mesh, it goes
+/// north, then along the row, then south. Because of these fixed orders, messages in hypercubes and
+/// meshes cannot deadlock in a cycle of waiting links.
 ///
-/// Trees, meshes, tori and rings need no table and only O(processors) memory. In other
-/// topologies, a route is found when it is first needed. A table of all routes takes two bits per
-/// pair of processors: at most 1 GB for 65536 processors.
+/// Trees, meshes, tori and rings need no table and only O(processors) memory. In other topologies,
+/// a route is found when it is first needed. A table of all routes takes two bits per pair of
+/// processors: at most 1 GB for 65536 processors.
 RoutingTable make_routes(const Topology& topology);
 
 /// Makes dimension-order routes for meshes, tori and hypercubes: along the row to the destination's
 /// column, then along the column. In a torus, a message takes the shorter way round, or the lower
-/// port if both ways are equally long. In a hypercube, it corrects dimensions by ascending port, as
-/// with make_routes.
+/// port if both ways are equally long. In a hypercube, it crosses the dimensions by ascending port,
+/// as with make_routes.
 ///
 /// Messages in meshes and hypercubes cannot deadlock in a cycle of waiting links. Throws BadInput
 /// for any other topology.
@@ -51,9 +52,10 @@ RoutingTable make_table(std::shared_ptr<const Rule> rule);
 
 struct SpanningTree {
   int root = 0;
-  std::vector<int> parent;                 ///< -1 at the root
+  std::vector<int> parent;                 ///< parent of each processor; -1 for the root
   std::vector<std::vector<int>> children;  ///< by ascending port of the parent
-  std::vector<int> depth;                  ///< shortest distance from the root
+  /// Shortest distance of each processor from the root, in links.
+  std::vector<int> depth;
 };
 
 /// Makes the tree by breadth-first search from `root`, with neighbours by ascending port. The

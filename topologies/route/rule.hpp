@@ -18,9 +18,9 @@ struct RouteSum {
   }
 };
 
-/// Turns: pairs of ports that some route takes in succession. The entry at [processor * PORTS +
-/// port] is a set of bits. It has a bit for each port by which a route that left `processor`
-/// through `port` leaves the neighbour there.
+/// The turns of routes, as sets of ports with one bit per port. The set at [processor * PORTS +
+/// port] belongs to the routes that leave `processor` through `port`; it has the ports through
+/// which these routes leave the next processor.
 using Turns = std::vector<std::uint8_t>;
 
 /// The routes of one topology. Each ordered pair of processors has at most one route, without

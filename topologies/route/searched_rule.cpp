@@ -101,7 +101,7 @@ SearchedRule::Word SearchedRule::ends_reached(int from, int group) const {
 void SearchedRule::add_turns(Turns& turns, int first, int last) const {
   for (int group = first / GROUP; group * GROUP < last; ++group) {
     const auto routes = find_routes(group);
-    // By processor and port: set of destinations whose routes take this port.
+    // For each processor and port: the set of destinations whose routes take this port.
     std::vector<std::array<Word, PORTS>> led(peers().size());
     for (int p = 0; p < processors(); ++p) {
       const auto [low, high] = routes.port[p];

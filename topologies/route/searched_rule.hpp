@@ -26,7 +26,8 @@ class SearchedRule : public Rule {
   static constexpr int GROUP = 64;  // destinations per search, one bit of a word each
   using Word = std::uint64_t;
   struct Routes {
-    // By processor: low and high bits of its ports to the destinations.
+    // For each processor, its ports to the group's destinations: a word of their low bits and a
+    // word of their high bits, with one bit per destination.
     std::vector<std::array<Word, 2>> port;
     RouteSum sum;
   };
@@ -40,8 +41,8 @@ class SearchedRule : public Rule {
 
   std::vector<int> piece_;                                    // connected component, by processor
   bool is_whole_ = false;                                     // true if the topology is connected
-  mutable std::vector<std::unique_ptr<const Routes>> found_;  // by group
-  mutable std::vector<std::once_flag> finds_;                 // by group
+  mutable std::vector<std::unique_ptr<const Routes>> found_;  // by group of destinations
+  mutable std::vector<std::once_flag> finds_;                 // by group of destinations
 };
 
 }  // namespace topologies

@@ -11,7 +11,7 @@ TreeRule::TreeRule(const Topology& topology)
   const auto search = make_search(topology, topology.root);
   parent_ = search.parent, depth_ = search.distance;
   for (auto p = search.order.rbegin(); *p != topology.root; ++p) size_[parent_[*p]] += size_[*p];
-  // By processor: offset of the next child's interval.
+  // For each processor: the first number in the subtree of its next child.
   std::vector<int> next(topology.processors, 1);
   for (const int p : search.order) {
     if (p == topology.root) continue;
@@ -42,7 +42,7 @@ int TreeRule::distance(int from, int to) const {
 RouteSum TreeRule::sum() const {
   const std::int64_t n = processors();
   RouteSum sum{0, n * (n - 1)};
-  for (const std::int64_t below : size_) sum.links += 2 * below * (n - below);  // the root adds 0
+  for (const std::int64_t below : size_) sum.links += 2 * below * (n - below);  // 0 at the root
   return sum;
 }
 

@@ -24,7 +24,8 @@ class TreeRule : public Rule {
   }
 
   std::vector<int> parent_, depth_;
-  std::vector<int> begin_, size_;  // the numbers in a processor's subtree: first one, and how many
+  // Lowest number in each processor's subtree, and size of the subtree.
+  std::vector<int> begin_, size_;
 };
 
 }  // namespace topologies

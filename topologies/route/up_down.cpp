@@ -57,14 +57,14 @@ class UpDown : public Rule {
   std::vector<Way> find_ways(int to) const {
     std::vector<Way> ways(peers().size());
     ways[to].length = 0;
-    // Routes that only go down. Visit processors from the bottom up, because a route continues
-    // below.
+    // Finds the routes that only go down. Visits the processors from the bottom up, because the
+    // route of a processor continues with the route of a lower neighbour.
     for (auto p = downwards_.rbegin(); p != downwards_.rend(); ++p)
       for (int port = 0; port < PORTS; ++port)
         if (const int peer = peers()[*p][port]; is_above(*p, peer))
           improve(ways[*p], ways[peer], port);
-    // All other routes first go up. Visit processors from the top down, because a route continues
-    // above.
+    // All other routes first go up. Visits the processors from the top down, because such a route
+    // continues with the route of a higher neighbour.
     for (const int p : downwards_)
       if (ways[p].length >= Way::FAR)
         for (int port = 0; port < PORTS; ++port)
@@ -78,7 +78,8 @@ class UpDown : public Rule {
   }
 
   std::vector<int> piece_, depth_, downwards_;
-  // Ports of all processors, by destination; empty until the first query.
+  // For each destination: the first ports of the routes from all processors; empty until the first
+  // query.
   mutable std::vector<PackedPorts> found_;
   mutable std::vector<std::once_flag> finds_;  // by destination
 };
@@ -109,7 +110,7 @@ bool has_cycle(const Turns& turns, const Peers& peers) {
 // `tree`.
 Turns make_tree_turns(const Topology& topology, const Peers& peers, const TreeLinks& tree) {
   const std::set<std::pair<int, int>> links(tree.begin(), tree.end());
-  // By processor: set of its ports in the tree, one bit each.
+  // For each processor: the set of its ports in the tree, one bit each.
   std::vector<std::uint8_t> branches(peers.size());
   const auto distinct = distinct_links(topology);
   for (const auto& [a, b] : distinct)
@@ -132,7 +133,8 @@ RoutingTable make_up_down_routes(const Topology& topology) {
 }
 
 bool closes_cycle(const Topology& topology, const RoutingTable& routes, const TreeLinks& tree) {
-  constexpr int FIRST_LOOK = 64;  // destinations in the first batch, which shows most cycles
+  // Size of the first batch of destinations, which is enough to find most cycles.
+  constexpr int FIRST_LOOK = 64;
   const auto peers = make_peers(topology);
   auto turns = make_tree_turns(topology, peers, tree);
   int last = 0;

@@ -56,7 +56,7 @@ std::uint64_t Cells::place_of(std::uint32_t sample) const {
   if (order == CellOrder::sequential) return sample;
   if (order != CellOrder::recursive) return 0;
   const auto p = pixel_of(sample, width);
-  std::uint64_t place = 0;  // interleaves the bits of x and y (Z-order curve)
+  std::uint64_t place = 0;  // the bits of x and y, interleaved (Z-order curve)
   for (int bit = 0; bit < 17; ++bit) {
     place |= static_cast<std::uint64_t>((p.x - x) >> bit & 1) << (2 * bit);
     place |= static_cast<std::uint64_t>((p.y - y) >> bit & 1) << (2 * bit + 1);

@@ -45,7 +45,7 @@ class Ledger {
   const renderer::Params& params_;
   const renderer::Area area_;
   std::unordered_map<std::uint32_t, Pixel> open_;
-  std::unordered_set<std::uint32_t> asked_;  // corners with requested probes
+  std::unordered_set<std::uint32_t> asked_;  // corners whose probe rays have been requested
   // Number of the object seen at each known corner.
   std::unordered_map<std::uint32_t, std::uint32_t> corners_;
   std::size_t held_ = 0;

@@ -1,7 +1,7 @@
 #pragma once
 // Selection and order of rays for increasing realism (thesis, 4.3.2, 4.3.4). The ray database has
-// three stores: shadow feelers (BDIss, unordered), reflected and transmitted rays within the user's
-// limits (BDIrt, a priority queue), and all other rays (BDNI).
+// three stores: shadow feelers, which are rays to the lights (BDIss, unordered); reflected and
+// transmitted rays within the user's limits (BDIrt, a priority queue); and all other rays (BDNI).
 #include <array>
 #include <optional>
 #include <vector>
@@ -62,13 +62,13 @@ class RayStores {
   /// queue. If both stores are empty and `any` is true, takes a ray beyond the limits. Returns
   /// nothing if no such ray is stored.
   std::optional<renderer::Ray> take(bool any, DatabaseWork& work);
-  /// Compares all rays except feelers with the new limits, moves them between stores and rebuilds
-  /// the heap. Marks each ray that the new limits admit with `order`, the number of the user's
-  /// order.
+  /// Compares all rays except shadow feelers with the new limits, moves them between stores and
+  /// rebuilds the heap. Marks each ray that the new limits admit with `order`, the number of the
+  /// user's order.
   void set_limits(const Limits& limits, DatabaseWork& work, std::uint8_t order = 0);
 
   std::size_t size() const { return feelers_.size() + heap_.size() + later_.size(); }
-  /// Number of rays in each store.
+  /// Number of rays in each store: shadow feelers, the priority queue, and rays beyond the limits.
   struct Lengths {
     std::size_t feelers = 0, heap = 0, later = 0;
   };

@@ -26,7 +26,8 @@ std::uint64_t Sizes::of(const IirraMessage& content) const {
       [&](const Picture& picture) { return of(picture); },
       [&](const Measure& measure) { return words(2) + cell * measure.cells.size(); },
       [&](const CellTimes& measured) { return words(2) + (cell + WORD) * measured.times_s.size(); },
-      // words of tag, phase, order, six limits and an area, and of weights if present
+      // Words: the tag, phase, order, six limits and four numbers of an area, then six weights if
+      // present.
       [&](const NewPhase& phase) { return words(phase.limits.weights ? 19 : 13); },
       [&](const Report&) { return words(4); }, [&](const TaskRequest&) { return words(2); },
       [&](const NoTasks&) { return words(2); }, [&](const UserOrder&) { return words(12); },

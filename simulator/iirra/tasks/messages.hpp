@@ -9,7 +9,7 @@
 namespace iirra {
 
 /// Numbers of processes in network addresses.
-constexpr int TASK_PROCESS = shared_memory::FIRST_FREE_PROCESS;  ///< task managers
+constexpr int TASK_PROCESS = shared_memory::FIRST_FREE_PROCESS;  ///< number of task managers
 constexpr int DISPLAY_PROCESS = TASK_PROCESS + 1;
 
 // --- tasks ------------------------------------------------------------------------------------
@@ -67,7 +67,7 @@ struct Picture {
   bool is_all = true;  ///< false if the sender has further blocks
 };
 struct PictureShown {};  ///< acknowledges a picture that a worker sent unasked
-struct KeepPicture {     ///< saves the picture; if the display polls, after the next round
+struct KeepPicture {     ///< saves the picture; a display that polls first completes a round
   std::string name;      ///< file name; its simulated length is one word
 };
 struct Finish {};  ///< the display must show all pictures, then reply with Finished
@@ -86,7 +86,7 @@ struct Sizes {
         pixel(get_bytes(model, "pixel")),
         message(model, &kernels::message_costs) {}
   std::uint64_t cell, sample, ray;
-  std::uint64_t pixel;  ///< for each sample of an incomplete pixel with adaptive sampling
+  std::uint64_t pixel;  ///< bytes for each sample of an incomplete pixel with adaptive sampling
   kernels::ByModel<kernels::MessageCosts> message;  ///< in cycles, not bytes
 
   static constexpr std::uint64_t WORD = 4;
@@ -105,7 +105,7 @@ struct Sizes {
   std::uint64_t of(const IirraMessage& content) const;
 };
 
-/// Sends a message through the router client of `manager`. An undeliverable message returns to the
+/// Sends a message through the router client of `manager`. An undeliverable message returns to
 /// process number `from` of this processor.
 void send(shared_memory::DataManager& manager, const Sizes& sizes, int from, network::Address to,
           IirraMessage content);

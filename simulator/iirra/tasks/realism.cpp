@@ -121,7 +121,7 @@ std::uint64_t eval_place(const Ordering& o, const SampledCell& cell, double cont
     case CellOrder::recursive:
       return interleave(static_cast<std::uint32_t>(column), static_cast<std::uint32_t>(row));
     case CellOrder::adaptive:
-      // upper 10 bits: highest contrast first; lower 54 bits: random
+      // The upper 10 bits order cells by falling contrast, and the lower 54 bits are random.
       return static_cast<std::uint64_t>(1023 * (1 - contrast)) << 54 | drawn() >> 10;
   }
   return 0;

@@ -50,7 +50,7 @@ bool is_within(const renderer::Ray& ray, const Limits& limits);
 struct Quantities {
   double contrast = 0;
   int depth = 0;  ///< lowest tree level of the waiting rays of sample `pass`; 0 if none waits
-  double influence = 0;  ///< largest influence factor of these rays
+  double influence = 0;  ///< largest influence factor of the waiting rays of sample `pass`
   int pass = 0;  ///< lowest sample number of a pixel that has a waiting ray within the limits
 };
 
@@ -88,8 +88,8 @@ struct Importance {
   std::uint64_t place = 0;
 };
 
-/// Quadrant orders of cells, by the cells' side length in pixels. Their coordinates are counted in
-/// cells of that size from the upper left corner of the image.
+/// Quadrant orders of cells, by the cells' side length in pixels. Columns and rows of an order
+/// count cells of that side from the upper left corner of the image.
 using CellQuadrants = std::map<int, renderer::progressive::QuadrantOrder>;
 CellQuadrants make_cell_quadrants(const renderer::Area& image, int max_cell);
 

@@ -10,8 +10,8 @@ namespace progressive = renderer::progressive;
 
 namespace {
 
-// Number of the pixels' sample that the task's next step is about. Tasks with lower numbers come
-// first.
+// The number of the sample, among the samples of each pixel, that the task's next step works on.
+// Tasks with lower numbers come first.
 int pass_of(const Task& task) { return task.next == Advance::deepen ? task.quantities.pass : 0; }
 
 bool goes_before(const Task& a, const Task& b) {

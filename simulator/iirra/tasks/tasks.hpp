@@ -28,7 +28,7 @@ struct Task {
   Quantities quantities = {};
   Advance next = Advance::sample;
   Importance importance = {};
-  /// Received from another processor and not yet worked on by this one.
+  /// True if the task came from another processor and this one has not yet worked on it.
   bool has_just_come = false;
 };
 
@@ -115,8 +115,8 @@ class SampleTable {
 /// points_to_deepen().
 Quantities find_quantities(const SampledCell& cell, const SampleTable& samples,
                            const Limits& limits, TaskWork& work);
-/// Returns the samples whose shading trees must be traced for a cell: at first all its samples.
-/// When every pixel of the cell is sampled, only the pixels that no other cell owns.
+/// Returns the samples whose shading trees must be traced for a cell. These are all samples of the
+/// cell until every pixel of it is sampled, then only the pixels that no other cell owns.
 renderer::progressive::Points points_to_deepen(const SampledCell& cell);
 /// True if all pixels of the cell have their final colours.
 bool is_finished(const SampledCell& cell, const SampleTable& samples);

@@ -2,8 +2,8 @@
 // Interface of a carrier, which moves messages over links and drives the simulated clock. One
 // implementation uses SimGrid, the other computes the times itself.
 //
-// Each link has two directions, which a carrier numbers. The two directions of a link have
-// consecutive numbers, first an even one.
+// A carrier numbers the directions of links. The two directions of a link have consecutive numbers,
+// of which the lower one is even.
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -15,8 +15,8 @@ namespace machine {
 
 /// How the bodies of processes are executed. Results do not depend on this choice.
 enum class Processes : std::uint8_t {
-  fibers,  ///< stacks switched by tlab itself (make_fiber); several times faster
-  actors,  ///< SimGrid actors, each on the SimGrid host that stands for its processor
+  fibers,  ///< tlab itself switches between stacks (make_fiber); several times faster than actors
+  actors,  ///< each process is a SimGrid actor, on the SimGrid host that stands for its processor
 };
 
 struct LinkRates {

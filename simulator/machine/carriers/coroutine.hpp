@@ -9,7 +9,8 @@ namespace machine {
 class Coroutine {
  public:
   using Body = std::function<void()>;
-  /// Address space of a stack. The host gives memory to its pages when they are first used.
+  /// Address space of a stack in bytes. The host assigns memory to a page of it when the page is
+  /// first used.
   static constexpr std::size_t STACK_BYTES = 128 * 1024;
 
   virtual ~Coroutine() = default;

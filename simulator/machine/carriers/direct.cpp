@@ -47,8 +47,8 @@ class Direct final : public Carrier {
         events_.handle_next();
         continue;
       }
-      // Several messages may start and end at one date, so the ends are predicted only before the
-      // clock advances.
+      // Predicts the ends of messages only before the clock advances, because several messages may
+      // start and end at one date.
       forecast_.settle();
       const double next_end = forecast_.next_date();
       if (events_.pace() && std::min(events_.next(), next_end) > events_.now() && !may_go_on())

@@ -72,8 +72,8 @@ class Events {
 
   /// Date of the next event in seconds; NEVER if the queue is empty.
   double next() const { return next_; }
-  /// Date and order of the next event. If callbacks of soon() are still to run, this is the present
-  /// date.
+  /// Date and order of the next event. If callbacks of soon() are still to run, the date is the
+  /// present one.
   Moment next_moment() const;
   /// Runs the callbacks of soon() that were scheduled outside of an event.
   void finish();
@@ -96,14 +96,15 @@ class Events {
   End end() const { return end_; }
 
   std::uint64_t handled() const { return handled_; }
-  /// Number that grows with each event that is scheduled during the present event.
+  /// A number that grows with each event scheduled during the present event, so that a caller can
+  /// find out whether something was scheduled.
   std::uint64_t asked() const { return asked_ + soon_.size(); }
 
  private:
   // Defined in events.cpp, because Boost.Heap compiles slowly and many files include this header.
   struct Heap;
-  // Makes room for a callback and returns its address. The caller constructs the callback there.
-  // Copying an object that has just been written would stall the host's processor.
+  // Makes room for a callback and returns the address where the caller constructs the callback.
+  // Constructing it elsewhere and copying it would stall the host's processor.
   Callback* ask(double date, std::uint64_t order);
 
   double now_ = 0, until_ = NEVER, last_useful_ = 0;

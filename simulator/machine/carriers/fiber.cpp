@@ -80,7 +80,7 @@ class StackPool {
 
  private:
   static constexpr std::size_t STACKS = 64;  // number of stacks in a block
-  // Number of different offsets, and bytes between them.
+  // Number of different offsets within a page, and bytes between two offsets.
   static constexpr std::size_t PLACES = 16, APART = 128;
 
   void add_block() {
@@ -88,7 +88,8 @@ class StackPool {
                        MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
     if (block == MAP_FAILED) throw std::bad_alloc();
     blocks_.push_back(block);
-    // Deallocate() must not throw, so it must not grow the vector.
+    // Reserves room now, because deallocate() must not throw and therefore must not grow the
+    // vector.
     free_.reserve(blocks_.size() * STACKS);
     for (std::size_t i = STACKS; i-- > 0;) {
       const std::size_t size = Coroutine::STACK_BYTES - i % PLACES * APART;

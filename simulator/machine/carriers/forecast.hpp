@@ -58,11 +58,12 @@ class Forecast {
   struct Way {
     double left = 0;  // number of bytes left at the date `since` of the link
     bool busy = false;
-    std::uint64_t valid = 0;  // number of the only heap entry that still holds
+    std::uint64_t valid = 0;  // number of this direction's only valid entry in the heap
     End end = {};
   };
   struct Link {
-    // Rate of a direction in bytes/s: while the opposite one is idle, while both are busy.
+    // Rates of a direction in bytes/s: `alone` while the opposite direction is idle, `shared` while
+    // both are busy.
     double alone, shared;
     std::size_t rank;
     double since = 0;
@@ -91,7 +92,7 @@ class Forecast {
   void foresee(Link& link, std::size_t direction);
 
   std::vector<Link> links_;
-  std::vector<std::size_t> changed_;  // indices of links
+  std::vector<std::size_t> changed_;  // indices of links whose predictions are outdated
   std::vector<Entry> heap_;
   std::uint64_t numbers_ = 0;
 };

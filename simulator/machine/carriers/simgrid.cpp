@@ -85,14 +85,15 @@ class KeptSignals {
 
  private:
   static constexpr int SIGNALS[] = {SIGINT, SIGTERM, SIGSEGV};
-  // Blocks these signals while this object exists, because SimGrid's handlers would end the
-  // program.
+  // Blocks the signals in SIGNALS while this object exists, because SimGrid's handlers would end
+  // the program.
   const base::HeldSignals held_{SIGNALS};
   struct sigaction kept_[std::size(SIGNALS)];
   std::terminate_handler terminate_ = std::get_terminate();
 };
 
-// Thrown by SimGrid's callback for deadlocks, to leave its run() when all actors wait (see run()).
+// Thrown by SimGrid's callback for deadlocks, so that SimGrid's run() ends when all actors wait.
+// OnSimGrid::run() catches it.
 struct AllWait {};
 
 class ActorCoroutine;
@@ -161,8 +162,8 @@ class ActorCoroutine final : public Coroutine {
 // SimGrid's communications. A round of SimGrid's loop costs more than most events of the queue. The
 // carrier therefore handles queued events ahead of SimGrid's clock as long as no communication can
 // end before them (conservative lookahead). Then it sets a SimGrid timer for the next queued event,
-// unless a communication will certainly end earlier. The forecast decides only this; SimGrid
-// decides when a message ends.
+// unless a communication will certainly end earlier. The forecast only serves these two decisions;
+// SimGrid decides when a message ends.
 class OnSimGrid final : public Carrier {
  public:
   OnSimGrid(Events& events, Processes processes);
@@ -236,7 +237,8 @@ class OnSimGrid final : public Carrier {
   double wake_up_ = Events::NEVER;             // date in s for which a SimGrid timer is set
   std::vector<Direction> directions_;
   Forecast forecast_;
-  // Starts to be made when SimGrid's clock reaches their date.
+  // Communications that wait until SimGrid's clock reaches their date: the date in s and the
+  // direction.
   std::deque<std::pair<double, std::size_t>> starts_;
   s4u::CommPtr last_ended_;
 

@@ -48,7 +48,7 @@ void successor(Wire& from, Wire& to, std::int64_t loops) {
   Number n;
   for (std::int64_t i = 0; i < loops; ++i) {
     in(from, n);
-    occam::charge("ldc");  // in place of the addition adc, which takes as long
+    occam::charge("ldc");  // stands for the instruction adc (addition), which takes as long
     ++n.value;
     out(to, n);
     turn();

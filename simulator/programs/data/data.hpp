@@ -15,8 +15,8 @@ struct DataLoad {
   std::uint64_t item_bytes = 64;
   double zipf = 0;                  ///< item k has weight 1 / (k + 1)^zipf; 0 for uniform weights
   int accesses = 1000, passes = 1;  ///< `accesses`: number for each processor in each pass
-  /// If true, all processors wait after each pass for the last one. If false, each continues at
-  /// once.
+  /// If true, each processor waits after each pass until all others have finished it. If false,
+  /// each processor continues at once.
   bool together = true;
   bool coordinator_too = false;  ///< if true, the coordinator also makes accesses
   std::uint64_t seed = 1;

@@ -1,6 +1,7 @@
 #pragma once
 // Declaration of a program: parameters, required parts of the experiment, measured results, and the
-// function that runs it. The laboratory, which runs experiments, knows programs only through these.
+// function that runs it. The laboratory, which runs experiments, knows programs only through their
+// declarations.
 #include <any>
 #include <functional>
 #include <memory>
@@ -27,10 +28,10 @@ struct Setup {
   topologies::Topology topology;           ///< a single processor if the program uses no network
   observe::RunMonitor* monitor = nullptr;  ///< time limit and trace of the run; may be null
   topologies::RoutingTable routes = {};    ///< empty unless the program declares Uses::routes
-  /// Tree for broadcasts; if absent, each sender has one.
+  /// Tree for broadcasts of all processors; if absent, each sender has a tree of its own.
   std::optional<topologies::TreeLinks> tree = {};
   std::vector<PlannedFault> faults = {};  ///< empty unless the program declares Uses::faults
-  /// If set, host time is charged: cycles per second.
+  /// If set, kernels are charged their host time, converted with this factor in cycles per second.
   std::optional<double> cycles_per_host_s = {};
   bool profile = false;  ///< if true, measures the host time of kernels
   machine::EngineParams engine = {};
@@ -46,8 +47,8 @@ struct Image {
   std::function<void(const std::string& path)> save;  ///< writes a file of the type `extension`
   /// Writes an OpenEXR file, whose colours are not clipped.
   std::function<void(const std::string& path)> save_exr = nullptr;
-  /// If true, the file name does not contain the point of the sweep, unless several images have one
-  /// name.
+  /// If true, the file name does not contain the point of the sweep, unless several images have the
+  /// same name.
   bool is_named = false;
   const char* extension = ".png";  ///< extension of the file that `save` writes
 };
@@ -55,7 +56,7 @@ struct Image {
 /// Load of a resource and the reason for it.
 struct Load {
   std::string resource;
-  double busy = 0;    ///< fraction of the time, 0 to 1
+  double busy = 0;    ///< fraction of the time in which the resource is busy, 0 to 1
   std::string doing;  ///< reason for the load, as a sentence
 };
 
@@ -64,7 +65,7 @@ struct Extras {
   std::vector<std::string> notes = {};  ///< sentences about the run
   std::vector<Image> images = {};
   std::vector<Row> growth = {};  ///< rows of growth.csv: quality of the picture over time
-  /// If not `done`, the rows describe the time up to this end.
+  /// Reason for the end of the run. Unless it is `done`, the rows describe the time up to this end.
   machine::End end = machine::End::done;
   bool is_saturated = false;             ///< true if queues grow without bound
   std::optional<observe::Use> use = {};  ///< use of processors and links, for run.json
@@ -127,7 +128,8 @@ struct NetworkDrawing {
   /// A processor that is not part of the topology.
   struct Outsider {
     std::string name;
-    /// The processor it is linked to: an earlier outsider, or "" for the topology's root.
+    /// The processor to which this one is linked: an earlier outsider, or "" for the topology's
+    /// root.
     std::string to = {};
   };
   /// Returns the name, in observe::Use, of a processor of the topology.
@@ -169,7 +171,8 @@ struct Program {
   std::function<std::string(const std::any&, const std::string& key)> voids = {};
   /// Name of the column that holds the number of working processors.
   std::string processors = "processors";
-  int services = 0;              ///< number of other processors, which this column does not count
+  /// Number of processors that the column `processors` does not count.
+  int services = 0;
   bool shows_parameters = true;  ///< if true, each parameter is a column of the results
   Shows shows = {};
 

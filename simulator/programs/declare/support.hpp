@@ -23,7 +23,7 @@ struct Message {
   std::uint64_t bytes() const { return length; }
 };
 
-/// Memory in bytes of processors with bare code, which allocates nothing.
+/// Memory in bytes of processors that run bare code, whose programs allocate nothing.
 constexpr std::uint64_t MEMORY = 1 << 20;
 constexpr Seconds START{1024e-6};  ///< at this date every process is waiting for input
 

@@ -14,7 +14,8 @@ struct Params {
   Pairs pairs = Pairs::all;
 };
 
-// Work of a processor for others: routes through it, and neighbours with lower numbers.
+// Work that a processor does for others: the number of routes through it, and the number of its
+// neighbours with lower numbers.
 struct Measured {
   base::Cell processor;
   int routes_through = 0, lower_neighbours = 0;

@@ -8,7 +8,7 @@
 namespace programs {
 
 struct Arrival {
-  /// Date in whole microseconds at which it is offered; ascending for each sender.
+  /// Date in whole microseconds at which the packet is offered; ascending for each sender.
   std::int64_t at_us;
   int from, to;
 };
@@ -19,8 +19,8 @@ struct Arrival {
 std::vector<Arrival> make_random_traffic(int processors, const network::Destinations& destinations,
                                          double packets_per_s, double window_us,
                                          std::uint64_t seed);
-/// The same with all other processors as equally probable destinations. A single processor sends
-/// none.
+/// Like make_random_traffic(), with all other processors as equally probable destinations. A single
+/// processor sends none.
 std::vector<Arrival> make_uniform_traffic(int processors, double packets_per_s, double window_us,
                                           std::uint64_t seed);
 
@@ -32,7 +32,7 @@ struct TrafficResult {
   std::vector<Delivery> deliveries;  ///< one for each arrival, in the same order
   double link_busy_max = 0;          ///< load of the busiest link direction, 0 to 1
   std::size_t longest_queue = 0;     ///< maximum number of packets in a queue
-  std::uint64_t links = 0;           ///< sum over all packets of the links they passed
+  std::uint64_t links = 0;           ///< number of links passed by packets, summed over all packets
 };
 
 /// Simulates store-and-forward routing of packets with `bytes` bytes on the topology of `setup`,

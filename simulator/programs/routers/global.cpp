@@ -1,5 +1,5 @@
-// A sequence of GLOBAL messages from the root (thesis, table 5.3). Every other processor answers
-// each message, or only the last one.
+// A sequence of broadcast (GLOBAL) messages from the root (thesis, table 5.3). Every other
+// processor answers each message, or only the last one.
 #include "simulator/programs/declare/routers.hpp"
 
 namespace programs {

@@ -14,7 +14,7 @@ using network::Message;
 
 struct Seen {
   double sum_s = 0;
-  // Messages offered in the measuring window, and how many of these arrived.
+  // Number of messages offered in the measuring window, and number of these that arrived.
   std::uint64_t offered = 0, count = 0;
   std::uint64_t in_window = 0;  // number of messages that arrived in the window
   std::vector<observe::Passage> passages = {};

@@ -72,7 +72,8 @@ class Account {
           const std::vector<Planned>& plan)
       : routing_(routing), on_(on), plan_(plan), deliveries_(plan.size()), returns_(plan.size()) {}
 
-  // Called after a fault, which changes routes: any processor may then answer an InPathTo message.
+  // Called after a fault, which changes routes: any processor may then answer an offered (InPathTo)
+  // message.
   void expect_any_route() { all_on_the_way_ = true; }
 
   void send(std::size_t number) {
@@ -155,8 +156,8 @@ class Account {
   const std::vector<Planned>& plan_;
   std::set<std::size_t> was_sent_;
   std::uint64_t links_ = 0;
-  std::vector<std::vector<int>> deliveries_;  // processors that received it, by message
-  std::vector<std::vector<int>> returns_;     // processors that returned it, by message
+  std::vector<std::vector<int>> deliveries_;  // by message: the processors that received it
+  std::vector<std::vector<int>> returns_;     // by message: the processors that returned it
   // By sender, receiver and mode: 1 + number of the latest message.
   std::map<std::tuple<int, int, int>, std::uint64_t> last_;
 };
