@@ -8,7 +8,8 @@ namespace base {
 
 namespace {
 
-// Upper limits of whole numbers from here on are those of the type, so texts omit them.
+// An upper limit of a whole number from here on only reflects the integer type, so descriptions
+// omit it.
 constexpr double LARGEST_SHOWN = 9e18;
 
 // The value of a numeric scalar, converted to double.

@@ -174,7 +174,8 @@ class Input {
       require(size <= most, path_.string(), "longer than the limit of {} bytes", most);
     };
     check_size(size_);  // refuses a sparse file before reading it
-    // The size of files in /proc is stated as 0.
+    // The system states the size 0 for files in /proc, so files may be longer than their stated
+    // size.
     most = std::min(most, std::max(size_, MOST_FROM_FILE));
     std::string text, part(1 << 16, '\0');
     while (text.size() <= most) {

@@ -42,8 +42,8 @@ std::string read_text(const std::filesystem::path& path, std::size_t most = SIZE
 /// limit on its size is the host's memory.
 std::string read_own_text(const std::filesystem::path& path);
 
-/// Checks that read_text could open the file, with the same errors, and remembers it. Refuses
-/// pipes. For files that a library reads by itself.
+/// Checks that read_text could open the file, with the same errors, and remembers the file. Refuses
+/// pipes. To be called for files that a library opens by itself.
 void check_can_read(const std::filesystem::path& path);
 
 /// While an object of this class exists, the functions of this header remember the files that they
