@@ -138,7 +138,7 @@ Converted convert_apart(const std::string& source, const std::function<Converted
     alarm(static_cast<unsigned>(20 + 10 * limit_s));
     if (!std::freopen("/dev/null", "w", stderr)) throw std::runtime_error("/dev/null");
     const auto [texts, left_out, remarks] = convert();
-    // Checks in this process, because only it knows which files Assimp has read.
+    // Checks in the child process, because only this process knows which files Assimp has read.
     for (const auto& [path, text] : texts) base::check_no_input(path);
     nlohmann::json json = {{"left_out", left_out}, {"remarks", remarks}};
     for (const auto& [path, text] : texts) json["texts"].push_back({path, text});

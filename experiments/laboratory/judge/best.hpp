@@ -13,8 +13,8 @@ struct BestAnswer {
   std::string name;
   /// One row for each combination of values of `for_each`. The columns are these values, the best
   /// value of `over` and its result, the runner-up and its result, and by how many percent the best
-  /// is better. Values count as equally good if their results differ by less than 0.05 % or perhaps
-  /// by chance. They share a cell, "mesh or torus".
+  /// is better. Values count as equally good if their results differ by less than 0.05 %, or if the
+  /// difference may be due to chance. Such values share a cell, "mesh or torus".
   Table best;
   /// One row for each combination of values of all axes except `pays`. The column after these
   /// values has the largest value of `pays` up to which each step gains at least the required share

@@ -77,8 +77,8 @@ std::vector<CheckResult> eval_checks(const CheckPlan& plan, const ExperimentFile
 std::string summarize(const CheckResult& result, const Table& table);
 
 /// Makes a table with one row for each point: axes, simulated and expected value, error, kind (if
-/// the points have several), and a mark for failures and for the worst point. If there are more
-/// than `most` points, the table has only the ten worst.
+/// the points are of several kinds), and a mark for failures and for the worst point. If there are
+/// more than `most` points, the table has only the ten worst.
 Table make_check_table(const CheckResult& result, const Table& table, std::size_t most);
 
 /// Makes checks.csv, with one row for each check and point: name of the check, axes, then

@@ -25,7 +25,7 @@ class History {
   void add_sample(double t_s, std::vector<double> values);
   /// Adds an action, such as {"t_s": 0.1, "order": {"min_cell": 2}}.
   void add_action(nlohmann::ordered_json action);
-  /// Removes all samples. The numbers of later ones continue.
+  /// Removes all samples. Later samples continue the numbering.
   void clear_samples();
 
   /// Returns what follows `place`, and advances `place` to the end: {"stride": 1, "samples":

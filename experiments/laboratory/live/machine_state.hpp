@@ -32,8 +32,8 @@ class RecentLoads {
   /// Takes the loads of all processors and link directions up to `now_s`. No event before `now_s`
   /// may follow. Keeps the previous loads if no time has passed.
   void update(const machine::Machine& machine, double now_s);
-  /// The mean load of the processors, and the largest of a link direction (NaN without links), as
-  /// shares.
+  /// The mean load of the processors, and the largest load of a link direction (NaN without links),
+  /// from 0 to 1.
   double mean_cpu() const;
   double max_link() const;
   /// Lists the loads taken by update(), in thousandths. Also lists queue lengths, links that

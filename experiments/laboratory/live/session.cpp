@@ -206,8 +206,8 @@ void Session::change_phase(Phase phase) {
   is_new_ = true;
 }
 
-// True if only an order of the user can change the machine's state, and no simulated time has to
-// pass before it: the run is unpaced, or no event is left.
+// True if the machine's state can change only after an order of the user, and no simulated time
+// needs to pass before the order: the run is unpaced, or no event is left.
 bool Session::waits_for_user(bool is_idle) const {
   if (!view_.waits_for_user || !view_.waits_for_user()) return false;
   const bool is_endless = goal_ ? goal_->is_endless() : std::isinf(speed_);
@@ -234,7 +234,7 @@ void Session::obey_all() {
 }
 
 bool Session::is_reached(double date) {
-  if (goal_->is_next_date) {  // the goal: all events at the time of the next event are done
+  if (goal_->is_next_date) {  // goal: execute all events at the time of the next event
     goal_->is_next_date = false;
     goal_->date = date;
     return false;

@@ -96,7 +96,7 @@ class KeyImages {
   void add_stops(std::set<std::uint64_t>& stops) const {
     for (const auto& [samples, name] : names_) stops.insert(samples);
   }
-  /// Saves the image if its sample count has reached that of an intermediate picture since
+  /// Saves the image if it has reached the sample count of an intermediate picture since the count
   /// `before`.
   void save(const Refinement& image, std::uint64_t before) {
     for (const auto& [samples, name] : names_)

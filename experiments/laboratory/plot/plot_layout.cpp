@@ -22,7 +22,7 @@ std::string first_letters(std::string_view text, std::size_t count) {
 
 PlotSize choose_size(const base::FigureStyle& style) {
   if (!style.is_figure()) return {};
-  // a figure over two columns is relatively lower
+  // a wider figure has a smaller height, relative to its width
   const double upper = 75 + 0.18 * style.width_pt();
   return {style.width_pt(), style.font_pt, upper, 0.4 * upper, false};
 }

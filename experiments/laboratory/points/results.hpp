@@ -49,7 +49,8 @@ std::vector<std::string> first_result(const ExperimentFile& file, const Table& t
 /// The default plots that all programs of the file share.
 std::vector<programs::UsualPlot> find_common_plots(const ExperimentFile& file);
 
-/// What the program of the points shows of its results. If there are several programs, the default.
+/// The columns and plots that the program of all points shows; the defaults if the points run
+/// several programs.
 const programs::Shows& shows_of(const ExperimentFile& file);
 Value to_value(const Coordinate& at);
 
