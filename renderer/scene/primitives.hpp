@@ -277,9 +277,8 @@ Vec pull_inside(const Polygon& polygon, const PolygonCorner* pool, const Vec& po
   const double p_along = dot(p, c.axis), d_along = dot(direction, c.axis);
   const Vec p_across = p - p_along * c.axis, d_across = direction - d_along * c.axis;
   // At the ray's point p + t d, the squared distance from the axis equals the squared radius at
-  // that height,
-  // p + t d
-  // ^2 = r^2. This gives a t^2 + 2 b t + k = 0.
+  // that height: (p_across + t d_across)^2 = (radius + t growth)^2. This has the form a t^2 + 2 b t
+  // + k = 0.
   const double radius = c.base_radius + c.slope * p_along, growth = c.slope * d_along;
   const double a = dot(d_across, d_across) - growth * growth;
   const double b = dot(p_across, d_across) - radius * growth;

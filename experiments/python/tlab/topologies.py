@@ -215,11 +215,11 @@ def _spell(attributes, name):
 def from_networkx(graph, name=None):
     """The topology of a graph of networkx: each edge, directed or not, is one link.
 
-    Nodes are numbered in the graph's order unless they are exactly 0 to n-1. The nodes stay the processors' names. The
-    edges' attributes port_a and port_b are the ports, 0 to 3, at the first and second node, in the order of `graph.edges`.
-    Ends without a port get the lowest free one. The root is the node with the attribute root (true or false), or the
-    node named by the graph's attribute root, else processor 0. Raises BadInput for a graph that transputers cannot be
-    wired to.
+    Nodes are numbered in the graph's order unless they are exactly 0 to n-1. The nodes stay the processors' names.
+    The edges' attributes port_a and port_b are the ports, 0 to 3, at the first and second node, in the order of
+    `graph.edges`. Ends without a port get the lowest free one. The root is the node with the attribute root (true or
+    false), or the node named by the graph's attribute root, else processor 0. Raises BadInput for a graph that
+    transputers cannot be wired to.
     """
     name = str(name or graph.name or "network")
     nodes = list(graph.nodes)

@@ -58,7 +58,7 @@ inline double eval_delta(double area, double square, double here, double there) 
 /// of the delta area. `way` is the vector from the viewpoint to this middle.
 template <class Number, class Share>
 struct DeltaSide {
-  Number turn;    ///< component along `way`, divided by the length of `way`
+  Number turn;    ///< component of the side along `way`, divided by the length of `way`
   Number rise;    ///< component along the viewpoint's normal, divided by that of `way`
   Number square;  ///< squared length of the side, divided by the squared distance
   Share growth;   ///< relative growth of the other side, from one end of this side to the other

@@ -32,8 +32,8 @@ bool lies_on_a_face(const Crease& crease, const Room& room);
 /// renderer::make_image_plane(). Returns the view together with its image plane.
 renderer::View check_view(const renderer::View& view);
 
-/// Requires that one face is not a mirror, and that one face emits light. The parts of the room
-/// must have been checked before.
+/// Requires that at least one face is not a mirror, and that at least one face emits light. The
+/// parts of the room must have been checked before.
 void check_light(const Room& room);
 
 }  // namespace radiosity
