@@ -8,8 +8,7 @@ namespace base {
 
 namespace {
 
-// An upper limit of a whole number from here on only reflects the integer type, so descriptions
-// omit it.
+// Limits from this value on only reflect the range of the integer type, so descriptions omit them.
 constexpr double LARGEST_SHOWN = 9e18;
 
 // The value of a numeric scalar, converted to double.

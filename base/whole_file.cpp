@@ -210,7 +210,7 @@ class Input {
   const fs::path path_;
   const int file_;
   bool is_pipe_ = false;
-  std::size_t size_ = 0;  // of a regular file when it was opened, in bytes
+  std::size_t size_ = 0;  // size of a regular file when it was opened, in bytes
 };
 
 // The host's memory in bytes. A larger file cannot be read.

@@ -33,9 +33,9 @@ bool save_new(const std::filesystem::path& path, std::string_view bytes);
 void check_can_save(const std::filesystem::path& path);
 
 /// Returns the bytes of a file or pipe. A file may have at most `most` bytes, and at most 1 GiB; a
-/// pipe at most 256 MiB. Throws BadInput with the limit for a longer one. Throws BadInput "path:
-/// cannot be read: ..." for a missing file, a folder, a device, a read error, an empty pipe, and a
-/// pipe without a writer. Remembers the file, so that save_whole refuses to overwrite it.
+/// pipe at most 256 MiB. Throws BadInput with the limit for a longer file or pipe. Throws BadInput
+/// "path: cannot be read: ..." for a missing file, a folder, a device, a read error, an empty pipe,
+/// and a pipe without a writer. Remembers the file, so that save_whole refuses to overwrite it.
 std::string read_text(const std::filesystem::path& path, std::size_t most = SIZE_MAX);
 
 /// Reads a file as read_text does, but lets the caller overwrite it, for example a saved state. The
