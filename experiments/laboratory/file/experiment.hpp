@@ -120,8 +120,8 @@ struct Axis {
   std::string key;   ///< dotted key that the axis sets, "scene.objects"
   std::vector<Node> values;
 };
-/// Axes that change together, as in "workers, height" = [[1, 16], ...]. A list of one axis if it
-/// changes alone.
+/// Axes that change together, as in "workers, height" = [[1, 16], ...]. An axis that changes alone
+/// is a list of one axis.
 using Coupled = std::vector<Axis>;
 
 /// The value of one axis at a point.

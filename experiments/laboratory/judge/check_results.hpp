@@ -52,8 +52,8 @@ struct CheckResult {
   /// no value if the check does not distinguish calibrated points
   std::optional<Predicted> predicted = {};
   /// Result if the intervals include the model's own error (see cover.hpp): the number of expected
-  /// values inside their intervals, and the medians over the points of the intervals' shift and
-  /// half width, both relative to the simulated values.
+  /// values inside their intervals. Also the medians, over the points, of the intervals' shift and
+  /// of their half width, as fractions of the simulated values.
   struct WithOwnError {
     std::size_t inside = 0;
     double mean = 0, half_width = 0;

@@ -69,8 +69,8 @@ struct Plot {
 
 /// Makes the default plots of a program, for those of its columns that have values. The plot of the
 /// speed-up has the ideal line, and that of the efficiency shows at least the range 0 to 1.05. The
-/// x axis is "workers" if it varies, else the first numeric axis that varies. If there is none,
-/// there are no plots. Each combination of values of the other axes is a series ("tree, 200
+/// x axis is "workers" if it varies, else the first numeric axis that varies. If no numeric axis
+/// varies, there are no plots. Each combination of values of the other axes is a series ("tree, 200
 /// objects"), except axes that x determines. The title lists the axes with a single value. Points
 /// are sorted by x.
 std::vector<Plot> make_plots(const Table& table, const std::vector<programs::UsualPlot>& usual);

@@ -29,7 +29,7 @@ const UnitFamily* find_family(const std::string& unit) {
   return nullptr;
 }
 
-// The unit at the end of a label, "time [s]"; "" without one.
+// The unit at the end of a label such as "time [s]"; "" if there is none.
 std::string find_unit_of_label(const std::string& label) {
   const auto open = label.rfind(" [");
   if (open == std::string::npos || !label.ends_with(']')) return "";

@@ -51,8 +51,8 @@ struct PointResult {
   /// counts and times of kernels (the numerical code); only if costs are timed
   nlohmann::ordered_json kernels;
   HostCost host;
-  /// Time in seconds of the same machine with a single worker, the basis of the speed-up. Only for
-  /// networks that define their own size. Not stored in records.
+  /// Simulated time in seconds with a single worker on the same machine, the basis of the speed-up.
+  /// Only for networks that define their own size. Not stored in records.
   std::optional<double> single_s = {};
 
   bool is_there() const { return !ended.empty(); }

@@ -21,7 +21,8 @@ using Inspect = std::function<void(const Point& point, const PointResult& result
 using RunPoint = std::function<PointResult(const Point& point, const RunOptions& options,
                                            const std::filesystem::path& images)>;
 
-/// Draws a failed point and returns the end of its message, which lists the files.
+/// Draws a failed point. Returns the end of the failure's message, which lists the files of the
+/// drawings.
 using Explain = std::function<std::string(const Point& point, const RunOptions& options,
                                           const PointResult& failure)>;
 
