@@ -125,7 +125,7 @@ Vec eval_smooth_normal(const Patch& patch, std::span<const PolygonCorner> pool,
 //
 // Self-intersection: a ray may start on the tested primitive itself. The solution at the ray's
 // origin is then known and omitted, regardless of rounding. A flat primitive has no other solution,
-// a curved one has one. The epsilon is for other primitives that contain the origin.
+// and a curved one has one more. The epsilon is for other primitives that contain the origin.
 //
 // All tests except intersect_closely() are inlined into every traversal, because calls would slow
 // down a rendering by a tenth.

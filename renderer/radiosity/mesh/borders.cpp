@@ -67,8 +67,8 @@ bool is_on(const Patch& patch, const Vec& point) {
 }
 
 // Finds a crease that lies too near to the point `at` to be an edge of the mesh: at most `width`
-// times CREASE_TOUCH away. Returns the fraction of the vector `way` from `at` at which the crease
-// crosses it. Returns 0 if they do not cross, or only at a small angle.
+// times CREASE_TOUCH away. The vector `way` begins at this point. Returns the fraction of `way` at
+// which the crease crosses `way`. Returns 0 if they do not cross, or only at a small angle.
 double find_crossing(const Vec& at, const Vec& way, const Vec& normal, const Crease& crease,
                      double width) {
   constexpr double STEEP = 0.3;  // smallest sine of the angle between way and crease
@@ -224,7 +224,7 @@ void split_and_inset(Mesh& mesh, const Edges& creases, const Edges& contacts, do
   const auto feet = find_feet(mesh, rename(mesh, before, contacts));
   split_at(mesh, feet, rename(mesh, before, creases));
   for (const auto foot : feet) is_border[foot] = true;
-  is_border.resize(mesh.vertices.size(), true);  // copies of the feet are on a border, too
+  is_border.resize(mesh.vertices.size(), true);  // split_at() adds only vertices on borders
   inset_borders(mesh, is_border, inset, fringes);
   split_at_creases(mesh, rename(mesh, before, creases));
 }

@@ -91,7 +91,7 @@ class Groups {
 
  private:
   struct Group {
-    std::vector<Covering> above, below;  // where a member is covered, and where a member covers
+    std::vector<Covering> above, below;  // pairs that cover a member, pairs that a member covers
     std::optional<Vec> up;  // direction of the lift; none yet if all members are two-sided
     int levels_above = 0, levels_below = 0;
     double height = 0;

@@ -6,8 +6,8 @@
 namespace radiosity {
 
 /// True if `other` covers `on`, for two faces that overlap in one plane. Both must show the same
-/// side. The one that emits light covers the other; otherwise, the smaller one does; if they are
-/// equally large, the one listed later.
+/// side. If only one of the faces emits light, it covers the other. Otherwise, the smaller face
+/// covers the larger. If they are equally large, the face listed later covers the other.
 bool covers(const Room& room, const Pair& pair);
 
 /// The displacement of each face that puts covering faces in front of covered ones. A face is

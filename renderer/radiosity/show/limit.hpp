@@ -1,9 +1,9 @@
 #pragma once
 // Limits that keep bicubic surfaces near the illumination around them. Without these limits, a
 // surface overshoots where it is steep, at the border of a shadow. A cubic lies within the convex
-// hull of its control points (P. Bezier). The control points are limited as slopes are in F.
-// Fritsch and R. Carlson, "Monotone Piecewise Cubic Interpolation", SIAM J. Numerical Analysis
-// 17(2), 1980.
+// hull of its control points (P. Bezier). The control points are limited in the way in which F.
+// Fritsch and R. Carlson limit slopes ("Monotone Piecewise Cubic Interpolation", SIAM J. Numerical
+// Analysis 17(2), 1980).
 
 #include "renderer/radiosity/show/slopes.hpp"
 
