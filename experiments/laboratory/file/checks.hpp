@@ -63,7 +63,7 @@ struct BaselineSpec {
 struct FigureSpec {
   std::string width;                ///< "column", "page" or "none"; "": absent
   std::string font;                 ///< name of a font family; "": absent
-  std::optional<double> font_size;  ///< points
+  std::optional<double> font_size;  ///< font size in points
 
   /// The style of the figure. Absent keys have their values from `common`. Without a width, there
   /// is no figure.

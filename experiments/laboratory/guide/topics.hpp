@@ -6,7 +6,7 @@
 namespace laboratory {
 
 struct Topic {
-  std::string name;     ///< "plot"
+  std::string name;     ///< name of the topic, such as "plot"
   std::string about;    ///< description in one line
   std::string text;     ///< explanation, broken into lines; "" for none
   std::string example;  ///< an experiment file of 3 to 8 lines

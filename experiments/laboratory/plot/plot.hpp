@@ -64,7 +64,7 @@ struct Plot {
   bool log_x = false, log_y = false;
   std::optional<double> y_min, y_max;  ///< range of the y axis; absent: chosen from the points
   std::string legend_title = {};       ///< axes that distinguish the series: "topology, objects"
-  base::FigureStyle figure = {};       ///< size of the plot's figure; without a width: none
+  base::FigureStyle figure = {};       ///< size of the plot's figure; without a width: no figure
 };
 
 /// Makes the default plots of a program, for those of its columns that have values. The plot of the

@@ -34,8 +34,8 @@ struct PointsPlan {
   const RunOptions& options;
   const ExperimentFile& file;
   Inspect inspect;
-  RunPoint run;                   ///< none: run_point()
-  Explain explain;                ///< may be empty
+  RunPoint run;                   ///< simulates a point; none: run_point()
+  Explain explain;                ///< draws a failed point; may be empty
   std::filesystem::path results;  ///< folder with records to use and to add to
   /// folder for records that only these results may use; "": not saved
   std::filesystem::path lone;
