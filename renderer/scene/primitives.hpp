@@ -57,7 +57,8 @@ struct Polygon {
   std::uint8_t u = 0, v = 1, w = 2;
   Shape shape = Shape::concave;
   Tag tag;
-  double slack = 0;  ///< in scene units, see eval_closeness(); infinite for a bent shape
+  /// Part of the limit in eval_closeness(), in scene units; infinite for a bent shape
+  double slack = 0;
 };
 
 /// A polygon with normals that are interpolated between its corners. They point to its front.
@@ -136,10 +137,10 @@ inline constexpr double NO_HIT = std::numeric_limits<double>::infinity();
 struct Probe {
   const Vec &origin, &direction;
   std::uint32_t from;            ///< number of the object on which the ray starts
-  double epsilon;                ///< see eval_epsilon()
+  double epsilon;                ///< smallest distance of a hit (see eval_epsilon())
   double reach;                  ///< hits beyond this distance do not matter
-  const PolygonCorner* corners;  ///< Scene::corners
-  double closeness;              ///< see eval_closeness()
+  const PolygonCorner* corners;  ///< the corners in Scene::corners
+  double closeness;              ///< part of a limit (see eval_closeness())
   /// Number of sphere tests whose equation has a solution, and of polygon tests with the plane
   /// ahead.
   std::uint32_t roots = 0, edges = 0;

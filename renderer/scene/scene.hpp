@@ -36,7 +36,7 @@ struct Light {
   Rgb intensity{1, 1, 1};
   LightShape shape = LightShape::point;
   Vec u{}, v{};       ///< for a rectangle: vectors from the centre to the middles of two edges
-  double radius = 0;  ///< of a spherical light
+  double radius = 0;  ///< radius of a spherical light
 };
 
 /// A thin lens with its centre at the view point (M. Potmesil and I. Chakravarty, 1981).
@@ -98,8 +98,8 @@ struct Scene {
   std::vector<Polygon> polygons;
   std::vector<Patch> patches;
   std::vector<Cone> cones;
-  std::vector<PolygonCorner> corners;  ///< of polygons and patches
-  std::vector<Vec> normals;            ///< at the corners of patches
+  std::vector<PolygonCorner> corners;  ///< corners of polygons and patches
+  std::vector<Vec> normals;            ///< normals at the corners of patches
   std::vector<Texture> textures;
   std::vector<Pyramid> pyramids;  ///< pictures of the textures, as mipmaps
   /// Texture coordinates (u, v, 1) of corners, at the index of the corner in `corners`. Only

@@ -190,10 +190,10 @@ class RoomReader {
 struct RoomTarget : renderer::NffTarget {
   RoomTarget(std::string file, LeftOut& left) : name(std::move(file)), left_out(left) {}
 
-  std::string name;  // of the file
+  std::string name;  // name of the file
   LeftOut& left_out;
   Room room;
-  Material material;  // of the next faces
+  Material material;  // material of the next faces
   bool used = false;  // `material` is the last one in the room's list
 
   Knows knows() const override { return Knows::rooms; }
@@ -243,7 +243,7 @@ struct RoomTarget : renderer::NffTarget {
 struct ObjRoom : renderer::ObjTarget {
   ObjRoom(std::string file, LeftOut& left) : name(std::move(file)), left_out(left) {}
 
-  std::string name;  // of the file
+  std::string name;  // name of the file
   LeftOut& left_out;
   Room room;
   std::uint32_t material = 0;  // index of the material of the next faces

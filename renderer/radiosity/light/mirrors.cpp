@@ -19,7 +19,7 @@ struct Chain {
   template <class T, std::size_t most>
   using List = boost::container::static_vector<T, most>;
 
-  List<const Mirror*, MOST_REFLECTIONS> mirrors;  // from the vertex outwards
+  List<const Mirror*, MOST_REFLECTIONS> mirrors;  // in the order from the vertex outwards
   List<Viewpoint, MOST_REFLECTIONS + 1> images;
   Rgb reflectance{1, 1, 1};  // product of the mirrors' reflectances
   // Approximate visual angle of the narrowest mirror, in radians.
@@ -310,8 +310,8 @@ class PieceSum {
 
   const MirroredSight& seen_;
   const Source& source_;
-  std::vector<Pieces> pieces_;  // by mirror of the chain
-  std::array<Vec, 4> corners_;  // of the current delta area
+  std::vector<Pieces> pieces_;  // pieces of each mirror of the chain
+  std::array<Vec, 4> corners_;  // corners of the current delta area
 };
 
 // The light that arrives via one chain, before multiplication by the mirrors' reflectances.
