@@ -43,7 +43,7 @@ void list_points(const RunOptions& options);
 void run_chosen_points(const RunOptions& options);
 
 /// Writes the files of run_experiment() into a folder that already holds the record of every point.
-/// Throws BadInput, with a list of the missing records, if it lacks some.
+/// If the folder lacks records, throws BadInput with a list of them.
 void merge_results(const std::string& folder);
 
 }  // namespace laboratory

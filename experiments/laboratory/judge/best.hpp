@@ -27,8 +27,8 @@ struct BestAnswer {
 
 std::vector<BestAnswer> find_best(const CheckPlan& plan, const Rows& rows);
 
-/// Make best.csv and pays.csv, with the rows of all answers. Each row begins with the name of the
-/// [[best]] and the row's axis values as text.
+/// These functions make best.csv and pays.csv, with the rows of all answers. Each row begins with
+/// the name of the [[best]] and the row's axis values as text.
 Table make_best_csv(const std::vector<BestAnswer>& answers);
 Table make_pays_csv(const std::vector<BestAnswer>& answers);
 

@@ -25,8 +25,8 @@ nlohmann::ordered_json describe_deadlock(const machine::Machine& machine);
 /// Loads of all processors and links in a recent interval of simulated time.
 class RecentLoads {
  public:
-  /// Sets the simulated time in s over which loads are averaged, rounded up to the next sample; 0:
-  /// since the last call of update().
+  /// Sets the simulated time in s over which loads are averaged. The time is rounded up to the next
+  /// sample. With 0, loads are averaged since the last call of update().
   void set_interval(double interval_s) { interval_s_ = interval_s; }
 
   /// Takes the loads of all processors and link directions up to `now_s`. No event before `now_s`

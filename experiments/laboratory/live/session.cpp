@@ -281,8 +281,8 @@ std::shared_ptr<const std::vector<std::uint8_t>> Session::look() {
   return std::make_shared<const std::vector<std::uint8_t>>(now);
 }
 
-// The root mean square difference from the sequential picture, as a share of the range; NaN if
-// there is none.
+// The root mean square difference from the sequential picture, as a share of the range of pixel
+// values; NaN if there is no sequential picture.
 double Session::picture_error() const {
   std::shared_ptr<const std::vector<std::uint8_t>> sequential;
   {
@@ -299,7 +299,7 @@ double Session::picture_error() const {
   return std::sqrt(static_cast<double>(squares) / static_cast<double>(now.size())) / 255;
 }
 
-// Adds the gauges, the loads and the picture's error to the growth curves.
+// Adds the program's gauges, the loads and the picture's error to the growth curves.
 void Session::take_sample() {
   next_sample_at_ = HostClock::now() + SAMPLE_EVERY;
   const double now_s = shown_s();

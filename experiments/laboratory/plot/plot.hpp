@@ -80,7 +80,7 @@ std::vector<Plot> make_plots(const Table& table, const std::vector<programs::Usu
 std::vector<Plot> make_plots(const Table& table, const std::vector<std::string>& columns);
 
 /// Makes plots of how the picture grows with time, from the table of growth.csv, with a curve for
-/// each point. Points that differ only in the seed share a curve of means. For these, values are
+/// each point. Points that differ only in the seed share a curve of means. For means, values are
 /// interpolated linearly in time; a finished picture keeps its last value. Empty if growth was not
 /// recorded.
 std::vector<Plot> plot_growth(const Table& growth);
