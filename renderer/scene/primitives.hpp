@@ -21,8 +21,8 @@ struct Sphere {
   Tag tag;
 };
 
-/// Two coordinates. For a point of a polygon, they are the coordinates of its projection onto that
-/// coordinate plane which distorts the polygon least.
+/// Two coordinates. For a point of a polygon, they are the coordinates of its projection onto a
+/// coordinate plane: the one in which the polygon is distorted least.
 struct Corner {
   double u = 0, v = 0;
 };

@@ -19,8 +19,9 @@ struct Surface {
   double shine = 0;  ///< Phong exponent, >= 0
   double t = 0;      ///< transmittance, 0..1
   double ior = 1;    ///< index of refraction relative to outside; > 0 if t > 0
-  /// Spread of reflected rays (R. Cook et al., 1984). They go to a disc perpendicular to the
-  /// mirrored ray, at distance 1. This is the disc's radius, 0..1; 0 means a perfect mirror.
+  /// Spread of reflected rays (R. Cook et al., 1984). The rays go to points of a disc, which is
+  /// perpendicular to the mirrored ray and at distance 1. This number is the disc's radius, 0..1; 0
+  /// means a perfect mirror.
   double gloss = 0;
   double translucency = 0;  ///< spread of transmitted rays, with the meaning of `gloss`
   /// Index in Scene::textures of a texture that multiplies `colour`, or NO_TEXTURE.

@@ -186,9 +186,9 @@ bool contains(const Plane& plane, std::span<const Vec> polygon, double tolerance
   });
 }
 
-// The plane through `corner` of the light and the edge from a to b of the occluder, or the reverse.
-// Returns none if they span no plane, if the plane cuts the occluder, or if the light lies in the
-// plane.
+// The plane through `corner` and the edge from a to b: a corner of the light and an edge of the
+// occluder, or a corner of the occluder and an edge of the light. Returns none if they span no
+// plane, if the plane cuts the occluder, or if the light lies in the plane.
 std::optional<Plane> find_plane(const Stage& stage, std::span<const Vec> blocker, const Vec& corner,
                                 const Vec& a, const Vec& b) {
   const double tolerance = stage.tolerance;

@@ -19,7 +19,7 @@ std::size_t corner_at(const Patch& patch, std::uint32_t vertex) {
   return static_cast<std::size_t>(std::ranges::find(patch.corners, vertex) - patch.corners.begin());
 }
 
-// True if the patches share an edge at the vertex that is not a crease.
+// True if the patches share an edge that ends at the vertex and is not a crease.
 bool are_joined(const Patch& a, const Patch& b, std::uint32_t vertex, const Edges& creases) {
   const auto i = corner_at(a, vertex), j = corner_at(b, vertex);
   for (const auto side : {i, (i + 3) % 4})
@@ -196,8 +196,8 @@ void inset_borders(Mesh& mesh, const std::vector<bool>& is_border, double inset,
           at + find_inset(at, way, first.normal, fringes[first.face], inset) * way;
     };
     move_to(centre);
-    // If an object stands on the floor, the mean of the patches' centres may lie under the
-    // object. Then move towards the largest patch.
+    // If an object stands on the floor, the mean of the patches' centres may lie under the object.
+    // The point then lies towards the centre of the largest patch instead.
     const auto holds = [&](std::uint32_t p) {
       return is_on(mesh.patches[p], mesh.vertices[v].lit);
     };

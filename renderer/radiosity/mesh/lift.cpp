@@ -10,8 +10,8 @@ namespace radiosity {
 namespace {
 
 // The distance by which a face is lifted above another is the sum of two parts: LIFT of the larger
-// face's size, and LIFT_OF_PLACE of the lifted face's largest coordinate. It exceeds the distance
-// that a ray ignores at its start.
+// face's size, and LIFT_OF_PLACE of the lifted face's largest coordinate. This distance exceeds the
+// one that a ray ignores at its start.
 constexpr double LIFT = 1e-7, LIFT_OF_PLACE = 1e-9;
 // Smallest lift, as a fraction of the largest coordinate.
 constexpr double LEAST_LIFT = 2 * renderer::SELF_RELATIVE;
