@@ -1,6 +1,5 @@
 // A token ring: only the station with the token may use a shared resource. One station loses the
-// token once. When the token does not return in time, a timer guard lets the monitor make a new
-// one.
+// token once. A timer guard then lets the monitor make a new token.
 //
 //        +---------+      +-----------+      +-----------+      +-----------+
 //   +--->| monitor |----->| station 1 |----->| station 2 |----->| station 3 |---+
@@ -8,10 +7,9 @@
 //   +---------------------------------------------------------------------------+
 //                                         each on its T805-25, at high priority: ticks of 1 us
 //
-// A station holds the token for 100 us, and passes it on in 8.03 us. Since timers count whole
-// ticks, this takes 108 ticks; it takes 109 in the monitor, whose ALT is slower. A round takes 3 x
-// 108 + 109 = 433 us. If TIMEOUT were shorter than a round, two tokens would circulate, and the
-// monitor would drop all but the latest.
+// A station holds the token for 100 us, and passes it on in 8.03 us. In whole ticks, this takes
+// 108; it takes 109 in the monitor, whose ALT is slower. A round takes 3 x 108 + 109 = 433 us. If
+// TIMEOUT were less than this, two tokens would circulate; the monitor would drop the older one.
 #include <fmt/format.h>
 
 #include <deque>
