@@ -75,7 +75,7 @@ std::vector<CsvCell> CsvReader::take() {
     const bool is_last = ends_line();
     if (at_ < text_.size()) ++at_;
     if (is_last) break;
-    // The last cell, after a comma at the end of the text.
+    // A comma at the end of the text is followed by an empty last cell.
     if (at_ == text_.size()) cells.emplace_back();
   }
   ++line_;

@@ -49,7 +49,8 @@ void request_early_end() noexcept { is_ending = true; }
 
 void undo_all() {
   request_early_end();
-  // The calling thread is still inside a section only if the program ends for lack of memory.
+  // If the program ends for lack of memory, the calling thread may still be inside a section. It
+  // leaves the section here, because it would otherwise wait for itself.
   if (std::exchange(depth, 0) > 0) sections.unlock_shared();
   sections.lock();
   for (const auto& undo : undos | std::views::reverse) try {

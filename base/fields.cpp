@@ -8,7 +8,7 @@ namespace base {
 
 namespace {
 
-// Upper limits of whole numbers from here on are those of the type, so texts omit them.
+// Limits from this value on only reflect the range of the integer type, so descriptions omit them.
 constexpr double LARGEST_SHOWN = 9e18;
 
 // The value of a numeric scalar, converted to double.

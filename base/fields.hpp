@@ -54,7 +54,7 @@ struct Domain {
     texts,        ///< a list of texts; a single text counts as a list of one
     expression,   ///< a text, or a number as text
     expressions,  ///< a list of expressions
-    any,          ///< a value of several kinds, described by `expected` and checked by Field::write
+    any,          ///< a value described by `expected` and checked by Field::write
     file,         ///< a file name
     source        ///< a file name with an extension, or a generator
   };

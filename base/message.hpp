@@ -15,9 +15,9 @@ std::string make_readable(std::string_view message);
 /// Escapes the bytes that make_readable escapes, except tabs, but does not cut lines.
 std::string show_controls(std::string_view text);
 
-/// The name in `known` with the smallest edit distance from `name`, if at most a third of the
-/// letters, rounded up, differ. Otherwise the nearest name that contains `name` or is contained in
-/// it; none if there is no such name.
+/// The name in `known` with the smallest edit distance from `name`, if this distance is at most a
+/// third of the length of the longer name, rounded up. Otherwise the nearest name that contains
+/// `name` or is contained in it. None if there is no such name.
 std::optional<std::string> find_similar(std::string_view name,
                                         const std::vector<std::string>& known);
 

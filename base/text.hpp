@@ -29,8 +29,8 @@ std::optional<Number> parse_number(std::string_view text) {
 }
 
 /// The name in `known` with the smallest edit distance from `name` (count_edits in
-/// base/message.hpp). If several names are equally near, the first of them. `known` must not be
-/// empty.
+/// base/message.hpp). If several names are equally near, returns the first of them. `known` must
+/// not be empty.
 std::string nearest_name(std::string_view name, const std::vector<std::string>& known);
 
 /// Puts a word in single quotes, for messages. Shortens it to 40 bytes. Bytes that are not

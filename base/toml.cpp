@@ -50,8 +50,8 @@ void check_keys(std::string_view text, std::string_view origin) {
     length = is_string  ? measure_string(rest)
              : c == '#' ? std::min(rest.find('\n'), rest.size())
                         : 1;
-    // A value of --set can be long, and its text is part of the place. Formats the place only for
-    // an error.
+    // Formats the place only for an error, because `origin` contains the text of a value of --set,
+    // which can be long.
     const auto place = [&] { return fmt::format("{}:{}", origin, line); };
     if (!is_string && static_cast<unsigned char>(c) >= 0x80)
       refuse(place(), "found a letter beyond ASCII, expected it in a text or a comment");

@@ -174,7 +174,8 @@ class Input {
       require(size <= most, path_.string(), "longer than the limit of {} bytes", most);
     };
     check_size(size_);  // refuses a sparse file before reading it
-    // The size of files in /proc is stated as 0.
+    // The system states the size 0 for files in /proc, so files may be longer than their stated
+    // size.
     most = std::min(most, std::max(size_, MOST_FROM_FILE));
     std::string text, part(1 << 16, '\0');
     while (text.size() <= most) {
@@ -209,7 +210,7 @@ class Input {
   const fs::path path_;
   const int file_;
   bool is_pipe_ = false;
-  std::size_t size_ = 0;  // of a regular file when it was opened, in bytes
+  std::size_t size_ = 0;  // size of a regular file when it was opened, in bytes
 };
 
 // The host's memory in bytes. A larger file cannot be read.

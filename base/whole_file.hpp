@@ -33,17 +33,17 @@ bool save_new(const std::filesystem::path& path, std::string_view bytes);
 void check_can_save(const std::filesystem::path& path);
 
 /// Returns the bytes of a file or pipe. A file may have at most `most` bytes, and at most 1 GiB; a
-/// pipe at most 256 MiB. Throws BadInput with the limit for a longer one. Throws BadInput "path:
-/// cannot be read: ..." for a missing file, a folder, a device, a read error, an empty pipe, and a
-/// pipe without a writer. Remembers the file, so that save_whole refuses to overwrite it.
+/// pipe at most 256 MiB. Throws BadInput with the limit for a longer file or pipe. Throws BadInput
+/// "path: cannot be read: ..." for a missing file, a folder, a device, a read error, an empty pipe,
+/// and a pipe without a writer. Remembers the file, so that save_whole refuses to overwrite it.
 std::string read_text(const std::filesystem::path& path, std::size_t most = SIZE_MAX);
 
 /// Reads a file as read_text does, but lets the caller overwrite it, for example a saved state. The
 /// limit on its size is the host's memory.
 std::string read_own_text(const std::filesystem::path& path);
 
-/// Checks that read_text could open the file, with the same errors, and remembers it. Refuses
-/// pipes. For files that a library reads by itself.
+/// Checks that read_text could open the file, with the same errors, and remembers the file. Refuses
+/// pipes. To be called for files that a library opens by itself.
 void check_can_read(const std::filesystem::path& path);
 
 /// While an object of this class exists, the functions of this header remember the files that they

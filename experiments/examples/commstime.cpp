@@ -1,5 +1,5 @@
 // Commstime, a classical benchmark of occam systems (P. Welch, University of Kent), measures the
-// cost of channels, PAR and process switches. Published for a T800-20: 15.049 us a loop.
+// cost of channels, PAR and process switches. The published time for a T800-20 is 15.049 us a loop.
 //
 //            +--------+    a    +-------+    d    +---------+
 //        +-->| prefix |-------->| delta |-------->| consume |
@@ -11,10 +11,11 @@
 //
 // A number circulates and grows by 1 in each loop, and consume receives each value. One loop takes
 // 303 cycles at 20 MHz:
-//   4 channels x (out, in: operands 4 + 4, one waits 20, the other copies 21, outword 2)   204
-//   PAR (two branches laid out 15, startp 12, two endp 26)                                  53
-//   three WHILEs' way back (j 3, prefix 1), SEQ's (ldlp, ldc, prefix, lend 10), adc 1       26
-//   fetches of code: 4 that wait, 2 endp, 3 jumps, 1 lend, 2 each                           20
+//   204  4 channels: operands 4 + 4, wait of one process 20, copy by the other 21, outword 2
+//    53  one PAR: preparation of two branches 15, startp 12, two endp 26
+//    25  end of each loop: 3 WHILE (j 3, prefix 1), 1 SEQ (ldlp 1, ldc 1, prefix 1, lend 10)
+//     1  adc, which increments the number
+//    20  code fetches of 2 cycles: after 4 waits, 2 endp, 3 jumps, 1 lend
 #include <fmt/format.h>
 
 #include "simulator/occam/channel.hpp"
@@ -42,7 +43,7 @@ void next() {
   for (auto instruction : {"ldlp", "ldc", "prefix", "lend"}) charge(instruction);
 }
 
-// a coroutine, which has no stack of its own; the other processes show the usual form
+// This process is a coroutine, which needs no stack. The others have the usual form of a function.
 Proc prefix(Ints& b, Ints& a) {
   co_await a.output(Int{0});
   for (;; again()) co_await a.output(co_await b.input());
@@ -59,14 +60,14 @@ void delta(Ints& a, Ints& c, Ints& d) {
 void succ(Ints& c, Ints& b) {
   for (Int x;; again()) {
     in(c, x);
-    // ldc takes as long as adc, which adds 1; `out` includes the loads of x and of b's address
+    // charges ldc instead of adc, which takes as long; `out` charges the loads of x and b's address
     charge("ldc");
     out(b, Int{x.value + 1});
   }
 }
 
-// Measures the mean time of a loop over a thousand loops, again and again. Reading the simulator's
-// clock costs no simulated time.
+// Repeatedly measures the mean time of a thousand loops. Reading the simulator's clock costs no
+// simulated time.
 void consume(Ints& d, Seconds& loop) {
   for (Int x;;) {
     const Seconds start = this_process().now();

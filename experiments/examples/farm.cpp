@@ -62,7 +62,7 @@ int main(int argc, char** argv) {
   const auto& cpus = machine.processors();
   for (int i = 0; i < topology.processors; ++i) machine.add_processor(std::to_string(i), 1 << 20);
   for (auto [a, b] : topology.links) machine.connect(*cpus[a.processor], *cpus[b.processor]);
-  std::deque<Tasks> down, up, soft;  // down[i] and up[i]: between processor i and its parent
+  std::deque<Tasks> down, up, soft;  // down[i]: to processor i; up[i]: to its parent
   std::deque<Readies> signals;
   for (int i = 0, parent; i < topology.processors; ++i)
     if ((parent = tree.parent[i]) < 0)

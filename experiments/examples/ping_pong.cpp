@@ -5,9 +5,9 @@
 //        |      |<-----------|      |        two T805-25, one link
 //        +------+    back    +------+
 //
-// The partner always waits already, so each way takes the instructions that start an output, and
-// the time on the wire: (operands + blocked) / clock + bytes / one-way rate. Outputs of one word
-// use outword, which takes 2 more cycles. For a word:
+// The receiver already waits for each message. One way therefore takes the time of the
+// instructions that start an output, (operands + blocked) / clock, plus the time on the wire,
+// bytes / one-way rate. A message of one word uses outword, which takes 2 more cycles:
 //   (28 + 2) / 25 MHz + 4 / 1.778 MB/s = 1.2 us + 2.25 us = 3.45 us
 #include <fmt/format.h>
 
@@ -30,7 +30,7 @@ struct Block {
 void ping(Channel<Block>& there, Channel<Block>& back, const Model& model) {
   for (const std::uint64_t length : LENGTHS) {
     Block block{length};
-    out(there, block);  // first round, not measured, so that pong waits afterwards
+    out(there, block);  // not measured; from now on, pong already waits
     in(back, block);
     const Seconds start = this_process().now();
     out(there, block);

@@ -1,5 +1,5 @@
 // A token ring: only the station with the token may use a shared resource. One station loses the
-// token once. A timer guard tells the monitor, which makes a new one.
+// token once. A timer guard then lets the monitor make a new token.
 //
 //        +---------+      +-----------+      +-----------+      +-----------+
 //   +--->| monitor |----->| station 1 |----->| station 2 |----->| station 3 |---+
@@ -7,9 +7,9 @@
 //   +---------------------------------------------------------------------------+
 //                                         each on its T805-25, at high priority: ticks of 1 us
 //
-// A station holds the token for 100 us, and passes it on in 8.03 us: 108 ticks, since only whole
-// ticks count. The monitor's ALT takes longer, 109 ticks. A round is 3 x 108 + 109 = 433 us. If
-// TIMEOUT were shorter, two tokens would circulate: the monitor drops all but its latest.
+// A station holds the token for 100 us, and passes it on in 8.03 us. In whole ticks, this takes
+// 108; it takes 109 in the monitor, whose ALT is slower. A round takes 3 x 108 + 109 = 433 us. If
+// TIMEOUT were less than this, two tokens would circulate; the monitor would drop the older one.
 #include <fmt/format.h>
 
 #include <deque>

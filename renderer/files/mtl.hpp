@@ -22,12 +22,12 @@ namespace renderer {
 /// those of the NFF statement `f`.
 struct MtlMaterial {
   std::string name{};
-  Rgb diffuse{}, specular{}, emission{};  ///< Kd, Ks, Ke
-  double shine = 0;                       ///< Ns, Phong exponent
+  Rgb diffuse{}, specular{}, emission{};  ///< from the statements Kd, Ks and Ke
+  double shine = 0;                       ///< from the statement Ns; the Phong exponent
   double transparency = 0;                ///< Tr if d is absent or equals 1 - Tr, else 1 - d
-  double ior = 1;                         ///< Ni, index of refraction
+  double ior = 1;                         ///< from the statement Ni; the index of refraction
   int illum = 2;          ///< illumination model; 3 and higher models have reflected rays
-  std::string picture{};  ///< map_Kd, path of an existing PNG file; "" if none
+  std::string picture{};  ///< from map_Kd; path of an existing PNG file, "" if none
   Rgb colour{1, 1, 1};    ///< `diffuse` is the product of `colour` and `kd`
   double kd = 0;
   bool operator==(const MtlMaterial&) const = default;

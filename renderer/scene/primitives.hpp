@@ -21,8 +21,8 @@ struct Sphere {
   Tag tag;
 };
 
-/// Two coordinates. For a point of a polygon, they are the coordinates of its projection onto that
-/// coordinate plane which distorts the polygon least.
+/// Two coordinates. For a point of a polygon, they are the coordinates of its projection onto a
+/// coordinate plane: the one in which the polygon is distorted least.
 struct Corner {
   double u = 0, v = 0;
 };
@@ -57,7 +57,8 @@ struct Polygon {
   std::uint8_t u = 0, v = 1, w = 2;
   Shape shape = Shape::concave;
   Tag tag;
-  double slack = 0;  ///< in scene units, see eval_closeness(); infinite for a bent shape
+  /// Part of the limit in eval_closeness(), in scene units; infinite for a bent shape
+  double slack = 0;
 };
 
 /// A polygon with normals that are interpolated between its corners. They point to its front.
@@ -125,7 +126,7 @@ Vec eval_smooth_normal(const Patch& patch, std::span<const PolygonCorner> pool,
 //
 // Self-intersection: a ray may start on the tested primitive itself. The solution at the ray's
 // origin is then known and omitted, regardless of rounding. A flat primitive has no other solution,
-// a curved one has one. The epsilon is for other primitives that contain the origin.
+// and a curved one has one more. The epsilon is for other primitives that contain the origin.
 //
 // All tests except intersect_closely() are inlined into every traversal, because calls would slow
 // down a rendering by a tenth.
@@ -136,10 +137,10 @@ inline constexpr double NO_HIT = std::numeric_limits<double>::infinity();
 struct Probe {
   const Vec &origin, &direction;
   std::uint32_t from;            ///< number of the object on which the ray starts
-  double epsilon;                ///< see eval_epsilon()
+  double epsilon;                ///< smallest distance of a hit (see eval_epsilon())
   double reach;                  ///< hits beyond this distance do not matter
-  const PolygonCorner* corners;  ///< Scene::corners
-  double closeness;              ///< see eval_closeness()
+  const PolygonCorner* corners;  ///< the corners in Scene::corners
+  double closeness;              ///< part of a limit (see eval_closeness())
   /// Number of sphere tests whose equation has a solution, and of polygon tests with the plane
   /// ahead.
   std::uint32_t roots = 0, edges = 0;
@@ -277,9 +278,8 @@ Vec pull_inside(const Polygon& polygon, const PolygonCorner* pool, const Vec& po
   const double p_along = dot(p, c.axis), d_along = dot(direction, c.axis);
   const Vec p_across = p - p_along * c.axis, d_across = direction - d_along * c.axis;
   // At the ray's point p + t d, the squared distance from the axis equals the squared radius at
-  // that height,
-  // p + t d
-  // ^2 = r^2. This gives a t^2 + 2 b t + k = 0.
+  // that height: (p_across + t d_across)^2 = (radius + t growth)^2. This has the form a t^2 + 2 b t
+  // + k = 0.
   const double radius = c.base_radius + c.slope * p_along, growth = c.slope * d_along;
   const double a = dot(d_across, d_across) - growth * growth;
   const double b = dot(p_across, d_across) - radius * growth;

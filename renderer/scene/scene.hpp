@@ -19,8 +19,9 @@ struct Surface {
   double shine = 0;  ///< Phong exponent, >= 0
   double t = 0;      ///< transmittance, 0..1
   double ior = 1;    ///< index of refraction relative to outside; > 0 if t > 0
-  /// Spread of reflected rays (R. Cook et al., 1984). They go to a disc perpendicular to the
-  /// mirrored ray, at distance 1. This is the disc's radius, 0..1; 0 means a perfect mirror.
+  /// Spread of reflected rays (R. Cook et al., 1984). The rays go to points of a disc, which is
+  /// perpendicular to the mirrored ray and at distance 1. This number is the disc's radius, 0..1; 0
+  /// means a perfect mirror.
   double gloss = 0;
   double translucency = 0;  ///< spread of transmitted rays, with the meaning of `gloss`
   /// Index in Scene::textures of a texture that multiplies `colour`, or NO_TEXTURE.
@@ -36,7 +37,7 @@ struct Light {
   Rgb intensity{1, 1, 1};
   LightShape shape = LightShape::point;
   Vec u{}, v{};       ///< for a rectangle: vectors from the centre to the middles of two edges
-  double radius = 0;  ///< of a spherical light
+  double radius = 0;  ///< radius of a spherical light
 };
 
 /// A thin lens with its centre at the view point (M. Potmesil and I. Chakravarty, 1981).
@@ -98,8 +99,8 @@ struct Scene {
   std::vector<Polygon> polygons;
   std::vector<Patch> patches;
   std::vector<Cone> cones;
-  std::vector<PolygonCorner> corners;  ///< of polygons and patches
-  std::vector<Vec> normals;            ///< at the corners of patches
+  std::vector<PolygonCorner> corners;  ///< corners of polygons and patches
+  std::vector<Vec> normals;            ///< normals at the corners of patches
   std::vector<Texture> textures;
   std::vector<Pyramid> pyramids;  ///< pictures of the textures, as mipmaps
   /// Texture coordinates (u, v, 1) of corners, at the index of the corner in `corners`. Only

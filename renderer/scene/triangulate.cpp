@@ -6,7 +6,7 @@ namespace renderer {
 
 namespace {
 
-// Relative to the polygon's size, and to its square.
+// Tolerances relative to the polygon's size (OFF_PLANE) and to its square (NO_AREA).
 constexpr double OFF_PLANE = 1e-6, NO_AREA = 1e-12;
 constexpr const char* CROSSED = "a polygon with crossing edges";
 constexpr std::size_t MOST_CORNERS = 1000;

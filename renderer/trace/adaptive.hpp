@@ -31,8 +31,9 @@ using Corners = std::array<std::uint32_t, 4>;
 /// number, sqrt(n) times the error is allowed. Every ray then reduces the image's error equally.
 inline constexpr int ADAPTIVE_SAMPLES = 64;
 
-/// For each group, the number of the pixel's samples when the group finished; 0 if it has not.
-/// Later samples of the group affect only the decisions of other groups, not the colour.
+/// For each group, the number of the pixel's samples when the group finished; 0 if the group has
+/// not finished. Later samples of the group affect only the decisions of other groups, not the
+/// colour.
 using Kept = std::array<int, GROUPS>;
 /// Finds which groups have finished. Samples are taken in rounds. A group finishes when the *other*
 /// groups need no further samples after a round, and at the latest after `sampling.pixel_samples`.

@@ -23,8 +23,8 @@ struct Ray {
   double reach = std::numeric_limits<double>::infinity();
   std::uint32_t sample = 0;        ///< number of the ray's pixel, y * width + x
   std::uint32_t from = NO_OBJECT;  ///< number of the object on which the ray starts
-  /// Depth in the shading tree; 1 for the ray from the eye. A feeler is one deeper than its parent
-  /// ray.
+  /// Depth in the shading tree; 1 for the ray from the eye. A shadow feeler is one level deeper
+  /// than the ray that it descends from.
   std::uint16_t level = 1;
   std::uint16_t light = 0;  ///< for a shadow feeler: index of its light
   RayKind kind = RayKind::primary;
@@ -55,8 +55,8 @@ struct Hit {
 
 /// How the hierarchy is traversed. This affects the work, but not the hit.
 enum class Traversal : std::uint8_t {
-  /// As in the thesis: boxes in stored order, even those beyond the nearest hit so far. Every ray,
-  /// including shadow feelers, searches for its first intersection.
+  /// As in the thesis: tests boxes in stored order, even those beyond the nearest hit so far. Every
+  /// ray, including shadow feelers, searches for its first intersection.
   exhaustive,
   /// Skips boxes beyond the nearest hit so far or the ray's reach. A shadow feeler stops at any
   /// hit.

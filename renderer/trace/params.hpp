@@ -39,7 +39,7 @@ struct Limits {
 
 /// Number of samples in a pixel, and their distribution (R. Cook et al., 1984).
 struct Sampling {
-  int pixel_samples = 1;  ///< 1..MAX_PIXEL_SAMPLES; the maximum if `adaptive` is not 0
+  int pixel_samples = 1;  ///< 1..MAX_PIXEL_SAMPLES; if `adaptive` is not 0, the largest number
   /// Standard error of a pixel's colour that is allowed after 64 samples, 0..1. After n samples,
   /// sqrt(n / 64) times this error is allowed. More samples are taken where the error is larger,
   /// and at the borders of objects. 0: all pixels get `pixel_samples`.
@@ -58,7 +58,8 @@ struct Area {
 };
 
 struct Params {
-  int width = 100, height = 100;  ///< of the image in pixels, 1..65536 each, product at most 2^28
+  /// Size of the image in pixels, 1..65536 each, product at most 2^28
+  int width = 100, height = 100;
   Limits limits;
   Sampling sampling;
   Feelers feelers = Feelers::all;

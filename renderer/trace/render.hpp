@@ -21,7 +21,7 @@ struct RayCounts {
 };
 
 struct Rendering {
-  Samples samples;  ///< of the whole image; 0 outside the area of interest
+  Samples samples;  ///< samples of the whole image; 0 outside the area of interest
   /// Number of samples of each pixel with adaptive sampling; otherwise empty.
   std::vector<std::uint16_t> counts;
   RayCounts rays;

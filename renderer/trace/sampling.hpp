@@ -36,8 +36,8 @@ inline constexpr int FIRST_ROUND = 16;
 inline bool is_adaptive(const Sampling& s) {
   return s.adaptive > 0 && s.pixel_samples > FIRST_ROUND;
 }
-/// The round of a sample. Without adaptive sampling, all samples of a pixel are one round. With it,
-/// rounds end at 16, 32, 64 ... samples; the last one ends at `pixel_samples`.
+/// The round of a sample. Without adaptive sampling, all samples of a pixel are one round. With
+/// adaptive sampling, rounds end at 16, 32, 64 ... samples; the last round ends at `pixel_samples`.
 Round round_of(const Sampling& sampling, int pass);
 /// Number of samples in a pixel's first round.
 inline int first_round(const Sampling& sampling) { return round_of(sampling, 0).count; }

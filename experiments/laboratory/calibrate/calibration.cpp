@@ -242,7 +242,8 @@ Calibration calibrate(const CalibrationTask& task) {
   const auto measured = read_measurements(task);
   Runs runs(task, measured);
   // The fit works on logarithms of the entries, because entries are positive and simulated results
-  // are roughly proportional to them.
+  // are roughly proportional to them. An entry may change by at most MOST_FACTOR. The step for its
+  // derivative is the fraction SHARE of its value, but at least CYCLES for entries in cycles.
   constexpr double MOST_FACTOR = 1e4, SHARE = 0.02, CYCLES = 20;
   std::vector<double> start;
   for (const auto* entry : entries) start.push_back(std::log(entry->value));
@@ -260,7 +261,7 @@ Calibration calibrate(const CalibrationTask& task) {
     return given;
   };
   // Step of the numerical derivative, as a difference of logarithms. The simulated machine rounds
-  // to whole cycles, so a small change of an entry in cycles might have no effect.
+  // to whole cycles, so a smaller change of an entry in cycles might have no effect.
   const auto step = [&](std::size_t i, double logarithm) {
     const double value = std::exp(logarithm);
     return std::log1p(entries[i]->unit == "cycles" ? std::max(SHARE, CYCLES / value) : SHARE);

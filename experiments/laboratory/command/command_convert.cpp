@@ -112,8 +112,9 @@ Texts write_obj(const std::string& source, const std::string& output, LeftOut& l
   return {{library.string(), obj.library()}, {output, obj.text()}};
 }
 
-// CPU seconds allowed for converting a mesh, by the size of its files. Counts the files of the
-// folder that have the mesh's name or the extension .bin, since a .gltf file may refer to them.
+// CPU seconds allowed for converting a mesh; the limit grows with the size of the mesh's files.
+// Counts the files of the folder that have the mesh's name or the extension .bin, since a .gltf
+// file may refer to them.
 rlim_t find_time_limit(const std::string& source) {
   constexpr double LEAST_S = 1, S_PER_BYTE = 2e-5;
   std::uintmax_t bytes = 0;
@@ -138,7 +139,7 @@ Converted convert_apart(const std::string& source, const std::function<Converted
     alarm(static_cast<unsigned>(20 + 10 * limit_s));
     if (!std::freopen("/dev/null", "w", stderr)) throw std::runtime_error("/dev/null");
     const auto [texts, left_out, remarks] = convert();
-    // Checks in this process, because only it knows which files Assimp has read.
+    // Checks in the child process, because only this process knows which files Assimp has read.
     for (const auto& [path, text] : texts) base::check_no_input(path);
     nlohmann::json json = {{"left_out", left_out}, {"remarks", remarks}};
     for (const auto& [path, text] : texts) json["texts"].push_back({path, text});

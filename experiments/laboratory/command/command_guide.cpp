@@ -74,8 +74,8 @@ std::vector<std::string> help_names(const CLI::App& app) {
                                  fmt::join(near, "\", \""))));
 }
 
-// Finds the help on a command, a program and a topic (all of them that share the name), on a key,
-// or on all keys.
+// Finds the help on a word: on the command, the program and the topic with this name, or on a key
+// of the experiment file. The word "keys" stands for all keys.
 std::string find_help(const CLI::App& app, const std::string& word) {
   if (word == "keys") return describe_keys() + "\n" + describe_programs();
   std::vector<std::string> parts;

@@ -107,8 +107,8 @@ void verify_file(const Candidate& candidate, const VerifyOptions& options, bool 
   throw_failures(s.file, s.results, "the other results are in " + run.output);
 }
 
-// Verifies an experiment. If an error prevents it, saves the CI reports of the results so far, and
-// then rethrows the error.
+// Verifies an experiment. If an error prevents the verification, saves the CI reports of the
+// results so far, and then rethrows the error.
 void verify_and_report(const Candidate& candidate, const VerifyOptions& options, bool alone,
                        Verified& verified) {
   try {

@@ -39,8 +39,8 @@
 namespace laboratory {
 namespace {
 
-// Chooses the output format: the option's value, or else by the extension of the output file.
-// Throws if they disagree.
+// Chooses the output format: the format that the user asked for, or else the format of the output
+// file's extension. Throws if the two formats differ.
 std::string choose_format(const std::string& asked, const std::string& file) {
   static const std::map<std::string, std::string> ENDINGS = {
       {".dot", "dot"}, {".gv", "dot"},  {".graphml", "graphml"},
@@ -216,7 +216,7 @@ int do_command(CLI::App& app, int argc, char** argv) {
   }
 }
 
-// True if the error is that the reader of our output pipe has closed it.
+// True if the error means that the reader of our output pipe has closed the pipe.
 bool is_broken_pipe(const std::exception& error) {
   const auto* failed = dynamic_cast<const std::system_error*>(&error);
   return failed && failed->code() == std::errc::broken_pipe;

@@ -17,8 +17,8 @@ namespace {
 
 using Names = std::vector<std::string>;
 
-// Maps a command to the command that lists the names that its arguments denote, with --names.
-// Other commands take files.
+// For each command whose arguments are names: the command that lists these names if it is called
+// with --names. The arguments of all other commands are files.
 const std::map<std::string, std::string> NAMES = {{"topology", "list topologies"},
                                                   {"model", "list models"},
                                                   {"render", "list scenes"},

@@ -12,8 +12,8 @@
 #define HAS_FEATURE(x) 0
 #endif
 
-// Not in builds with sanitizers: they intercept functions that the code below calls, and are not
-// initialised before .preinit_array runs.
+// This code is left out of builds with sanitizers. They intercept functions that it calls, but are
+// not yet initialised when .preinit_array runs.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && \
     !HAS_FEATURE(address_sanitizer) && !HAS_FEATURE(thread_sanitizer)
 namespace {

@@ -11,13 +11,13 @@ enum class Missing { run, refuse };
 
 /// Simulates every point without a record (the stored result of one point), and evaluates the
 /// checks. Writes results.csv, run.json, checks.csv, images, plots and report.html into the folder,
-/// either all of them or none. The records alone are written earlier, each as soon as its point is
-/// done.
+/// either all of them or none. Only records are written earlier, each as soon as the simulation of
+/// its point has ended.
 ///
-/// The results depend only on the experiment: not on the number of jobs, nor on which points were
-/// kept from an earlier, partial or killed run. If some points fail, or a time limit or the user
-/// ends the run early, the results are kept and marked incomplete. Failed checks do not affect the
-/// results.
+/// The results depend only on the experiment. They do not depend on the number of jobs, or on the
+/// points whose records were kept from an earlier, partial or killed run. If some points fail, or a
+/// time limit or the user ends the run early, the results are kept and marked incomplete. Failed
+/// checks do not affect the results.
 ///
 /// Throws BadInput if the folder holds results of another experiment, and for points without
 /// records under Missing::refuse. Writes nothing if all points failed.
@@ -43,7 +43,7 @@ void list_points(const RunOptions& options);
 void run_chosen_points(const RunOptions& options);
 
 /// Writes the files of run_experiment() into a folder that already holds the record of every point.
-/// Throws BadInput, with a list of the missing records, if it lacks some.
+/// If the folder lacks records, throws BadInput with a list of them.
 void merge_results(const std::string& folder);
 
 }  // namespace laboratory

@@ -106,11 +106,12 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
   Simulation s;
   s.file = file;
   s.host_speeds = measure_host(s.file);
-  // The points of the file come first, then copies of them for each machine drawn from [uncertain].
+  // The points of the file come first. Copies of them follow for each machine that is drawn at
+  // random, as the section [uncertain] requests.
   const ExperimentFile all = spread(s.file);
   s.asked = all.points.size();
   PointsPlan plan(options, all, inspect_names(checks, s.file), record_points(s.file), draw_fault);
-  check_results_folder(results);  // all inputs are known now
+  check_results_folder(results);  // not earlier: the check needs all inputs
   plan.lone = folder.working() / lone_records_folder();
   folder.fill([&] {
     Results drawn = make_results(plan, missing, s.there);

@@ -41,8 +41,8 @@ std::vector<PathCommand> split_path(std::string_view data) {
   return commands;
 }
 
-// Adds one path command to Cairo's current path. The first of several points after a move is the
-// move, and the others are lines.
+// Adds one path command to Cairo's current path. A move to several points moves to the first one,
+// and draws lines to the others.
 class PathWriter {
  public:
   explicit PathWriter(cairo_t* context) : context_(context) {}
@@ -190,7 +190,8 @@ class SvgPainter {
     cairo_new_path(context_);
   }
 
-  // gnuplot puts the words of a text, or of a part in another font, into a <tspan>.
+  // Draws the words of a <text> element. gnuplot puts them into <tspan> elements, one for each part
+  // with its own font.
   void draw_text(const XmlElement& element, const SvgStyle& style) {
     if (!element.children.empty())
       for (const auto& part : element.children)
@@ -210,7 +211,7 @@ class SvgPainter {
     cairo_move_to(context_, read_number(element, "x") - share * extents.x_advance,
                   read_number(element, "y"));
     set_colour(*style.fill, style.fill_opacity);
-    // A stroked text has an outline in the colour of the paper, below its letters.
+    // A text with a stroke gets an outline in this colour; its letters are then drawn on top.
     if (style.stroke) {
       cairo_text_path(context_, words.c_str());
       SvgStyle outline = style;
@@ -249,7 +250,7 @@ cairo_status_t append_bytes(void* to, const unsigned char* bytes, unsigned lengt
 
 std::string svg_to_pdf(const std::string& svg, const std::string& name) {
   constexpr int DEPTH = 64;
-  // The reader of XML omits attributes with a prefix.
+  // The reader of XML omits attributes whose names have a prefix, such as xlink:href.
   const auto root =
       topologies::read_xml(boost::replace_all_copy(svg, "xlink:href", "href"), DEPTH, name);
   const auto box = read_numbers(root.attribute("viewBox"));

@@ -15,7 +15,8 @@ using topologies::XmlElement;
 
 using SvgSetters = std::map<std::string_view, void (*)(SvgStyle&, const std::string&)>;
 
-// The text of an attribute or of the same property in the attribute `style`; "" if it has neither.
+// The value of the property `name` in the attribute `style`, else the value of the attribute
+// `name`; "" if there is neither.
 std::string find_property(const XmlElement& element, std::string_view name) {
   for (const auto part : base::split(element.attribute("style"), ';')) {
     const auto colon = part.find(':');
@@ -60,7 +61,7 @@ double parse_hex(std::string_view digits) {
   return value / (digits.size() == 1 ? 15.0 : 255.0);
 }
 
-// The product: `inner` is applied first.
+// The product of two transformations, which applies `i` first and then `o`.
 SvgMatrix multiply(const SvgMatrix& o, const SvgMatrix& i) {
   return {o[0] * i[0] + o[2] * i[1],        o[1] * i[0] + o[3] * i[1],
           o[0] * i[2] + o[2] * i[3],        o[1] * i[2] + o[3] * i[3],
@@ -127,7 +128,7 @@ std::optional<SvgColour> read_colour(std::string_view text, const SvgColour& cur
 
 SvgStyle inherit_style(const XmlElement& element, const SvgStyle& outer) {
   SvgStyle style = outer;
-  // "color" comes first in the map, so that the others see it
+  // "color" comes first in the map, because the colours of other properties may refer to it
   for (const auto& [name, set] : setters())
     if (const auto text = find_property(element, name); !text.empty()) set(style, text);
   return style;

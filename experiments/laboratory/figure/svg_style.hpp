@@ -35,7 +35,7 @@ double read_number(const topologies::XmlElement& element, const char* key, doubl
 double read_length(std::string_view text);
 
 /// A colour such as "#0072B2", "rgb(0, 114, 178)" or "black"; none for "none" and "transparent".
-/// Throws base::InvariantBroken for an unknown one.
+/// `current` is the meaning of "currentColor". Throws base::InvariantBroken for an unknown colour.
 std::optional<SvgColour> read_colour(std::string_view text, const SvgColour& current);
 
 /// The style of an element inside one with the style `outer`.

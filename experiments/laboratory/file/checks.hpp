@@ -58,17 +58,18 @@ struct BaselineSpec {
   std::string column() const { return "speedup_" + name; }
 };
 
-/// Keys of a figure for a paper. Absent ones are those of [report], else the defaults.
+/// The keys that give a plot's figure, a drawing for a paper, its size and font. An absent key of a
+/// [[plot]] has its value from [report], else its default.
 struct FigureSpec {
   std::string width;                ///< "column", "page" or "none"; "": absent
   std::string font;                 ///< name of a font family; "": absent
-  std::optional<double> font_size;  ///< points
+  std::optional<double> font_size;  ///< font size in points
 
-  /// The style of the figure, whose absent keys are those of `common`. Without a width there is no
-  /// figure.
+  /// The style of the figure. Absent keys have their values from `common`. Without a width, there
+  /// is no figure.
   base::FigureStyle make_style(const FigureSpec& common) const;
   bool is_given() const { return !width.empty() || !font.empty() || font_size; }
-  /// Replaces the keys that `other` has.
+  /// Replaces each key that `other` has by its value in `other`.
   void override_with(const FigureSpec& other);
 };
 

@@ -75,7 +75,8 @@ struct Experiment {
 
 /// The keys of a file that determine the settings of points, by their dotted names.
 using Keys = std::map<std::string, Node>;
-/// Lists these keys. Omits [sweep], [let], [[check]] and the tables for the report.
+/// Lists the keys of a file that determine the settings of points. Omits [sweep], [let], [[check]]
+/// and the tables for the report.
 Keys list_keys(const std::shared_ptr<const toml::table>& file);
 /// Spells the values as in TOML. Omits keys that have no effect on results.
 std::map<std::string, std::string> spell_keys(const Keys& keys);
@@ -100,7 +101,7 @@ struct Setting {
   base::Domain domain = {base::Domain::Kind::any};
   base::Scalar standard = {};  ///< the default
 };
-/// A default for help: that of a flag is true or false.
+/// Formats a default for help texts; a flag's default is "true" or "false".
 std::string describe_default(const base::Domain& domain, const base::Scalar& standard);
 /// The keys that do not depend on the program.
 std::vector<Setting> settings();
@@ -119,8 +120,8 @@ struct Axis {
   std::string key;   ///< dotted key that the axis sets, "scene.objects"
   std::vector<Node> values;
 };
-/// Axes that change together, as in "workers, height" = [[1, 16], ...]. A list of one axis if it
-/// changes alone.
+/// Axes that change together, as in "workers, height" = [[1, 16], ...]. An axis that changes alone
+/// is a list of one axis.
 using Coupled = std::vector<Axis>;
 
 /// The value of one axis at a point.

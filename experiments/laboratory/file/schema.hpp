@@ -7,8 +7,8 @@
 
 namespace laboratory {
 
-/// The programs that the points of a file run: those on the axis "program", or the one of
-/// program.name.
+/// The programs that the points of a file run: those on the axis "program", or the only one, which
+/// the key program.name selects.
 using Programs = std::vector<const programs::Program*>;
 Programs programs_in_play(const toml::table& file, const std::vector<Coupled>& sweep,
                           const std::string& origin);
@@ -16,9 +16,9 @@ Programs programs_in_play(const toml::table& file, const std::vector<Coupled>& s
 /// Lists the programs that use a feature, for error messages: "farm, iirra".
 std::string list_users(bool programs::Uses::*of);
 
-/// Sets the fields for all keys in `file.keys`, then those for the axes to their values in `at`.
-/// Ignores keys of other programs in `in_play`. Throws for an unknown key, with the nearest valid
-/// one, and for a value of the wrong kind.
+/// Sets the fields of all keys in `file.keys`. Then sets the fields of the axes to their values in
+/// `at`. Ignores keys of other programs in `in_play`. Throws for an unknown key, with the nearest
+/// valid key, and for a value of the wrong kind.
 Experiment bind_settings(const ExperimentFile& file, const std::vector<Coordinate>& at,
                          const Programs& in_play);
 

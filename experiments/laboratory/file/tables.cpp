@@ -181,7 +181,7 @@ std::vector<Definition> read_definitions(const Place& at) {
 
 // ---- [[plot]], [[best]] and [report] ----
 
-// Appends the fields of a FigureSpec to those of a P that has one.
+// Appends the fields of a FigureSpec to the fields of P, a struct that contains a FigureSpec.
 template <class P>
 base::Fields<P> add_figure_fields(base::Fields<P> all) {
   const auto fields = base::lift_all<P>(

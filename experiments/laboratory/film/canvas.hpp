@@ -41,7 +41,7 @@ class Canvas {
   /// text is at `x`: its left end, its middle or its right end. `size` is the font size in pixels.
   void text(double x, double y, const std::string& words, double size, Align align = Align::left,
             const Colour& colour = INK);
-  /// Draws text with a white outline that keeps it readable on lines.
+  /// Draws text with a white outline, so that it stays readable on top of lines.
   void text_on_lines(double x, double y, const std::string& words, double size, Align align);
   /// Draws a picture with its upper left corner at (x, y). Each pixel of the picture becomes a
   /// square of `factor` by `factor` pixels.

@@ -36,12 +36,12 @@ class WaitObserver : public observe::RunObserver {
   }
   void before_change(double) override {}
   void end(double) override {
-    // after an exception in a process, waits no longer exist
+    // after an exception in a process, there are no waits left to record
     if (std::ranges::any_of(machine_->processors(),
                             [](const auto& on) { return on->failure() != nullptr; }))
       return;
     const auto cycle = machine::find_wait_cycle(*machine_);
-    // the cycle ends with its first process
+    // the list of the cycle ends with its first process again
     trace_.cycle = cycle.empty() ? 0 : cycle.size() - 1;
     for (std::size_t i = 0; i < trace_.cycle; ++i) add(*cycle[i]);
     for (const auto& processor : machine_->processors())
@@ -90,8 +90,8 @@ std::string choose_stem(const Point& point, const RunOptions& options) {
   return fmt::format("{}-{}", stem, name);
 }
 
-// Runs the point again with a trace of its end. The fault is expected. The engine "direct" has the
-// results of SimGrid, of which a process can have only one.
+// Runs the point again with a trace of its end, and expects the fault. Uses the engine "direct",
+// because a process can run SimGrid only once. Both engines give the same results.
 void repeat(const Point& point, const RunOptions& options, const PointResult& failure,
             observe::Trace& trace, WaitObserver& observer) {
   RunOptions again;

@@ -7,10 +7,11 @@
 
 namespace laboratory {
 
-/// Repeats a point that ended with a simulated fault and draws it in two files beside the results
-/// folder: RESULTS-fault.svg, the network with the processes that wait for each other, only after a
-/// deadlock; and RESULTS-fault-timeline.svg. In a sweep, the axes of the point are part of the
-/// names. Returns a text that lists the files, for the end of the failure's message.
+/// Repeats a point that ended with a simulated fault, and draws it in files beside the results
+/// folder. RESULTS-fault-timeline.svg is a time line of the last events. After a deadlock,
+/// RESULTS-fault.svg shows the network with the processes that wait for each other. In a sweep, the
+/// names contain the axes of the point. Returns a text that lists the files, for the end of the
+/// failure's message.
 ///
 /// Returns "" for other failures, for a fault before the simulation begins, and if a repetition is
 /// not possible (timed costs) or would take more than a minute.

@@ -15,8 +15,8 @@ namespace laboratory {
 /// Duration of a film, and the additional time for which its last frame is shown, in ms.
 inline constexpr int FILM_MS = 10000, LAST_MS = 2000;
 
-/// The file name of the frame with index `frame`, counted from 0. It counts from 1: "film-0001.png"
-/// is the first frame of "film.png".
+/// The file name of the frame with index `frame`, counted from 0. The numbers in file names count
+/// from 1: the first frame of "film.png" is "film-0001.png".
 std::string frame_name(const std::string& file, std::size_t frame);
 
 /// Describes the output for a message: the file of the film, or the first and last file of its

@@ -83,8 +83,8 @@ std::string number_of(const std::string& name) {
   return begin < name.size() && is_word ? name.substr(begin) : name;
 }
 
-// Groups the offsets of links' midpoints from the straight line, `swerves`, by the machine ids of
-// the two processors. Several links between the same two processors keep their order.
+// Groups `swerves` by the machine ids of the two processors of a link. A swerve is the offset of a
+// link's midpoint from the straight line. Several links between two processors keep their order.
 std::map<std::pair<int, int>, std::vector<Place>> sort_swerves(const Topology& topology,
                                                                const Places& swerves,
                                                                const std::vector<int>& network) {

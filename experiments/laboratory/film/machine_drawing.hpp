@@ -27,8 +27,8 @@ class MachineDrawing {
     bool is_root = false;
   };
 
-  /// Lays out the network as in reports. Processors outside the network that have links to its
-  /// root, also through each other, are in rows above the root. All others are beside their
+  /// Lays out the network as in reports. Processors outside the network that are linked to its
+  /// root, directly or through each other, are in rows above the root. All others are beside their
   /// neighbours. `network` gives the machine id of each processor of the network; if it is empty,
   /// the processors' numbers are the ids. Throws as make_layout() does.
   MachineDrawing(const machine::Machine& machine, const topologies::Topology& topology,

@@ -84,7 +84,7 @@ PointResult run_recorded_point(const Point& point, const RunOptions& options,
   } catch (const machine::Fault&) {
     try {
       save_recordings(point, options, trace, film, style, false);
-    } catch (const std::exception& error) {  // the exception to report is the fault
+    } catch (const std::exception& error) {  // only reports it, to throw the fault instead
       complain(fmt::format("no trace or chart of the run so far: {}", describe_error(error)));
     }
     throw;

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 using Entries = std::vector<Catalogue::Entry>;
 
-// The path, relative to the current folder if it is inside.
+// The path of a file, relative to the current folder if the file is inside this folder.
 fs::path show_near(const fs::path& file) {
   const auto near = fs::absolute(file).lexically_normal().lexically_proximate(fs::current_path());
   return near.begin() != near.end() && *near.begin() != ".." ? near : file;

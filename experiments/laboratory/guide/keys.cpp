@@ -18,7 +18,7 @@ std::string describe(const Setting& setting, int indent) {
   if (!unit.empty()) text += "; " + unit;
   if (domain.kind == base::Domain::Kind::choice)
     text += fmt::format("; one of {}", fmt::join(domain.choices, ", "));
-  constexpr double LARGEST_SHOWN = 9e18;  // higher limits are those of the type
+  constexpr double LARGEST_SHOWN = 9e18;  // a larger limit only reflects the integer type
   if (is_whole || domain.kind == base::Domain::Kind::number)
     text += fmt::format("; {}{}", is_whole ? "whole, " : "",
                         domain.high < LARGEST_SHOWN ? fmt::format("{}..{}", domain.low, domain.high)
@@ -63,7 +63,8 @@ std::string describe_keys_of(const std::string& word) {
   std::string text;
   for (const auto& setting : settings())
     if (is_named(setting.key, word)) text += describe(setting, 2);
-  std::vector<std::pair<std::string, std::vector<std::string>>> lines;  // with their programs
+  // each with the programs that have its key
+  std::vector<std::pair<std::string, std::vector<std::string>>> lines;
   for (const auto& program : programs::all_programs())
     for (const auto& setting : settings_of(program)) {
       if (program.name == word || !is_named(setting.key, word)) continue;

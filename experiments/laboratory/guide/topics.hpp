@@ -6,13 +6,14 @@
 namespace laboratory {
 
 struct Topic {
-  std::string name;     ///< "plot"
+  std::string name;     ///< name of the topic, such as "plot"
   std::string about;    ///< description in one line
   std::string text;     ///< explanation, broken into lines; "" for none
   std::string example;  ///< an experiment file of 3 to 8 lines
 };
 
-/// The topics in alphabetical order. A topic named as a section has the section's description.
+/// The topics in alphabetical order. A topic with the name of a section has the description of this
+/// section.
 const std::vector<Topic>& topics();
 
 /// Formats the description, explanation and example of the topic `word`, and one line for each key

@@ -32,8 +32,8 @@ class ResultsFolder {
   /// The folder to write into. Invalid after `commit`.
   const std::filesystem::path& working() const { return working_; }
 
-  /// Calls `write`. Replaces the hidden folder by `path` in error messages about the host and the
-  /// input.
+  /// Calls `write`. If it throws an error of the host or BadInput, replaces the hidden folder by
+  /// `path` in the message.
   void fill(const std::function<void()>& write) const;
 
   /// Called with the folder of older results. Throws if they must not be replaced.

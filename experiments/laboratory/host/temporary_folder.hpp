@@ -1,5 +1,6 @@
 #pragma once
-// Private temporary folder. The destructor removes it, or the program when a signal ends it.
+// Private temporary folder. The destructor removes the folder. If a signal ends the program, the
+// folder is removed too.
 #include <filesystem>
 #include <optional>
 

@@ -13,8 +13,8 @@ struct BestAnswer {
   std::string name;
   /// One row for each combination of values of `for_each`. The columns are these values, the best
   /// value of `over` and its result, the runner-up and its result, and by how many percent the best
-  /// is better. Values count as equally good if their results differ by less than 0.05 % or perhaps
-  /// by chance. They share a cell, "mesh or torus".
+  /// is better. Values count as equally good if their results differ by less than 0.05 %, or if the
+  /// difference may be due to chance. Such values share a cell, "mesh or torus".
   Table best;
   /// One row for each combination of values of all axes except `pays`. The column after these
   /// values has the largest value of `pays` up to which each step gains at least the required share
@@ -27,8 +27,8 @@ struct BestAnswer {
 
 std::vector<BestAnswer> find_best(const CheckPlan& plan, const Rows& rows);
 
-/// Make best.csv and pays.csv, with the rows of all answers. Each row begins with the name of the
-/// [[best]] and the row's axis values as text.
+/// These functions make best.csv and pays.csv, with the rows of all answers. Each row begins with
+/// the name of the [[best]] and the row's axis values as text.
 Table make_best_csv(const std::vector<BestAnswer>& answers);
 Table make_pays_csv(const std::vector<BestAnswer>& answers);
 

@@ -52,7 +52,7 @@ CheckedPoint compare_bounds(std::size_t row, double simulated, std::optional<dou
       row, simulated, bound, holds ? 0 : beyond, holds, is_low ? Kind::at_least : Kind::at_most};
 }
 
-// The checked value in a row; no value if its cell is empty, as a speed-up is without a run on one
+// The checked value in a row; no value if its cell is empty, as for a speed-up without a run on one
 // worker.
 std::optional<double> find_simulated(const CheckPlan::Comparison& c, const Rows& rows,
                                      std::size_t row) {

@@ -52,8 +52,8 @@ struct CheckResult {
   /// no value if the check does not distinguish calibrated points
   std::optional<Predicted> predicted = {};
   /// Result if the intervals include the model's own error (see cover.hpp): the number of expected
-  /// values inside their intervals, and the medians over the points of the intervals' shift and
-  /// half width, both relative to the simulated values.
+  /// values inside their intervals. Also the medians, over the points, of the intervals' shift and
+  /// of their half width, as fractions of the simulated values.
   struct WithOwnError {
     std::size_t inside = 0;
     double mean = 0, half_width = 0;
@@ -77,8 +77,8 @@ std::vector<CheckResult> eval_checks(const CheckPlan& plan, const ExperimentFile
 std::string summarize(const CheckResult& result, const Table& table);
 
 /// Makes a table with one row for each point: axes, simulated and expected value, error, kind (if
-/// the points have several), and a mark for failures and for the worst point. If there are more
-/// than `most` points, the table has only the ten worst.
+/// the points are of several kinds), and a mark for failures and for the worst point. If there are
+/// more than `most` points, the table has only the ten worst.
 Table make_check_table(const CheckResult& result, const Table& table, std::size_t most);
 
 /// Makes checks.csv, with one row for each check and point: name of the check, axes, then

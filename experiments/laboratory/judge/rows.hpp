@@ -85,9 +85,9 @@ class Rows {
 };
 
 std::vector<std::string> axis_names(const Table& table);
-/// The axes with several values, except seeds: rows that agree on these axes are samples of one
-/// point. The other functions give the values of these axes in a row, also as text, "objects = 200,
-/// workers = 1".
+/// The first function lists the axes with several values, except seeds. Rows that agree on these
+/// axes are samples of one point. The second function returns the values of these axes in a row,
+/// and the third returns them as text: "objects = 200, workers = 1".
 std::vector<std::string> sampled_axis_names(const Table& table);
 std::vector<Value> take_sampled_axes(const Table& table, std::size_t row);
 std::string name_sampled_axes(const Table& table, std::size_t row);

@@ -9,9 +9,9 @@
 namespace laboratory {
 
 /// Values of the growth curves over simulated time, and the user's actions. The size is bounded.
-/// The samples are numbered. Besides the first and the last, only those are kept whose number is a
-/// multiple of `stride`, which is 1 at first and doubles whenever more than MOST_SAMPLES are kept.
-/// Of the actions, the latest MOST_ACTIONS are kept. Any thread may call the functions.
+/// The samples are numbered. Keeps the first sample, the last one, and all samples whose number is
+/// a multiple of `stride`. The stride is 1 at first, and doubles whenever more than MOST_SAMPLES
+/// samples are kept. Keeps only the latest MOST_ACTIONS actions. Any thread may call the functions.
 class History {
  public:
   static constexpr std::size_t MOST_SAMPLES = 2000, MOST_ACTIONS = 1000;
@@ -25,7 +25,7 @@ class History {
   void add_sample(double t_s, std::vector<double> values);
   /// Adds an action, such as {"t_s": 0.1, "order": {"min_cell": 2}}.
   void add_action(nlohmann::ordered_json action);
-  /// Removes all samples. The numbers of later ones continue.
+  /// Removes all samples. Later samples continue the numbering.
   void clear_samples();
 
   /// Returns what follows `place`, and advances `place` to the end: {"stride": 1, "samples":

@@ -16,7 +16,7 @@ using nlohmann::ordered_json;
 namespace {
 
 constexpr std::size_t MOST_PROCESSES = 64;  // limit on the processes described for a processor
-constexpr std::size_t MOST_BUSY = 1 << 20;  // limit on stored samples of busy times, in numbers
+constexpr std::size_t MOST_BUSY = 1 << 20;  // limit on the number of stored busy times
 
 int per_mille(double share) {
   return static_cast<int>(std::lround(1e3 * std::clamp(share, 0., 1.)));

@@ -25,15 +25,15 @@ nlohmann::ordered_json describe_deadlock(const machine::Machine& machine);
 /// Loads of all processors and links in a recent interval of simulated time.
 class RecentLoads {
  public:
-  /// Sets the simulated time in s over which loads are averaged, rounded up to the next sample; 0:
-  /// since the last call of update().
+  /// Sets the simulated time in s over which loads are averaged. The time is rounded up to the next
+  /// sample. With 0, loads are averaged since the last call of update().
   void set_interval(double interval_s) { interval_s_ = interval_s; }
 
   /// Takes the loads of all processors and link directions up to `now_s`. No event before `now_s`
   /// may follow. Keeps the previous loads if no time has passed.
   void update(const machine::Machine& machine, double now_s);
-  /// The mean load of the processors, and the largest of a link direction (NaN without links), as
-  /// shares.
+  /// The mean load of the processors, and the largest load of a link direction (NaN without links),
+  /// from 0 to 1.
   double mean_cpu() const;
   double max_link() const;
   /// Lists the loads taken by update(), in thousandths. Also lists queue lengths, links that

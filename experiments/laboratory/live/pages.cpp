@@ -126,7 +126,7 @@ void Page::close() {
     if (!pages_.known.empty()) pages_.steers = *pages_.known.begin();
     pages_.tell_steering();
   }
-  if (is_known())  // the page no longer selects processors to describe
+  if (is_known())  // deselects the processors of this page
     pages_.session.ask({{"do", "select"}, {"page", number_}, {"processors", Json::array()}}, {});
 }
 

@@ -110,7 +110,7 @@ class Page : public std::enable_shared_from_this<Page> {
   std::uint64_t sent_ = 0;  // number of the last frame sent to this page
   HostClock::time_point next_frame_at_;
   History::Place history_;       // the part of the history that the page has
-  Picture shown_, sequential_;   // pictures as the page has them
+  Picture shown_, sequential_;   // pictures last sent to the page
   std::deque<Waiting> waiting_;  // messages to send; the first is being written
 };
 

@@ -206,8 +206,8 @@ void Session::change_phase(Phase phase) {
   is_new_ = true;
 }
 
-// True if only an order of the user can change the machine's state, and no simulated time has to
-// pass before it: the run is unpaced, or no event is left.
+// True if the machine's state can change only after an order of the user, and no simulated time
+// needs to pass before the order: the run is unpaced, or no event is left.
 bool Session::waits_for_user(bool is_idle) const {
   if (!view_.waits_for_user || !view_.waits_for_user()) return false;
   const bool is_endless = goal_ ? goal_->is_endless() : std::isinf(speed_);
@@ -234,7 +234,7 @@ void Session::obey_all() {
 }
 
 bool Session::is_reached(double date) {
-  if (goal_->is_next_date) {  // the goal: all events at the time of the next event are done
+  if (goal_->is_next_date) {  // goal: execute all events at the time of the next event
     goal_->is_next_date = false;
     goal_->date = date;
     return false;
@@ -281,8 +281,8 @@ std::shared_ptr<const std::vector<std::uint8_t>> Session::look() {
   return std::make_shared<const std::vector<std::uint8_t>>(now);
 }
 
-// The root mean square difference from the sequential picture, as a share of the range; NaN if
-// there is none.
+// The root mean square difference from the sequential picture, as a share of the range of pixel
+// values; NaN if there is no sequential picture.
 double Session::picture_error() const {
   std::shared_ptr<const std::vector<std::uint8_t>> sequential;
   {
@@ -299,7 +299,7 @@ double Session::picture_error() const {
   return std::sqrt(static_cast<double>(squares) / static_cast<double>(now.size())) / 255;
 }
 
-// Adds the gauges, the loads and the picture's error to the growth curves.
+// Adds the program's gauges, the loads and the picture's error to the growth curves.
 void Session::take_sample() {
   next_sample_at_ = HostClock::now() + SAMPLE_EVERY;
   const double now_s = shown_s();

@@ -27,7 +27,7 @@ UserAction make_action(double at_s, const nlohmann::ordered_json& order);
 /// Describes the limits of a stage, which an order may also set, for the page: name, help, unit,
 /// type and range.
 nlohmann::ordered_json describe_limits(const programs::RecordList& stages);
-/// Lists the values of `limits`, a record of a stage, in the same order.
+/// Lists the values of `limits`, a record of a stage, in the order of describe_limits().
 nlohmann::ordered_json list_limits(const programs::RecordList& stages, const std::any& limits);
 
 }  // namespace laboratory

@@ -181,7 +181,7 @@ void print_balance(const Outcome& made) {
                     100 * std::abs(error), error > 0 ? "lost" : "too much"));
 }
 
-// A warning appears if the estimated error of the picture is larger.
+// A warning appears if the estimated relative error of the picture is larger than this.
 constexpr double FAIR_ERROR = 0.02;
 
 void warn_of_error(const RadiosityOptions& o, const Outcome& made) {

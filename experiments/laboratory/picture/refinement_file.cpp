@@ -10,9 +10,9 @@
 #include "experiments/laboratory/host/version.hpp"
 #include "renderer/files/load_scene.hpp"
 
-// File format: FIRST_LINE, then "name: value" for each input in the identity, and an empty line.
-// Then numbers and lists in the host's binary format, each list preceded by its length. At the end,
-// a hash of everything before it.
+// File format. The file begins with FIRST_LINE, one line "name: value" for each input in the
+// identity, and an empty line. Numbers and lists follow in the host's binary format, each list
+// preceded by its length. The file ends with a hash of everything before it.
 namespace laboratory {
 namespace {
 

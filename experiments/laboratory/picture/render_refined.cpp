@@ -69,8 +69,8 @@ class StateFile {
     saved_ = image.done();
     since_s_ = 0;
   }
-  /// Saves a state if more than `seconds` have passed since the last one. Waits longer if writing
-  /// is slow, so that it takes at most STATE_SHARE of the time.
+  /// Saves a state if more than `seconds` have passed since the last one. If writing is slow, waits
+  /// longer, so that writing takes at most STATE_SHARE of the time.
   void save_after(double seconds, const Refinement& image) {
     since_s_ += clock_.lap();
     if (since_s_ > std::max(seconds, last_cost_s_ / STATE_SHARE)) save(image);
@@ -96,7 +96,7 @@ class KeyImages {
   void add_stops(std::set<std::uint64_t>& stops) const {
     for (const auto& [samples, name] : names_) stops.insert(samples);
   }
-  /// Saves the image if its sample count has reached that of an intermediate picture since
+  /// Saves the image if it has reached the sample count of an intermediate picture since the count
   /// `before`.
   void save(const Refinement& image, std::uint64_t before) {
     for (const auto& [samples, name] : names_)

@@ -10,8 +10,8 @@ namespace {
 
 using topologies::Place;
 
-// a processor gets the first position beside its neighbour, without a search for a free one, if the
-// machine has more processors
+// If the machine has more processors than this, each processor gets the first position beside its
+// neighbour, without a search for a free one.
 constexpr std::size_t MOST_COMPARED = 2048;
 // Positions to try for a processor, relative to its neighbour; y points upwards.
 constexpr Place BESIDE[] = {{0, 1}, {-1, 1},     {1, 1},     {-1, 0},

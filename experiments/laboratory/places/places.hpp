@@ -16,13 +16,13 @@ using SomePlaces = std::vector<std::optional<topologies::Place>>;
 /// if it is empty, the numbers are the ids.
 int find_id(const std::vector<int>& network, int processor);
 
-/// Places the processors without a position next to one that they share a link or memory with.
-/// Processors without such a neighbour form a row.
+/// Places each processor without a position next to a processor with which it shares a link or
+/// memory. Processors without such a neighbour form a row.
 topologies::Places place_others(const machine::Machine& machine, SomePlaces places);
 
-/// Positions of all processors of the machine, by id. The network is laid out as in reports; every
-/// other processor is next to one that it has a link to. `network` gives the machine id of each
-/// processor of the network; if it is empty, the numbers are the ids.
+/// Positions of all processors of the machine, by id. The network is laid out as in reports. Every
+/// other processor is next to a processor to which it has a link. `network` gives the machine id of
+/// each processor of the network; if it is empty, the numbers are the ids.
 topologies::Places place_processors(const machine::Machine& machine,
                                     const topologies::Topology& topology,
                                     const std::vector<int>& network);

@@ -99,7 +99,7 @@ std::string draw_figure(const Plot& plot) {
           make_gnuplot_script(plot, size),
       plot.name));
   if (!is_whole_svg(svg)) refuse_incomplete(plot.name);
-  // gnuplot knows only whole numbers of pixels
+  // replaces the size of the drawing by the exact one: gnuplot knows only whole numbers of pixels
   const auto start = svg.find("<svg"), end = svg.find('>', start);
   svg.replace(start, end - start,
               fmt::format("<svg width=\"{:.6g}mm\" height=\"{}pt\" viewBox=\"0 0 {:.4f} {}\" "

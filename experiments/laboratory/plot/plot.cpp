@@ -207,7 +207,7 @@ std::vector<RowList> group_growths(const Table& growth, const RowList& rows) {
 // Makes the curve of a group of points. If the group has several points, the curve shows means, at
 // the times of the picture that is finished last.
 Series average_growth(const Table& growth, const RowList& rows, std::size_t time, std::size_t y) {
-  std::map<std::size_t, Growth> pictures;  // by number of the point
+  std::map<std::size_t, Growth> pictures;  // growth of the points' pictures, by point
   std::map<std::size_t, std::map<double, std::size_t>> row_of;
   for (const auto row : rows)
     if (const auto value = as_number(growth.rows[row][y]); value && std::isfinite(*value)) {

@@ -64,13 +64,13 @@ struct Plot {
   bool log_x = false, log_y = false;
   std::optional<double> y_min, y_max;  ///< range of the y axis; absent: chosen from the points
   std::string legend_title = {};       ///< axes that distinguish the series: "topology, objects"
-  base::FigureStyle figure = {};       ///< size of the plot's figure; without a width: none
+  base::FigureStyle figure = {};       ///< size of the plot's figure; without a width: no figure
 };
 
 /// Makes the default plots of a program, for those of its columns that have values. The plot of the
 /// speed-up has the ideal line, and that of the efficiency shows at least the range 0 to 1.05. The
-/// x axis is "workers" if it varies, else the first numeric axis that varies. If there is none,
-/// there are no plots. Each combination of values of the other axes is a series ("tree, 200
+/// x axis is "workers" if it varies, else the first numeric axis that varies. If no numeric axis
+/// varies, there are no plots. Each combination of values of the other axes is a series ("tree, 200
 /// objects"), except axes that x determines. The title lists the axes with a single value. Points
 /// are sorted by x.
 std::vector<Plot> make_plots(const Table& table, const std::vector<programs::UsualPlot>& usual);
@@ -80,7 +80,7 @@ std::vector<Plot> make_plots(const Table& table, const std::vector<programs::Usu
 std::vector<Plot> make_plots(const Table& table, const std::vector<std::string>& columns);
 
 /// Makes plots of how the picture grows with time, from the table of growth.csv, with a curve for
-/// each point. Points that differ only in the seed share a curve of means. For these, values are
+/// each point. Points that differ only in the seed share a curve of means. For means, values are
 /// interpolated linearly in time; a finished picture keeps its last value. Empty if growth was not
 /// recorded.
 std::vector<Plot> plot_growth(const Table& growth);

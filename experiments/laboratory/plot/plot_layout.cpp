@@ -22,7 +22,7 @@ std::string first_letters(std::string_view text, std::size_t count) {
 
 PlotSize choose_size(const base::FigureStyle& style) {
   if (!style.is_figure()) return {};
-  // a figure over two columns is relatively lower
+  // a wider figure has a smaller height, relative to its width
   const double upper = 75 + 0.18 * style.width_pt();
   return {style.width_pt(), style.font_pt, upper, 0.4 * upper, false};
 }
@@ -33,7 +33,7 @@ LegendLayout arrange_legend(const Plot& plot, const PlotSize& size) {
     entries += !series.name.empty();
     longest = std::max(longest, width_of(series.key()));
   }
-  // room for the line and the gap of an entry, and for each of its letters
+  // widths of the legend, of an entry's line with its gap, and of a letter
   const double room = 0.875 * size.width, sample = size.scale(90), letter = size.scale(10);
   const auto most = static_cast<std::size_t>(std::max(5.0, (room - sample) / letter));
   longest = std::min(longest, most);

@@ -15,16 +15,16 @@ struct PlotSize {
   double upper = 325, lower = 130;  ///< heights of the panels
   bool has_title = true;
 
-  /// A length that is proportional to the font, given for the screen.
+  /// A length that is proportional to the font size. `pixels` is the length on the screen.
   double scale(double pixels) const { return pixels * font / 15; }
-  /// The estimated width of a text of so many letters.
+  /// The estimated width of a text of `letters` letters.
   double width_of(std::size_t letters) const { return 0.6 * font * static_cast<double>(letters); }
 };
 
 PlotSize choose_size(const base::FigureStyle& style);
 
-/// Layout of the legend. It has at most the columns that gnuplot itself would choose, so that the
-/// number of lines is known.
+/// Layout of the legend. It has at most as many columns as gnuplot itself would choose. Otherwise,
+/// gnuplot would change the number of lines.
 struct LegendLayout {
   int lines = 0, columns = 1;
   std::size_t longest = 0;  ///< number of letters that fit into an entry

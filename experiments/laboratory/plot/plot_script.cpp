@@ -119,7 +119,7 @@ void add_guides(Panel& panel, const Plot& plot, const PlotSize& size) {
 Panel make_upper(const Plot& plot, const PlotSize& size) {
   Panel panel;
   add_guides(panel, plot, size);
-  std::size_t banded = 0;  // number of curves, behind which bands and bars are drawn
+  std::size_t banded = 0;  // index of the next curve; bands and bars lie behind all curves
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& s = plot.series[i];
     if (s.kind != SeriesKind::curve) continue;

@@ -9,7 +9,7 @@
 namespace laboratory {
 namespace {
 
-// A unit with a power of ten, and the same unit under other prefixes.
+// A unit with a prefix, and the prefix as a power of ten. A family has one unit under all prefixes.
 struct PrefixedUnit {
   const char* name;
   int power;
@@ -29,7 +29,7 @@ const UnitFamily* find_family(const std::string& unit) {
   return nullptr;
 }
 
-// The unit at the end of a label, "time [s]"; "" without one.
+// The unit at the end of a label such as "time [s]"; "" if there is none.
 std::string find_unit_of_label(const std::string& label) {
   const auto open = label.rfind(" [");
   if (open == std::string::npos || !label.ends_with(']')) return "";
@@ -37,7 +37,8 @@ std::string find_unit_of_label(const std::string& label) {
   return unit == "us" ? "µs" : unit;
 }
 
-// True if the positive numbers span so much that no prefix suits all of them.
+// True if the positive numbers span a factor of more than 1000, so that no prefix suits all of
+// them.
 bool is_wide(const std::vector<Series>& all, std::vector<double> Series::*values) {
   constexpr double WIDE = 1000;
   double low = INFINITY, high = 0;
@@ -50,7 +51,8 @@ bool is_wide(const std::vector<Series>& all, std::vector<double> Series::*values
   return high > WIDE * low;
 }
 
-// The factor to the prefix that suits the largest number, if it is another one. Changes the label.
+// Gives the unit in the label the prefix that suits the largest number. Returns the factor for the
+// numbers; none if the label already has this prefix, or has an unknown unit.
 std::optional<double> change_unit(std::string& label, double largest) {
   const auto unit = find_unit_of_label(label);
   const auto* family = find_family(unit);
@@ -65,7 +67,7 @@ std::optional<double> change_unit(std::string& label, double largest) {
 }
 
 void scale(std::vector<double>& values, double factor) {
-  // dividing by a power of ten rounds once, while its inverse is not exact
+  // divides by a power of ten, since multiplication by its inexact inverse would round twice
   for (double& value : values) value = factor < 1 ? value / std::round(1 / factor) : value * factor;
 }
 

@@ -46,7 +46,7 @@ std::string find_axis_help(const ExperimentFile& file, const std::string& column
 
 Meaning find_meaning(const ExperimentFile& file, const std::string& column) {
   Meaning meaning{"", unit_of(column)};
-  std::string texts;  // descriptions of all programs, joined, to be used if they differ
+  std::string texts;  // the programs' descriptions, joined; used if they differ
   bool is_same = true;
   for (const auto& point : file.points) {
     const auto& program = *point.experiment.program;

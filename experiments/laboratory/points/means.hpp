@@ -17,7 +17,7 @@ inline constexpr const char* SEEDS = "seeds";
 ///   - for each result whose samples differ, a column "NAME ±" is appended, with the half width of
 ///     the 95 % confidence interval (Student's t);
 ///   - texts that differ between samples become empty;
-///   - `ended` becomes that of the first incomplete point.
+///   - `ended`, which tells how a simulation ended, is that of the first incomplete point.
 /// Each row belongs to the point of its first sample.
 Table average_seeds(const Table& table);
 

@@ -34,8 +34,9 @@ std::string describe(const std::string& name, const std::string& title) {
   return title.empty() ? fmt::format("\"{}\"", name) : fmt::format("\"{}\" ({})", name, title);
 }
 
-// Finds the folder of the experiment file. Keeps the spelling in the recorded file name if it still
-// leads to the same folder. Otherwise uses `folder`, which is relative to the results folder.
+// Finds the folder of the experiment file. If the recorded file name `file` still leads to this
+// folder, returns the folder as spelled in `file`. Otherwise returns the path of `folder`, which is
+// relative to the results folder.
 fs::path find_folder(const fs::path& results, const std::string& file, const std::string& folder) {
   const fs::path spelled = fs::path(file).parent_path();
   const auto found = resolve(resolve(results) / folder);

@@ -20,8 +20,8 @@ std::string command_line(const RunOptions& options);
 inline constexpr const char* POINTS_ORIGIN = "points/experiment.json";
 
 /// Makes the origin, which is also a part of run.json: name, title, command line, and the
-/// experiment with all overrides applied. The experiment file is not needed to read it. Paths are
-/// relative to the results folder.
+/// experiment with all overrides applied. The origin can be read without the experiment file. Paths
+/// are relative to the results folder.
 nlohmann::ordered_json make_origin(const RunOptions& options, const ExperimentFile& file,
                                    const std::filesystem::path& results);
 

@@ -15,8 +15,8 @@ struct SavedImage {
   /// simulated time, in seconds, at which an intermediate image was complete; none for a final
   /// image
   std::optional<double> at_s;
-  /// names of its PNG and EXR files beside the records, hashes of the content; exr: "" if there is
-  /// none
+  /// names of the image's PNG and EXR files beside the records, which are hashes of their content;
+  /// exr: "" if there is no EXR file
   std::string file, exr;
   bool is_named = false;  ///< true if the name alone describes the content, as for key images
   std::string path = {};  ///< file name in the results folder; "" until place_images() sets it
@@ -51,8 +51,8 @@ struct PointResult {
   /// counts and times of kernels (the numerical code); only if costs are timed
   nlohmann::ordered_json kernels;
   HostCost host;
-  /// Time in seconds of the same machine with a single worker, the basis of the speed-up. Only for
-  /// networks that define their own size. Not stored in records.
+  /// Simulated time in seconds with a single worker on the same machine, the basis of the speed-up.
+  /// Only for networks that define their own size. Not stored in records.
   std::optional<double> single_s = {};
 
   bool is_there() const { return !ended.empty(); }

@@ -41,7 +41,8 @@ void save_point(const PointsPlan& plan, std::size_t number, const PointResult& r
               name_of(point));
 }
 
-// Adds the names of drawings to the message of a failure. An error there must not hide the failure.
+// Adds the names of drawings to the message of a failure. Only reports an error in drawing, so that
+// the failure itself is not lost.
 void add_drawings(const PointsPlan& plan, const Point& point, PointResult& failure) {
   if (!plan.explain || !failure.is_failed()) return;
   try {
@@ -59,7 +60,7 @@ PointResult run_and_save(const PointsPlan& plan, std::size_t number) {
   try {
     auto result = plan.run(point, plan.options, plan.results / records_folder());
     add_drawings(plan, point, result);
-    // before the inspection, so that an error there loses no result
+    // saves the result before the inspection, whose errors would lose it
     save_point(plan, number, result);
     if (plan.inspect) plan.inspect(point, result);
     result.use = nullptr;
@@ -99,7 +100,7 @@ void check_points(const RunOptions& options, const ExperimentFile& file) {
       check_point(point.experiment);
       check_threads(options, point.experiment);
       if (networks.insert(network_key(point.experiment)).second) check_network(point.experiment);
-      // whatever module reports this error, it is an error of the experiment file
+      // every error found here is an error of the experiment file, whatever module throws it
     } catch (const std::runtime_error& error) {
       throw base::BadInput(fmt::format("{}: {}", file.path, error.what()));
     } catch (const std::bad_alloc&) {

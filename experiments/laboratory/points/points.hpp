@@ -21,7 +21,8 @@ using Inspect = std::function<void(const Point& point, const PointResult& result
 using RunPoint = std::function<PointResult(const Point& point, const RunOptions& options,
                                            const std::filesystem::path& images)>;
 
-/// Draws a failed point and returns the end of its message, which lists the files.
+/// Draws a failed point. Returns the end of the failure's message, which lists the files of the
+/// drawings.
 using Explain = std::function<std::string(const Point& point, const RunOptions& options,
                                           const PointResult& failure)>;
 
@@ -33,8 +34,8 @@ struct PointsPlan {
   const RunOptions& options;
   const ExperimentFile& file;
   Inspect inspect;
-  RunPoint run;                   ///< none: run_point()
-  Explain explain;                ///< may be empty
+  RunPoint run;                   ///< simulates a point; none: run_point()
+  Explain explain;                ///< draws a failed point; may be empty
   std::filesystem::path results;  ///< folder with records to use and to add to
   /// folder for records that only these results may use; "": not saved
   std::filesystem::path lone;

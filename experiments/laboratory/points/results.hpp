@@ -15,16 +15,17 @@ std::vector<std::string> axis_columns(const ExperimentFile& file);
 /// The columns of the axes that change together with `column` in [sweep], including `column`.
 std::vector<std::string> find_coupled(const ExperimentFile& file, const std::string& column);
 
-/// Makes the results table. A point has one row for each row that it measured, or one row if it
-/// measured nothing. The columns are
+/// Makes the results table. A point has one row for each row that its simulation measured, or one
+/// row if nothing was measured. The columns are
 ///   - the axes, and the columns by which a program divides its results into parts, which count as
 ///     axes;
 ///   - the network and the parameters, if the program shows them;
 ///   - the measured results, and `ended`, which tells how the point ended.
 /// With several programs in the sweep, the table has the columns of all programs; cells are empty
 /// where a column does not apply. Speed-up and efficiency are relative to the row with one
-/// processor and otherwise equal axes, or else to PointResult::single_s. Without both, they stay
-/// empty, and so do the serial fractions (see laws.hpp).
+/// processor and otherwise equal axes. If there is no such row, they are relative to
+/// PointResult::single_s. Without this value, they stay empty, and so do the serial fractions (see
+/// laws.hpp).
 Table make_table(const ExperimentFile& file, const Results& results);
 
 /// Makes growth.csv: the axes, and how the picture of each point grew with simulated time. Empty if
@@ -49,7 +50,8 @@ std::vector<std::string> first_result(const ExperimentFile& file, const Table& t
 /// The default plots that all programs of the file share.
 std::vector<programs::UsualPlot> find_common_plots(const ExperimentFile& file);
 
-/// What the program of the points shows of its results. If there are several programs, the default.
+/// The columns and plots that the program of all points shows; the defaults if the points run
+/// several programs.
 const programs::Shows& shows_of(const ExperimentFile& file);
 Value to_value(const Coordinate& at);
 

@@ -61,8 +61,8 @@ PointResult describe(const Experiment& experiment, const topologies::Topology& t
   return result;
 }
 
-// Throws unless there is exactly one row. Programs that declare the columns `parts` may have
-// several rows, each with a different combination of values in these columns.
+// Throws unless there is exactly one row of results. Programs that declare the columns `parts` may
+// have several rows, each with a different combination of values in these columns.
 void check_rows(const programs::Program& program, const std::vector<base::Row>& rows) {
   if (program.parts.empty()) return base::check_equal("rows of a point", rows.size(), 1u);
   std::set<std::vector<base::Cell>> known;

@@ -204,8 +204,8 @@ Series draw_law(const FittedLaw& law, const Fit& fit, const Series& curve,
 // Returns a warning if the confidence interval contains values that no serial fraction can have;
 // else "".
 const char* judge_interval(const Estimate& p) {
-  // If the interval is narrower, the points lie exactly on the law. Then the fractions 0 and 1 are
-  // plausible.
+  // If half the width of the interval is below this, the points lie exactly on the law. The
+  // fractions 0 and 1 are then plausible.
   constexpr double EXACT = 1e-6;
   if (p.name != "serial fraction" || p.high - p.low < 2 * EXACT) return "";
   if (p.high < 0 || p.low > 1) return ", which is not a share of the work: the law does not hold";

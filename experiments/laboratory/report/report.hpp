@@ -46,8 +46,7 @@ struct Report {
   std::vector<Drawing> plots;  ///< plots; screen readers read their captions
   std::vector<Part> answers;   ///< answers to [[best]]; parts without tables and notes are omitted
   Table table;                 ///< all results; the page offers this table as a download
-  Table means;  ///< means over seeds, which the page shows instead of `table`; no columns: it shows
-                ///< `table`
+  Table means;                 ///< means over seeds, shown instead of `table` if there are any
   std::vector<std::string> shown_columns;  ///< columns of the table that the page shows; empty: all
   /// details of the points, shown on a click on a row; empty: none
   std::vector<PointLoads> points;

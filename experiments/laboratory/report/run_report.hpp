@@ -22,9 +22,9 @@ void throw_undrawn(std::size_t undrawn, const std::string& results);
 
 /// Writes the report again for the results of an earlier run, and prints the location of the page.
 /// `columns` replaces the file's [report] columns unless it is empty. The keys of `figure` replace
-/// those of [report] and of each [[plot]]. Throws base::BadInput for
-/// unknown columns, and for a folder with no results or damaged ones. After writing everything,
-/// throws Failure if a drawing failed.
+/// those of [report] and of each [[plot]]. Throws base::BadInput for unknown columns, and for a
+/// folder with no results or damaged ones. After writing everything, throws Failure if a drawing
+/// failed.
 void report_results(const std::string& folder, const std::vector<std::string>& columns,
                     const FigureSpec& figure = {});
 

@@ -33,7 +33,7 @@ topologies::RoutingTable find_routes(const Experiment& experiment,
 /// Makes the single broadcast tree; no value if each sender has a tree of its own.
 std::optional<topologies::TreeLinks> find_tree(const Experiment& experiment,
                                                const topologies::Topology& topology);
-/// Loads the models of processors whose model is not `model`, that of the machine.
+/// Loads the models of processors whose model is not `model`, the model of the machine.
 programs::OtherModels find_others(const Experiment& experiment,
                                   const topologies::Topology& topology,
                                   const machine::Model& model);
@@ -41,7 +41,8 @@ programs::OtherModels find_others(const Experiment& experiment,
 std::vector<programs::PlannedFault> find_faults(const Experiment& experiment,
                                                 const topologies::Topology& topology);
 
-/// Makes network, routes, tree and faults of a point, only for the exceptions that these throw.
+/// Makes network, routes, tree and faults of a point, and drops them, because only their exceptions
+/// matter.
 void check_network(const Experiment& experiment);
 /// The key of a network, made from its settings. Points with equal keys have equal networks.
 std::string network_key(const Experiment& experiment);

@@ -18,7 +18,7 @@ RowList all_rows(const Table& table);
 std::vector<Value> distinct(const Table& table, const RowList& rows, std::size_t column);
 
 /// True if the axes `others` determine the value of `axis`: no combination of their values occurs
-/// with two values of it. This holds for axes that change together. False if `others` is empty.
+/// with two values of `axis`. This holds for axes that change together. False if `others` is empty.
 bool is_determined(const Table& table, const RowList& rows, std::size_t axis,
                    const std::vector<std::size_t>& others);
 

@@ -103,7 +103,8 @@ bool try_move(Descent& d) {
   const double reached = dot(there, there);
   if (reached < d.squares) {
     const double gain = (d.squares - reached) / (d.squares - move.squares);
-    d.damping *= std::max(1.0 / 3, 1 - std::pow(2 * gain - 1, 3));  // Nielsen's rule
+    // Nielsen's rule for the damping
+    d.damping *= std::max(1.0 / 3, 1 - std::pow(2 * gain - 1, 3));
     d.growth = 2;
     d.at = std::move(next), d.left = std::move(there), d.squares = reached;
     differentiate(d);

@@ -14,7 +14,7 @@ struct Confidence {
   std::vector<std::string> entries;
   std::vector<std::vector<double>> quantiles;  ///< for each entry, its quantile on each machine
   std::size_t machines = 0;                    ///< number of machines that completed all points
-  std::size_t left_out = 0;                    ///< number of machines that did not
+  std::size_t left_out = 0;                    ///< number of machines with incomplete points
 };
 
 constexpr std::size_t LEAST_MACHINES = 3;

@@ -31,7 +31,7 @@ using Wire = std::tuple<int, int, int, int>;
 using Edge = std::tuple<int, int, std::string, std::string, std::string, std::string>;
 
 // Makes the topology of a graph by the same rules as for graph files. `roots` has the text of each
-// vertex's attribute "root", and `root` that of the graph's.
+// vertex's attribute "root"; `root` is the text of the graph's attribute "root".
 Topology make_graph(const std::string& name, const std::vector<std::string>& names,
                     const std::vector<std::string>& roots, const std::string& root,
                     const std::vector<Edge>& edges, bool has_arrows) {

@@ -36,7 +36,7 @@ class Done:
         self.exit_code, self.output, self.errors = exit_code, output, errors
 
     def failure(self, result=None):
-        """The exception for this end, with tlab's own message; None on success."""
+        """The exception for the exit code, with tlab's own message; None on success."""
         if self.exit_code == 0:
             return None
         message = "\n".join(line.removeprefix("tlab: ") for line in self.errors.strip().splitlines())

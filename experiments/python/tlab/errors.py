@@ -5,7 +5,7 @@ class Error(Exception):
     """The message of tlab, and its results if there are any.
 
     exit_code: the exit code of the command.
-    result: a Result, or None. A check that fails and a point that deadlocks leave results.
+    result: a Result, or None. There are results after a failed check, and after a deadlock.
     """
 
     exit_code = None

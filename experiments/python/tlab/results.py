@@ -16,8 +16,8 @@ WHOLE = re.compile(r"-?(0|[1-9][0-9]*)")
 NUMBER = re.compile(r"-?(0|[1-9][0-9]*)(\.[0-9]+)?(e[-+]?[0-9]+)?")
 FLAGS = {"0": False, "1": True, "false": False, "true": True}
 
-# For each type in results.schema.json: a test whether a cell has the type, the conversion of its
-# text, and the dtypes of the column without and with missing values.
+# For each type in results.schema.json: a test whether a text has the type, the conversion of a text,
+# and the dtypes of a column without and with missing values.
 TYPES = {"boolean": (FLAGS.__contains__, FLAGS.get, "bool", "boolean"),
          "integer": (WHOLE.fullmatch, int, "int64", "Int64"),
          "number": (NUMBER.fullmatch, float, "float64", "float64"),
@@ -25,7 +25,7 @@ TYPES = {"boolean": (FLAGS.__contains__, FLAGS.get, "bool", "boolean"),
 
 
 def _type_of(texts, declared):
-    """The declared type if it fits all cells, else the type of their spelling; "number" without cells."""
+    """The declared type if it fits all cells, else the type that their texts have; "number" without cells."""
     for name in (declared, "integer" if len(texts) else "number", "number"):
         if name in TYPES and all(map(TYPES[name][0], texts)):
             return name

@@ -46,8 +46,7 @@ class _Files:
         return text
 
 
-# Returns the name if it is not taken, else the name followed by the lowest number with which it is
-# not.
+# Returns a name that is not taken: the given one, or this name with a number from 2, such as ring-2.
 def _find_free(name, is_taken):
     names = itertools.chain([name], (f"{name}-{number}" for number in itertools.count(2)))
     return next(free for free in names if not is_taken(free))
@@ -72,7 +71,8 @@ def _file_of(experiment, files):
     return path
 
 
-# A message without the path of the temporary file that holds the experiment. Lines of a dict have no numbers.
+# A message without the path of the temporary file that holds the experiment. For a text, keeps the
+# line number. For a dict, which has no lines, removes it.
 def _hide_file(message, path, experiment):
     if isinstance(experiment, dict):
         return re.sub(rf"{re.escape(str(path))}(:\d+)?(, with --set)?: ", "", message)

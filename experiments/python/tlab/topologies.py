@@ -17,7 +17,7 @@ Link = collections.namedtuple("Link", "a port_a b port_b")
 class Topology:
     """A machine's wiring: processors with four ports each, and links between ports. It is immutable.
 
-    Methods take a processor by name. Without names that are whole numbers, they take its number too.
+    Methods take a processor by its name. If no name is a whole number, they also accept the processor's number.
     """
 
     def __init__(self, native, spec=None, nodes=()):
@@ -58,9 +58,10 @@ class Topology:
     def metrics(self, routes=""):
         """A dict of the metrics that `tlab topology` prints, optionally with other routes than the shortest.
 
-        farm_messages counts the messages over the busiest direction of a link, farm_link, if every processor sends
-        the root a message and gets a reply. all_to_all_messages counts them if every processor sends a message to
-        every other. With routes there is closes_cycle too. bisection_width is None if it is unknown.
+        If every processor sends the root a message and gets a reply, farm_link is the busiest direction of a link,
+        and farm_messages is the number of messages over it. all_to_all_link and all_to_all_messages have these
+        meanings if every processor sends every other processor a message. If `routes` is given, the dict also has
+        closes_cycle. bisection_width is None if it is unknown.
         """
         found = self._native.metrics()
         if routes:
@@ -123,7 +124,7 @@ class Topology:
         return any(re.fullmatch("-?[0-9]+", label) for label in self.labels)
 
     def number_of(self, processor):
-        """The number of a processor given by name; without names that are whole numbers, also by its number."""
+        """The number of a processor, given by its name; also by its number if no name is a whole number."""
         try:
             if processor in self._numbers and not isinstance(processor, bool):
                 return self._numbers[processor]
@@ -177,7 +178,13 @@ class Routes:
         return self._native.distances()
 
     def metrics(self):
-        """A dict of the metrics that depend on routes: mean_distance, the busiest link all to all, and closes_cycle."""
+        """A dict of the metrics that depend on routes.
+
+        mean_distance: the mean length of the routes, in links
+        all_to_all_link, all_to_all_messages: the busiest direction of a link, and the number of messages over it, if
+        every processor sends every other a message
+        closes_cycle: whether the routes may deadlock, because they wait for each other's links in a cycle
+        """
         link, messages = self._native.busiest()
         return {"mean_distance": self._native.mean_distance(), "all_to_all_messages": messages,
                 "all_to_all_link": link, "closes_cycle": self._native.closes_cycle()}
@@ -208,11 +215,11 @@ def _spell(attributes, name):
 def from_networkx(graph, name=None):
     """The topology of a graph of networkx: each edge, directed or not, is one link.
 
-    Nodes are numbered in the graph's order unless they are exactly 0 to n-1; they stay the processors' names. The edges'
-    attributes port_a and port_b are the ports, 0 to 3, at the first and second node, in the order of `graph.edges`.
-    Ends without a port get the lowest free one. The root is the node with the attribute root (true or false), or the
-    node named by the graph's attribute root, else processor 0. Raises BadInput for a graph that transputers cannot be
-    wired to.
+    Nodes are numbered in the graph's order unless they are exactly 0 to n-1. The nodes stay the processors' names.
+    The edges' attributes port_a and port_b are the ports, 0 to 3, at the first and second node, in the order of
+    `graph.edges`. Ends without a port get the lowest free one. The root is the node with the attribute root (true or
+    false), or the node named by the graph's attribute root, else processor 0. Raises BadInput for a graph that
+    transputers cannot be wired to.
     """
     name = str(name or graph.name or "network")
     nodes = list(graph.nodes)

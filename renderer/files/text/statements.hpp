@@ -27,7 +27,7 @@ bool has_light_shape(const Words& words);
 View take_view(Tokens& tokens);
 
 struct StatedLight {
-  Light light;  ///< without its colour
+  Light light;  ///< the light, without its colour
   std::optional<Rgb> colour;
 };
 /// Takes the words of a point light, after 'l'.

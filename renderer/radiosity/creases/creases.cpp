@@ -94,15 +94,15 @@ std::vector<const Piece*> sort_by_strength(std::span<const Piece> lights, const 
   return order;
 }
 
-// A crease with its rank: first whether it lies within a penumbra, then how many lights are
-// stronger than the light that causes it.
+// A crease with its rank. Ranks are compared first by whether the crease lies within a penumbra,
+// then by the number of lights that are stronger than the crease's light.
 struct Ranked {
   Crease crease;
   std::pair<bool, std::size_t> rank;
 };
 
 // Merges `added` with the creases that overlap or touch it on one line, and appends the result. The
-// result gets the lowest of their ranks.
+// result gets the lowest rank of the merged creases.
 void merge(Ranked added, double same, std::vector<Ranked>& creases) {
   for (std::size_t i = 0; i < creases.size();) {
     Crease longer = creases[i].crease, other = added.crease;

@@ -50,9 +50,9 @@ void add_hidden(std::span<const Vec> face, const Vec& apex, const Vec& a, const 
   }
 }
 
-// The parts of the segment that are visible from the apexes of all pencils. Faces hide parts,
-// except the face number `except`. The segments of all pencils nearly coincide. `behind` is as for
-// add_hidden().
+// The parts of the segment that are visible from the apexes of all pencils. All faces hide parts of
+// the segment, except face number `except`. The segments of all pencils nearly coincide. `behind`
+// is as for add_hidden().
 std::vector<Interval> find_seen(std::span<const std::vector<Vec>> faces, std::size_t except,
                                 std::span<const Pencil> pencils, bool behind) {
   std::vector<Interval> hidden, seen;
@@ -155,8 +155,9 @@ void add_wedge(Wedge wedge, const Shadow& shadow, std::vector<Crease>& creases) 
                      project(ground, wedge.from[1], wedge.through[1])};
   const auto inside = clip_segment(far[0], far[1], shadow.edges, stage.tolerance);
   if (!inside) return;
-  // Converts a fraction of the segment on the receiver to a fraction of the edge of the light or
-  // the occluder on which the sight lines begin or which they pass.
+  // Converts a fraction of the segment on the receiver to a fraction of the other edge of the
+  // wedge: the edge of the light on which sight lines begin, or the edge of the occluder that they
+  // pass.
   const double falls[] = {fall(0), fall(1)};
   const auto back = [&](double t) { return t * falls[0] / ((1 - t) * falls[1] + t * falls[0]); };
   shorten({back(inside->from), back(inside->to)});
@@ -185,9 +186,9 @@ bool contains(const Plane& plane, std::span<const Vec> polygon, double tolerance
   });
 }
 
-// The plane through `corner` of the light and the edge from a to b of the occluder, or the reverse.
-// Returns none if they span no plane, if the plane cuts the occluder, or if the light lies in the
-// plane.
+// The plane through `corner` and the edge from a to b: a corner of the light and an edge of the
+// occluder, or a corner of the occluder and an edge of the light. Returns none if they span no
+// plane, if the plane cuts the occluder, or if the light lies in the plane.
 std::optional<Plane> find_plane(const Stage& stage, std::span<const Vec> blocker, const Vec& corner,
                                 const Vec& a, const Vec& b) {
   const double tolerance = stage.tolerance;
@@ -220,8 +221,8 @@ void add_own_plane_creases(const Shadow& shadow, std::vector<Crease>& creases) {
 // faces hide them from the light. Shadow borders lie on critical planes that cut neither light nor
 // occluder. On one side of such a plane, the occluder hides either nothing of the light or as much
 // as it can. Further borders lie on the occluder's own plane if this plane cuts the light, and
-// where the occluder touches the receiver. A plane through an edge of the occluder and a corner of
-// the light that cuts the light causes a crease within the penumbra.
+// where the occluder touches the receiver. If a plane through an edge of the occluder and a corner
+// of the light cuts the light, it causes a crease within the penumbra.
 void add_shadow_creases(const Stage& stage, std::size_t blocker, StageCreases& found) {
   const auto& light = stage.light.corners;
   const auto& face = stage.between[blocker];

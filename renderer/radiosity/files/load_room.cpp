@@ -17,7 +17,8 @@ using renderer::at_place;
 using renderer::LeftOut;
 using renderer::Tokens;
 
-// Adds a material stated on this line. Throws BadInput if there is a material with its name.
+// Adds a material, which the file states on line `line`. Throws BadInput if there is a material
+// with its name.
 void add_material(const Tokens& tokens, int line, const Material& material,
                   std::vector<Material>& materials) {
   tokens.at_line(line, [&] { check_material(material); });
@@ -39,7 +40,7 @@ std::uint32_t take_material(Tokens& tokens, const Room& room, std::string_view w
       fmt::format("a material of the {}: {}", where, known.empty() ? "none yet" : known));
 }
 
-// Adds a face stated on this line to the room.
+// Adds a face, which the file states on line `line`, to the room.
 void add_face(const Tokens& tokens, int line, Face face, Room& room) {
   face.where = fmt::format("{}:{}", tokens.name(), line);
   tokens.at_line(line, [&] { check_face(face, room.materials.size()); });
@@ -190,10 +191,10 @@ class RoomReader {
 struct RoomTarget : renderer::NffTarget {
   RoomTarget(std::string file, LeftOut& left) : name(std::move(file)), left_out(left) {}
 
-  std::string name;  // of the file
+  std::string name;  // name of the file
   LeftOut& left_out;
   Room room;
-  Material material;  // of the next faces
+  Material material;  // material of the next faces
   bool used = false;  // `material` is the last one in the room's list
 
   Knows knows() const override { return Knows::rooms; }
@@ -243,7 +244,7 @@ struct RoomTarget : renderer::NffTarget {
 struct ObjRoom : renderer::ObjTarget {
   ObjRoom(std::string file, LeftOut& left) : name(std::move(file)), left_out(left) {}
 
-  std::string name;  // of the file
+  std::string name;  // name of the file
   LeftOut& left_out;
   Room room;
   std::uint32_t material = 0;  // index of the material of the next faces

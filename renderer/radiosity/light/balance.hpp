@@ -10,8 +10,8 @@ struct Balance {
   double reflected = 0;  ///< light counts at every reflection, so this may exceed 1
   double absorbed = 0;
   double unsent = 0;
-  /// The rest: light that left the room or fell on the backs of faces or on mirrors, and numerical
-  /// error.
+  /// The rest of the emitted power: light that left the room or fell on the backs of faces or on
+  /// mirrors, and numerical error.
   double escaped = 0;
   /// The part of `escaped` that falls on the backs of faces, estimated by rays. 0 in rooms with
   /// mirrors.

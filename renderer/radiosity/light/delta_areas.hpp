@@ -58,10 +58,10 @@ inline double eval_delta(double area, double square, double here, double there) 
 /// of the delta area. `way` is the vector from the viewpoint to this middle.
 template <class Number, class Share>
 struct DeltaSide {
-  Number turn;    ///< component along `way`, divided by the length of `way`
+  Number turn;    ///< component of the side along `way`, divided by the length of `way`
   Number rise;    ///< component along the viewpoint's normal, divided by that of `way`
   Number square;  ///< squared length of the side, divided by the squared distance
-  Share growth;   ///< relative growth of the other side, from one end of this side to the other
+  Share growth;   ///< relative change, along this side, of the length of the other side
 
   /// The contribution of this side to eval_extent() of the delta area.
   [[gnu::always_inline]] Number eval_extent() const {
@@ -104,8 +104,8 @@ struct DeltaOf {
 using Delta = DeltaOf<double>;
 
 /// The point of a delta area that visibility rays aim at, slightly off its centre. In symmetric
-/// rooms, especially between two mirrors, lines between centres would pass exactly through edges,
-/// and rounding would decide on which side.
+/// rooms, especially between two mirrors, lines between centres would pass exactly through edges.
+/// Rounding would then decide on which side of an edge a line passes.
 [[gnu::always_inline]] inline Vec find_aim(const Quad& quad, const Delta& delta) {
   constexpr double ASIDE = 0.7e-6, ABOVE = 1.1e-6;
   return quad.eval(delta.s + ASIDE * delta.along, delta.t + ABOVE * delta.across);

@@ -117,8 +117,8 @@ inline Cut direct_cut(const Eye& eye, const Sender& sender) {
 }
 
 /// The form factor without mirrors: the cosine-weighted fraction of the vertex's hemisphere that
-/// the visible part of the patch covers, 0..1. It is the sum in thesis Eq 3.9 multiplied by A_2;
-/// B_1 there is rho_1 B_2 times this fraction. Counts the work in `work`.
+/// the visible part of the patch covers, 0..1. It is the sum in thesis Eq 3.9 multiplied by A_2. In
+/// this equation, B_1 is rho_1 B_2 times this fraction. Counts the work in `work`.
 double eval_factor(const Eye& eye, const Vertex& vertex, const Patch& patch, renderer::Work& work);
 
 /// True if light may reach vertices by way of mirrors.

@@ -19,7 +19,7 @@ struct Chain {
   template <class T, std::size_t most>
   using List = boost::container::static_vector<T, most>;
 
-  List<const Mirror*, MOST_REFLECTIONS> mirrors;  // from the vertex outwards
+  List<const Mirror*, MOST_REFLECTIONS> mirrors;  // in the order from the vertex outwards
   List<Viewpoint, MOST_REFLECTIONS + 1> images;
   Rgb reflectance{1, 1, 1};  // product of the mirrors' reflectances
   // Approximate visual angle of the narrowest mirror, in radians.
@@ -27,8 +27,8 @@ struct Chain {
 
   explicit Chain(const Viewpoint& eye) : images{eye} {}
   const Viewpoint& last() const { return images.back(); }
-  // True if light from the mirror can reach the last mirror of the chain, or the vertex if there is
-  // none.
+  // True if light from the mirror can reach the last mirror of the chain, or the vertex if the
+  // chain is empty.
   bool can_meet(const Mirror& mirror) const;
   // True if part of a convex polygon may be visible in the last mirror: no plane through the image
   // of the viewpoint and an edge of the mirror separates mirror and polygon.
@@ -263,8 +263,8 @@ class PieceSum {
     return eval_delta(h * area, dot(line, line), here, there);
   }
 
-  // The path from the vertex via the chain that passes the centre of a piece of mirror number k;
-  // none if it ends outside the delta area.
+  // The path that leads from the vertex via the chain, through the centre of a piece of mirror
+  // number k. None if the path ends outside the delta area.
   std::optional<Way> follow(std::size_t k, const Vec& centre) const {
     const auto& chain = seen_.chain;
     if (!is_within(chain.mirrors[k]->corners, chain.mirrors[k]->normal, centre))
@@ -310,8 +310,8 @@ class PieceSum {
 
   const MirroredSight& seen_;
   const Source& source_;
-  std::vector<Pieces> pieces_;  // by mirror of the chain
-  std::array<Vec, 4> corners_;  // of the current delta area
+  std::vector<Pieces> pieces_;  // pieces of each mirror of the chain
+  std::array<Vec, 4> corners_;  // corners of the current delta area
 };
 
 // The light that arrives via one chain, before multiplication by the mirrors' reflectances.

@@ -25,7 +25,8 @@ auto sum_terms(std::span<const Term> terms, const Source& source) {
 template <class Source>
 Rgb sum_chains(std::span<const ChainTerms> chains, std::span<const Term> terms, std::uint32_t end,
                const Source& source) {
-  std::array<Rgb, MOST_REFLECTIONS + 1> totals{};  // by length of the chain that is extended
+  // Sums of light, by the number of mirrors that the summed chains have in common.
+  std::array<Rgb, MOST_REFLECTIONS + 1> totals{};
   std::size_t length = 0;
   const auto go_back = [&](std::size_t to) {
     for (; length > to; --length) totals[length - 1] += totals[length];

@@ -118,9 +118,9 @@ using Step = std::function<bool(int shots, double unshot)>;
 /// Repeats shots until the tolerance or the number of shots is reached, or until `step`, if given,
 /// returns false. `fine`, if given, is another mesh of the room. Its vertices receive every shot
 /// too, and become the vertices of the solution. The number of shots then depends only on the
-/// coarse `mesh`; a mesh of 14,000 patches would take a hundred times as many. (Substructuring: M.
-/// Cohen, D. Greenberg, D. Immel and P. Brock, "An Efficient Radiosity Approach for Realistic Image
-/// Synthesis", IEEE CG&A 6(3), 1986.)
+/// coarse `mesh`; a `mesh` of 14,000 patches would need a hundred times as many shots.
+/// (Substructuring: M. Cohen, D. Greenberg, D. Immel and P. Brock, "An Efficient Radiosity Approach
+/// for Realistic Image Synthesis", IEEE CG&A 6(3), 1986.)
 Solution solve(const Mesh& mesh, const SolveParams& params, const Step& step = {},
                const Mesh* fine = nullptr);
 

@@ -19,7 +19,7 @@ std::size_t corner_at(const Patch& patch, std::uint32_t vertex) {
   return static_cast<std::size_t>(std::ranges::find(patch.corners, vertex) - patch.corners.begin());
 }
 
-// True if the patches share an edge at the vertex that is not a crease.
+// True if the patches share an edge that ends at the vertex and is not a crease.
 bool are_joined(const Patch& a, const Patch& b, std::uint32_t vertex, const Edges& creases) {
   const auto i = corner_at(a, vertex), j = corner_at(b, vertex);
   for (const auto side : {i, (i + 3) % 4})
@@ -67,8 +67,8 @@ bool is_on(const Patch& patch, const Vec& point) {
 }
 
 // Finds a crease that lies too near to the point `at` to be an edge of the mesh: at most `width`
-// times CREASE_TOUCH away. Returns the fraction of the vector `way` from `at` at which the crease
-// crosses it. Returns 0 if they do not cross, or only at a small angle.
+// times CREASE_TOUCH away. The vector `way` begins at this point. Returns the fraction of `way` at
+// which the crease crosses `way`. Returns 0 if they do not cross, or only at a small angle.
 double find_crossing(const Vec& at, const Vec& way, const Vec& normal, const Crease& crease,
                      double width) {
   constexpr double STEEP = 0.3;  // smallest sine of the angle between way and crease
@@ -196,8 +196,8 @@ void inset_borders(Mesh& mesh, const std::vector<bool>& is_border, double inset,
           at + find_inset(at, way, first.normal, fringes[first.face], inset) * way;
     };
     move_to(centre);
-    // If an object stands on the floor, the mean of the patches' centres may lie under the
-    // object. Then move towards the largest patch.
+    // If an object stands on the floor, the mean of the patches' centres may lie under the object.
+    // The point then lies towards the centre of the largest patch instead.
     const auto holds = [&](std::uint32_t p) {
       return is_on(mesh.patches[p], mesh.vertices[v].lit);
     };
@@ -224,7 +224,7 @@ void split_and_inset(Mesh& mesh, const Edges& creases, const Edges& contacts, do
   const auto feet = find_feet(mesh, rename(mesh, before, contacts));
   split_at(mesh, feet, rename(mesh, before, creases));
   for (const auto foot : feet) is_border[foot] = true;
-  is_border.resize(mesh.vertices.size(), true);  // copies of the feet are on a border, too
+  is_border.resize(mesh.vertices.size(), true);  // split_at() adds only vertices on borders
   inset_borders(mesh, is_border, inset, fringes);
   split_at_creases(mesh, rename(mesh, before, creases));
 }

@@ -112,8 +112,9 @@ void cut_straight_corners(const Quads& quads, const Loop& loop, const Vec& norma
   cut_straight_corners(quads, left, normal, parts);
 }
 
-// The centroid of a convex polygon. From any corner, it lies beyond the line between the middles of
-// the adjacent edges, as the quads of add_corners() require. The mean of the corners may not.
+// The centroid of a convex polygon. As seen from any corner, it lies beyond the line between the
+// middles of the adjacent edges, as the quads of add_corners() require. The mean of the corners may
+// lie in front of such a line.
 Vec find_centre(std::span<const Vec> corners, const Vec& normal) {
   Vec sum;
   double total = 0;

@@ -12,8 +12,8 @@ namespace radiosity {
 namespace {
 
 // An open edge above a face makes strips of graded patches if its height is from LEAST_GAP to 1,
-// relative to the width of a patch. A lower edge counts as touching the face. If there are no
-// strips, this is also true of edges up to TOUCHING_GAP.
+// relative to the width of a patch. A lower edge counts as touching the face. In a mesh without
+// strips, edges up to the height TOUCHING_GAP also count as touching.
 constexpr double LEAST_GAP = 0.01, TOUCHING_GAP = 0.5;
 // The strips end at FIRST_STRIP, GROWTH * FIRST_STRIP and so on, in multiples of the edge's height,
 // but at most at WIDEST_STRIP of a patch's width. At GROWTH times FIRST_STRIP, the illumination is

@@ -93,7 +93,7 @@ struct Cutting {
   int along, across;  // number of patches along and across the face
   std::size_t most;   // creases are omitted beyond this number of patches
   Vec normal;
-  double width;                // of a patch
+  double width;                // width of a patch
   std::vector<Line> contacts;  // in the face's plane, inside the face or on its border
   // Folds and creases in the face's plane, inside the face or on its border.
   std::vector<Line> creases;

@@ -58,7 +58,7 @@ struct Cuts {
 
 /// Divides a face so that creases and contacts in its plane become edges of quads. To coincide with
 /// existing edges, a crease may be moved by a tenth of a patch's width, and a contact by 0.002 of
-/// it. Shorter lines are omitted.
+/// it. Lines shorter than these distances are omitted.
 Division divide_face(const Face& face, int refine, const Cuts& cuts);
 
 /// Interpolates bilinearly between four corners at the parameters (s, t), each from 0 to 1.

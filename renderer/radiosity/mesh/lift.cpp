@@ -10,10 +10,11 @@ namespace radiosity {
 namespace {
 
 // The distance by which a face is lifted above another is the sum of two parts: LIFT of the larger
-// face's size, and LIFT_OF_PLACE of the lifted face's largest coordinate. It exceeds the distance
-// that a ray ignores at its start.
+// face's size, and LIFT_OF_PLACE of the lifted face's largest coordinate. This distance exceeds the
+// one that a ray ignores at its start.
 constexpr double LIFT = 1e-7, LIFT_OF_PLACE = 1e-9;
-constexpr double LEAST_LIFT = 2 * renderer::SELF_RELATIVE;  // fraction of the largest coordinate
+// Smallest lift, as a fraction of the largest coordinate.
+constexpr double LEAST_LIFT = 2 * renderer::SELF_RELATIVE;
 
 bool same_side(const Pair& pair) {
   return pair.on.face->two_sided || pair.other.face->two_sided ||
@@ -91,7 +92,7 @@ class Groups {
 
  private:
   struct Group {
-    std::vector<Covering> above, below;  // where a member is covered, and where a member covers
+    std::vector<Covering> above, below;  // pairs that cover a member, pairs that a member covers
     std::optional<Vec> up;  // direction of the lift; none yet if all members are two-sided
     int levels_above = 0, levels_below = 0;
     double height = 0;
@@ -145,7 +146,7 @@ class Groups {
   }
 
   std::span<const Flat> flats_;
-  std::vector<std::uint32_t> root_;  // another face of the group; finally its root
+  std::vector<std::uint32_t> root_;  // by face: another face of its group; finally the root
   std::vector<Group> group_;         // by root
   std::vector<std::uint32_t> order_;
 };

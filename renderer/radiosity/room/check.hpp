@@ -18,9 +18,9 @@ void check(const Room& room);
 void check_material(const Material& material);
 
 /// Requires at least three finite corners of a strictly convex polygon that is not degenerate. They
-/// must lie in one plane, within 1e-6 of the face's size. Also requires no normals, or one for each
-/// corner, which points to the front; 1 to MAX_DIVISIONS patches each way; and a material index
-/// below `materials`.
+/// must lie in one plane, within 1e-6 of the face's size. A face may have no normals, or else one
+/// normal for each corner, which points to the front. Also requires 1 to MAX_DIVISIONS patches each
+/// way, and a material index below `materials`.
 void check_face(const Face& face, std::size_t materials);
 
 /// Requires that the two ends are finite and distinct.
@@ -32,8 +32,8 @@ bool lies_on_a_face(const Crease& crease, const Room& room);
 /// renderer::make_image_plane(). Returns the view together with its image plane.
 renderer::View check_view(const renderer::View& view);
 
-/// Requires that one face is not a mirror, and that one face emits light. The parts of the room
-/// must have been checked before.
+/// Requires that at least one face is not a mirror, and that at least one face emits light. The
+/// parts of the room must have been checked before.
 void check_light(const Room& room);
 
 }  // namespace radiosity

@@ -38,7 +38,7 @@ using renderer::eval_area_normal;
 /// it. The result is empty if no corner lies above.
 std::vector<Vec> clip(std::span<const Vec> polygon, const Plane& plane, double tolerance);
 
-/// The two points where the polygon's border crosses the plane; none if it does not cross it.
+/// The two points where the polygon's border crosses the plane; none if they do not cross.
 std::optional<std::array<Vec, 2>> cut(std::span<const Vec> polygon, const Plane& plane);
 
 /// A part of a segment; positions are fractions of its length.

@@ -225,8 +225,9 @@ void refine(Room& room, const Mesh& mesh, const std::vector<std::uint32_t>& chos
   }
 }
 
-// Halves the chosen patches. Returns none if that makes too many patches, or no more than before.
-// Tries again, because new grid lines are dropped if they are too near to a contact or crease.
+// Halves the chosen patches. Returns none if there are too many patches afterwards, or not more
+// than before. Tries again, because new grid lines are dropped if they are too near to a contact or
+// crease.
 std::optional<Mesh> make_finer(Room& room, const MeshParams& params, const Mesh& mesh,
                                const std::vector<std::uint32_t>& chosen) {
   for (int tries = 0; tries < MOST_TRIES; ++tries) {

@@ -27,9 +27,8 @@ double find_exposure(const Picture& picture, const std::vector<bool>& left_out =
 /// `left_out`.
 Display fit(Display display, const Picture& picture, const std::vector<bool>& left_out);
 
-/// Returns the difference
-/// a - b
-/// multiplied by `factor`, pixel by pixel. Throws BadInput if the sizes differ.
+/// Returns the absolute difference of a and b, for each colour of each pixel, multiplied by
+/// `factor`. Throws BadInput if the sizes differ.
 Picture make_difference(const Picture& a, const Picture& b, double factor = 1);
 
 /// Converts the picture to bytes: rows from the top, 3 bytes per pixel. Negative values and NaN

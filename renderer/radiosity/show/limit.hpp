@@ -1,9 +1,9 @@
 #pragma once
 // Limits that keep bicubic surfaces near the illumination around them. Without these limits, a
 // surface overshoots where it is steep, at the border of a shadow. A cubic lies within the convex
-// hull of its control points (P. Bezier). The control points are limited as slopes are in F.
-// Fritsch and R. Carlson, "Monotone Piecewise Cubic Interpolation", SIAM J. Numerical Analysis
-// 17(2), 1980.
+// hull of its control points (P. Bezier). The control points are limited in the way in which F.
+// Fritsch and R. Carlson limit slopes ("Monotone Piecewise Cubic Interpolation", SIAM J. Numerical
+// Analysis 17(2), 1980).
 
 #include "renderer/radiosity/show/slopes.hpp"
 
@@ -21,12 +21,12 @@ std::vector<Limits> find_limits(const Mesh& mesh, const Fans& fans, std::span<co
 
 /// Limits the change along an edge at one of its ends, where the vertex has the illumination
 /// `value`. `whole` is the difference of the illumination between this end and the other; `there`
-/// is the change along the edge at the other end. A change is kept
-/// - if it is between 0 and 3 times the whole, which makes the edge monotone;
-/// - or if its bend (the whole less the change) has the sign of the bend at the other end and is at
-///   most twice as large: a peak over several patches bends at both ends, an edge beside a jump
-///   only
-///   at one (after H. Huynh, "Accurate Monotone Cubic Interpolation", SIAM J. Num. Analysis 30(1),
+/// is the change along the edge at the other end. The bend at an end is `whole` less the change at
+/// this end. A change is kept
+/// - if it is between 0 and 3 times `whole`, which makes the edge monotone;
+/// - or if its bend has the sign of the bend at the other end and is at most twice as large. At a
+///   peak over several patches, edges bend at both ends. An edge beside a jump bends only at one
+///   end (after H. Huynh, "Accurate Monotone Cubic Interpolation", SIAM J. Num. Analysis 30(1),
 ///   1993);
 /// - or if it makes a bulge of less than 2 % of the illumination.
 /// Any other change is replaced by the nearest change that would be kept. Finally, the control

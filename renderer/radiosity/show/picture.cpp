@@ -109,9 +109,9 @@ class ZBuffer {
         fragments_(width_ * static_cast<std::size_t>(params.height)) {}
 
   // Draws both sides of a convex polygon of at least 3 corners. At each pixel, the nearest polygon
-  // stays. Of polygons at the same depth, the first stays, except that a back never hides other
-  // kinds. The polygon is divided into triangles at its first corner; in each of them, s and t are
-  // linear in space.
+  // stays. If several polygons are at the same depth, a patch or mirror hides backs of faces;
+  // otherwise, the first polygon stays. The polygon is divided into triangles at its first corner;
+  // in each of them, s and t are linear in space.
   void draw(Fragment::Kind kind, std::uint32_t patch, const std::vector<Point>& points) {
     const auto corner = [&](std::size_t i) -> renderer::Scanner<2>::Corner {
       return {renderer::to_eye(view_, points[i].at), {points[i].s, points[i].t}};

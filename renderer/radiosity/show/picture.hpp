@@ -15,7 +15,7 @@ struct Picture {
 };
 
 struct PictureParams {
-  /// In pixels, 1..65536 each, product at most 2^28; 0: those of the view.
+  /// Size in pixels, 1..65536 each, product at most 2^28; 0: the size of the view.
   int width = 0, height = 0;
   int samples = 1;  ///< rays along and across a pixel, in a regular grid, 1..64; 1: the centre only
   int depth = 8;    ///< limit on the number of mirrors along a ray, 0..1000

@@ -11,7 +11,8 @@ namespace radiosity {
 
 namespace {
 
-// By vertex: the first of its twins, including itself.
+// By vertex: the lowest index among the vertex and its twins, the vertices that a crease has split
+// from it.
 std::vector<std::uint32_t> find_firsts(std::span<const std::uint32_t> twins) {
   std::vector<std::uint32_t> firsts(twins.size(), ~0u);
   for (std::uint32_t v = 0; v < twins.size(); ++v)
@@ -51,7 +52,7 @@ class SeamFinder {
     std::ranges::stable_sort(seams, std::greater{}, [&](const Seam& seam) {
       return length(mesh_.vertices[seam.to].at - mesh_.vertices[seam.from].at);
     });
-    // By vertex: the seams that have this vertex as a stop.
+    // By vertex: the seams whose long edge contains this vertex.
     std::multimap<std::uint32_t, std::size_t> on;
     for (std::size_t i = 0; i < seams.size(); ++i)
       for (const auto& stop : seams[i].stops) on.emplace(stop.vertex, i);

@@ -58,13 +58,10 @@ bool is_straight(const Vec& a, const Vec& b) {
   return dot(a, b) < -0.99 * std::sqrt(dot(a, a) * dot(b, b));
 }
 
-// Weight of an edge: 1, or (3
-// edge
-// /
-// other
-// )^2 if the edge is less than a third as long as `other`, its continuation beyond the vertex. A
-// small error of illumination at the end of a short edge makes a steep slope, and thus a large
-// error in the patches of the long edge.
+// Weight of an edge with the length `edge`. `other` is the length of its continuation beyond the
+// vertex. The weight is 1, or (3 edge / other)^2 if the edge is less than a third as long as its
+// continuation. A small error of illumination at the end of a short edge makes a steep slope, and
+// thus a large error in the patches of the long edge.
 double find_trust(double edge, double other) {
   const double share = other > 0 ? std::min(1.0, 3 * edge / other) : 1.0;
   return share * share;

@@ -74,9 +74,8 @@ Slopes<T> operator*(double s, const Slopes<T>& a) {
   return {s * a.x, s * a.y, s * a.z};
 }
 
-/// The change for a step d in the vertex's tangent plane: thesis Eq 3.5 multiplied by
-/// d
-/// . It includes the half-space rule, Eq 3.6 and 3.7: the slopes are n = (N_i x N_g) x N_g, with
+/// The change for a step d in the vertex's tangent plane: thesis Eq 3.5 multiplied by the length of
+/// d. It includes the half-space rule, Eq 3.6 and 3.7: the slopes are n = (N_i x N_g) x N_g, with
 /// N_i as in Slopes. The product n . d has the required sign and, if d is as long as the edge of
 /// its patch, the required size.
 template <class T>
@@ -86,14 +85,12 @@ T along(const Slopes<T>& slopes, const Vec& d) {
 
 /// The mean of the tangent planes of a vertex's patches. Normals are scaled to N_i . N_g = 1
 /// instead of unit length, so that slopes are averaged. The mean does not depend on the unit of B
-/// and is linear in B, so that colours can be treated one by one. The weights are sin / (
-/// next
-///
-/// prev
-/// ) (N. Max, "Weights for Computing Vertex Normals from Facet Normals", JGT 4(2), 1999),
-/// multiplied by the trust of the planes. On an even grid, this is the arithmetic mean. On any grid
-/// of parallel lines, it is exact for quadratic functions if neighbouring steps differ by a factor
-/// of at most 3.
+/// and is linear in B, so that colours can be treated one by one. The weight of a plane is sin(a) /
+/// (n p), multiplied by the trust of the plane. Here, n and p are the lengths of the vectors `next`
+/// and `prev`, and a is the angle between them (N. Max, "Weights for Computing Vertex Normals from
+/// Facet Normals", JGT 4(2), 1999). On an even grid, this is the arithmetic mean. On any grid of
+/// parallel lines, it is exact for quadratic functions if neighbouring steps differ by a factor of
+/// at most 3.
 template <class T>
 struct MeanPlane {
   Slopes<T> sum;
