@@ -19,9 +19,9 @@ struct PovraySamples {
   int light_side = 1;  // square root of the number of shadow feelers to an area light
 };
 
-// Renders the same view, spheres, floor and lights with POV-Ray: with one thread, camera rays
-// through the centres of pixels, and the depth as the only limit. Writes POV-Ray's files into
-// `folder`.
+// Renders the view, spheres, floor and lights of the scene with POV-Ray. POV-Ray uses one thread
+// and sends camera rays through the centres of pixels; only the depth limits its shading trees.
+// Writes POV-Ray's files into `folder`.
 PovrayRun run_povray(const renderer::Scene& scene, const renderer::Params& params,
                      const PovraySamples& samples, const std::string& folder);
 
