@@ -120,8 +120,8 @@ class PathTracer {
     }
   }
 
-  // Estimates the light that arrives at a point, as a radiosity. The point reflects this times its
-  // reflectance.
+  // Estimates the light that arrives at a point, as a radiosity. The point reflects this light
+  // multiplied by its reflectance.
   Rgb sample_irradiance(SurfacePoint point, Numbers& numbers) const {
     Rgb light, weight{1, 1, 1};
     for (;;) {

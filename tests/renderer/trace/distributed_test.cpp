@@ -59,10 +59,8 @@ Scene make_glowing_sphere(double depth, double radius, double half_height) {
 
 // A lens of focal length F that is focused on the distance s has its film at v = F s / (s - F) (M.
 // Potmesil and I. Chakravarty). A point at the distance d becomes a disc on the film, with the
-// diameter c = A
-// d - s
-// / d * v / s. The image plane here is at distance 1 from the lens instead of v, so that the size c
-// on the film is c / v in this plane.
+// diameter c = A abs(d - s) / d * v / s, where A is the aperture. The image plane here is at
+// distance 1 from the lens instead of v, so that the size c on the film is c / v in this plane.
 TEST(Distributed, CircleOfConfusion) {
   constexpr double A = 0.5, S = 5, F = 0.05, V = F * S / (S - F);
   for (const double d : {2.5, 3.5, 4.2, 7.0, 12.0, 40.0}) {
