@@ -16,8 +16,8 @@ struct Load {
   std::vector<Burst> bursts;
 };
 
-// Makes a random load. They suit a model with a whole number of cycles per tick. Lengths of
-// low-priority computations are odd, so that none ends on a tick.
+// Makes a random load for models with a whole number of cycles per tick. Lengths of low-priority
+// computations are odd, so that none ends on a tick.
 inline Load make_load(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto blocked = make_exact_model().channel.blocked.value;

@@ -26,7 +26,7 @@ struct Machine {
 
 struct Relay {
   int processor;
-  double computes;  // cycles that it computes for each message
+  double computes;  // cycles that the process computes for each message
 };
 struct Stream {
   std::vector<Relay> relays;    // from the source to the sink

@@ -58,8 +58,8 @@ TEST(Run, EndsAtItsLimitWithNothingBeyond) {
   }
 }
 
-// A process blocks at an own time after the limit. The run must end at its limit, for any kind of
-// wait and any number of parts.
+// The own time of a process runs ahead of the machine's clock. A process blocks when its own time
+// is past the limit. The run must end at its limit, for any kind of wait and any number of parts.
 TEST(Run, EndsAtItsLimitThoughAProcessWaitsFromALaterTimeOn) {
   constexpr std::int64_t LIMIT = 100;  // limit of the run in cycles
   using Waits = void (*)(Channel<Words>&);
