@@ -197,7 +197,7 @@ TEST(IncludeGraph, IncludesAreFromTheRoot) {
       }
 }
 
-// True if the edges lead from `at` back to a node that is already on the way.
+// True if the edges lead from `at` back to a node that is already in `way`.
 bool has_cycle(const Edges& edges, const std::string& at, std::vector<std::string>& way,
                std::set<std::string>& done) {
   if (std::ranges::find(way, at) != way.end()) return true;

@@ -33,9 +33,9 @@ struct HitSample {
   std::uint64_t hits = 0;  // number of rays that hit something
 };
 
-// Answers the same queries with Embree 3 or 4, one by one, with one thread and in single precision:
-// the first hit of a ray, or any hit of a shadow feeler. Nothing is shaded, so this speed is an
-// upper bound.
+// Intersects `rays` with Embree 3 or 4, one by one, with one thread and in single precision: finds
+// the first hit of a ray, or any hit of a shadow feeler. Nothing is shaded, so the measured speed
+// is an upper bound.
 HitSample run_embree(const renderer::Scene& scene, const std::vector<renderer::Ray>& rays);
 
 }  // namespace benchmarks
