@@ -37,8 +37,8 @@ struct Recorded {
 };
 
 // Starts the processes of a load. The process of each burst ends by waiting for a message that
-// never comes, so that it leaves the CPU ahead of the clock. The cycles that start this wait are
-// counted as part of the burst.
+// never comes. It therefore gives up the CPU before the clock has reached the end of its charged
+// cycles. The cycles that start this wait are counted as part of the burst.
 inline void start_load(Lab& lab, Processor& cpu, const Load& load, Recorded& recorded) {
   recorded.burst_ends.resize(load.bursts.size());
   for (std::size_t i = 0; i < load.bursts.size(); ++i) {

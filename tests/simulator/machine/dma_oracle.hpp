@@ -125,7 +125,7 @@ class Simulation {
     return step_s;
   }
 
-  // An activity counts as ended if at most so many cycles or bytes are left.
+  // An activity counts as ended if at most HAIR cycles or bytes are left.
   static constexpr double HAIR = 1e-7;
 
   void advance(double step_s) {

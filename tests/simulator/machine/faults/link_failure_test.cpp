@@ -115,8 +115,8 @@ TEST(LinkFailure, IsToldAtOnceWhenItWasBefore) {
       }
 }
 
-// One process waits, and its partner is ahead of the clock. The waiting process must fail at the
-// cut, the other one when it reaches the link.
+// One process waits. Its partner has charged cycles in advance, and so is ahead of the clock. The
+// waiting process must fail at the cut, the other one when it reaches the link.
 TEST(LinkFailure, BetweenTheTwoEndsOfAMeeting) {
   for (auto first : {Side::writer, Side::reader}) {
     const Side second = first == Side::writer ? Side::reader : Side::writer;
@@ -127,8 +127,9 @@ TEST(LinkFailure, BetweenTheTwoEndsOfAMeeting) {
   }
 }
 
-// At the cut, the first process is ahead of the clock. The second arrives after the cut, but before
-// the own time of the first. Each must fail at its own time.
+// At the cut, the first process has charged cycles in advance, so that its own time is ahead of the
+// clock. The second arrives after the cut, but before the own time of the first. Each must fail at
+// its own time.
 TEST(LinkFailure, IsToldThoughThePartnerIsAheadOfTheClock) {
   for (auto first : {Side::writer, Side::reader})
     for (auto priority : BOTH_PRIORITIES) {
