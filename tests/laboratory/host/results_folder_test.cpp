@@ -285,7 +285,8 @@ TEST(ExperimentsResultsFolder, RecordsAreKept) {
     return fs::exists(out / "points/0123" / record) &&
            read_file(out / "points/0123" / record) == record;
   };
-  // One process was killed after it had put its results in place, and another one before.
+  // One process was killed after it had put its results in place. Another process was killed before
+  // it had done so.
   put(working.string() + dead, "a.json");
   fs::create_directories(working.string() + dead + "/points/lone");
   write_file(working.string() + dead + "/points/lone/x.json", "x");

@@ -18,7 +18,8 @@ struct Choice {
   int skip;                // place of SKIP among the guards; -1: no SKIP
 };
 
-// Makes every set of waiting writers under every set of conditions, with SKIP at any place.
+// Makes all choices: every set of waiting writers, with every set of true conditions, and with SKIP
+// at any place.
 std::vector<Choice> make_choices() {
   std::vector<Choice> choices;
   for (unsigned waiting = 0; waiting < 1u << CHANNELS; ++waiting)

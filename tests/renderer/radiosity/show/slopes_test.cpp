@@ -156,7 +156,8 @@ TEST(Slopes, AlongAStraightBorderDependOnItsVerticesOnly) {
               1e-12);
 }
 
-// If slopes only turn with the surface, they do not change, so that mixed derivatives are zero.
+// If slopes change only by turning with the surface, they count as constant, so that mixed
+// derivatives are zero.
 TEST(Twists, DoNotMistakeTheTurnOfACurvedSurfaceForAChange) {
   const auto helix = [](double u, double v) { return place_on_cylinder(u + v / 3, v); };
   const Mesh mesh = make_grid(make_lines(4), make_lines(4), helix);

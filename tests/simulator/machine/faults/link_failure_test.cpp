@@ -18,9 +18,9 @@ struct Try {
   std::uint64_t bytes = 8;
 };
 
-// Cuts the link at `cycle` while these processes output and input. Returns for each process whether
-// its message was moved, and the cycle at which its operation ended; then the end of the run and
-// the counts of messages and bytes.
+// Cuts the link at `cycle` while the processes of `tries` output and input. Returns for each
+// process whether its message was moved, and the cycle at which its operation ended. The end of the
+// run and the counts of messages and bytes follow.
 Numbers try_all(double cycle, const std::vector<Try>& tries, int switches = 0) {
   return isolated_numbers([&] {
     CutPair pair(cycle, make_exact_model(), switches);
@@ -188,7 +188,7 @@ TEST(LinkFailure, GivesTheCyclesOfTheDmaBack) {
                 ROUNDING);
 }
 
-// A cut after the end of the run or after its limit must have no effect, nor a second cut.
+// A second cut, and a cut after the end of the run or after its limit, must have no effect.
 TEST(LinkFailure, IsToldOnceAndNotAfterTheEnd) {
   const auto run = [](double cut, double end, double limit) {
     return isolated_numbers([=] {
