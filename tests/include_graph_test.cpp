@@ -66,8 +66,8 @@ void close_over(const Edges& knows, const std::string& room, std::set<std::strin
     if (known.insert(other).second) close_over(knows, other, known);
 }
 
-// Loads the rooms of CMakeLists.txt. Each may include the rooms that it names in add_room(), and
-// those that these may include.
+// Loads the rooms of CMakeLists.txt. Each room may include the rooms that its line add_room()
+// names, and all rooms that those may include.
 Edges load_rooms() {
   std::ifstream in(::test::in_sources("CMakeLists.txt"));
   const std::string text{std::istreambuf_iterator<char>(in), {}};
@@ -112,9 +112,9 @@ TEST(IncludeGraph, RoomsIncludeOnlyWhatTheyKnow) {
   }
 }
 
-// The rooms that tests in a folder of tests/ may include: the room that they test, which usually
-// has the folder's name, and all that it depends on. Code in tests/support, which many tests share,
-// may use only occam and what that depends on.
+// The rooms that tests in a folder of tests/ may include: the tested room, which usually has the
+// folder's name, and all rooms on which it depends. Code in tests/support, which many tests share,
+// may use only the room occam and the rooms on which occam depends.
 std::set<std::string> rooms_tested_in(const std::string& folder) {
   const std::map<std::string, std::string> others{{"laboratory", "experiments/laboratory"},
                                                   {"support", "simulator/occam"},
@@ -167,8 +167,8 @@ TEST(IncludeGraph, FoldersHaveFewSources) {
   for (const auto& [room, count] : counts) EXPECT_LE(count, MOST) << room << " wants walls";
 }
 
-// In a unity build, such a directive would also affect the sources that follow. The examples and
-// the benchmarks are never built in this way.
+// In a unity build, a `using namespace` or a #pragma in one source would also affect the sources
+// that follow. The examples and the benchmarks are never built in this way.
 TEST(IncludeGraph, SourcesLeakNoNamespaceAndNoPragma) {
   for (const Source& source : sources()) {
     if (source.room == "experiments/examples" || source.room == "tests/benchmarks") continue;
@@ -197,7 +197,7 @@ TEST(IncludeGraph, IncludesAreFromTheRoot) {
       }
 }
 
-// True if the edges lead from `at` back to a node that is already on the way.
+// True if the edges lead from `at` back to a node that is already in `way`.
 bool has_cycle(const Edges& edges, const std::string& at, std::vector<std::string>& way,
                std::set<std::string>& done) {
   if (std::ranges::find(way, at) != way.end()) return true;

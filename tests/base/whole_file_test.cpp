@@ -225,8 +225,8 @@ TEST(WholeFile, LinksAreFollowed) {
   EXPECT_EQ(read_text(folder.path / "a"), "new");
 }
 
-// A file that was read must not be overwritten under any of its names. A new file in its place may
-// be.
+// A file that was read must not be overwritten under any of its names. A new file that has taken
+// its place may be overwritten.
 TEST(WholeFile, InputsAreNotReplaced) {
   const TemporaryFolder folder;
   const auto a = folder.path / "a", hard = folder.path / "hard", soft = folder.path / "soft";
@@ -263,7 +263,7 @@ TEST(WholeFile, DevicesAndSilentPipesAreNotRead) {
                                "with a writer");
 }
 
-// Refuses a sparse file because of its stated size, before reading it into memory.
+// A sparse file is refused because of its stated size, before it is read into memory.
 TEST(WholeFile, LongFilesAreNotRead) {
   const TemporaryFolder folder;
   const auto path = folder.path / "sparse";

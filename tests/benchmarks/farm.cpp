@@ -51,8 +51,8 @@ std::vector<Activity> record() {
   return activities;
 }
 
-// Simulates the farm again. Subtracts the host time of the kernels from its time, because the
-// simulators are compared without the computation of the picture.
+// Simulates the farm again. Subtracts the host time of the kernels from that of the simulation,
+// because the simulators are compared without the computation of the picture.
 Sample simulate(std::uint64_t activities, machine::EngineParams engine) {
   farm::Result result;
   const double cpu_s = time_of([&] { result = run_farm(nullptr, true, engine); });

@@ -101,7 +101,7 @@ HitSample run_queries() {
 }  // namespace
 
 void add_form_factors() {
-  // compares the whole kernel with its rays alone
+  // compares the whole calculation of form factors with the casting of its rays alone
   const std::string what = "form-factor rays, 14,000 patches";
   const auto add_queries = [&](const char* who, std::function<HitSample()> run) {
     add(what, who, [run](benchmark::State& state) {

@@ -39,7 +39,7 @@ Params make_params(int samples, std::uint64_t seed) {
   Params params;
   params.width = params.height = SIZE;
   params.limits.depth = 5;
-  params.feelers = Feelers::front;  // only to the visible side, as in POV-Ray
+  params.feelers = Feelers::front;  // only to lights on the visible side, as in POV-Ray
   params.sample = SamplePosition::center;
   params.traversal = Traversal::nearest;
   params.sampling.pixel_samples = samples;

@@ -9,8 +9,8 @@
 
 namespace benchmarks {
 
-// Adds the benchmark "what/who", which calls `run` in this process. It reports the CPU time of the
-// returned samples, and the amount of work per second.
+// Adds the benchmark "what/who", which calls `run` in this process. The benchmark reports the CPU
+// time of the returned samples, and the amount of work per second.
 benchmark::internal::Benchmark* add(const std::string& what, const std::string& who,
                                     std::function<Sample(benchmark::State&)> run);
 

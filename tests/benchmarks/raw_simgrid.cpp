@@ -10,8 +10,8 @@ namespace s4u = simgrid::s4u;
 
 namespace {
 
-// Hosts that are connected as in tlab's machine layer: a link with two messages at the same time
-// has another rate than with one.
+// Hosts that are connected as in tlab's machine layer: the rate of a link depends on whether one or
+// two messages use it at the same time.
 class Platform {
  public:
   explicit Platform(const machine::Model& model) : model_(model), engine_(&argc_, argv_) {

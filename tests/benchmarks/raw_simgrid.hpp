@@ -1,7 +1,7 @@
 #pragma once
-// The same benchmarks, written directly with SimGrid's actors, mailboxes and executions. They show
-// the speed that is possible without tlab's machine layer. Messages cost no processor time; the
-// only property of a transputer is the rate of its links.
+// The benchmarks of simulated machines, written directly with SimGrid's actors, mailboxes and
+// executions. They show the speed that is possible without tlab's machine layer. Messages cost no
+// processor time; the only property of a transputer is the rate of its links.
 #include "simulator/machine/model.hpp"
 #include "tests/benchmarks/measure.hpp"
 #include "tests/benchmarks/traffic.hpp"

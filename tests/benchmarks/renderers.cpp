@@ -19,7 +19,7 @@ Params make_params(int depth) {
   Params params;
   params.width = params.height = SIZE;
   params.limits.depth = depth;
-  params.feelers = Feelers::front;  // only to the visible side, as in POV-Ray
+  params.feelers = Feelers::front;  // only to lights on the visible side, as in POV-Ray
   params.sample = SamplePosition::center;
   params.traversal = Traversal::nearest;
   return params;
@@ -66,7 +66,7 @@ Sample run_ours(const View& view, Traversal traversal) {
 }
 
 // Makes spheres that move in random directions, by at most their diameter, while the shutter is
-// open. With `stop`, they stand still in the middle of their ways.
+// open. With `stop`, they stand still halfway along their paths.
 Scene make_moving_spheres(int spheres, bool stop) {
   Scene scene = make_spheres(spheres);
   scene.moves.resize(object_count(scene));

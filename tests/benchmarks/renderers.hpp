@@ -19,9 +19,9 @@ struct PovraySamples {
   int light_side = 1;  // square root of the number of shadow feelers to an area light
 };
 
-// Renders the same view, spheres, floor and lights with POV-Ray: with one thread, camera rays
-// through the centres of pixels, and the depth as the only limit. Writes POV-Ray's files into
-// `folder`.
+// Renders the view, spheres, floor and lights of the scene with POV-Ray. POV-Ray uses one thread
+// and sends camera rays through the centres of pixels; only the depth limits its shading trees.
+// Writes POV-Ray's files into `folder`.
 PovrayRun run_povray(const renderer::Scene& scene, const renderer::Params& params,
                      const PovraySamples& samples, const std::string& folder);
 
@@ -33,9 +33,9 @@ struct HitSample {
   std::uint64_t hits = 0;  // number of rays that hit something
 };
 
-// Answers the same queries with Embree 3 or 4, one by one, with one thread and in single precision:
-// the first hit of a ray, or any hit of a shadow feeler. Nothing is shaded, so this speed is an
-// upper bound.
+// Intersects `rays` with Embree 3 or 4, one by one, with one thread and in single precision: finds
+// the first hit of a ray, or any hit of a shadow feeler. Nothing is shaded, so the measured speed
+// is an upper bound.
 HitSample run_embree(const renderer::Scene& scene, const std::vector<renderer::Ray>& rays);
 
 }  // namespace benchmarks

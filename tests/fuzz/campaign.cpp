@@ -78,7 +78,7 @@ void tell(Progress& progress, std::string_view what) {
   progress.what[size] = '\0';
 }
 
-// True if the reader accepts the text, or refuses it in the proper way.
+// True if the reader accepts the text, or refuses it by throwing base::BadInput.
 bool run_case(const Reader& reader, const std::string& text, Progress& progress) {
   try {
     reader.read(text);

@@ -1,4 +1,4 @@
-// What a fuzzing campaign finds. The reader of each test fails at every fourth text that a child
+// Findings of a fuzzing campaign. The reader of each test fails at every fourth text that a child
 // process gives it.
 #include "tests/fuzz/campaign.hpp"
 

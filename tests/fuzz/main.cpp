@@ -30,7 +30,7 @@ struct Options {
   Limits limits;
 };
 
-// After so many cases, a reader should have accepted some texts and refused others.
+// After this number of cases, a reader should have accepted some texts and refused others.
 constexpr std::uint64_t MANY = 100;
 
 std::vector<Reader> find_readers(const Options& o) {

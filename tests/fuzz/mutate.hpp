@@ -16,7 +16,7 @@ struct Corpus {
 /// limit on the length of a text, bytes
 inline constexpr std::size_t MAX_BYTES = 1 << 16;
 
-/// Neither the list `texts` nor a text in it may be empty.
+/// Collects the words of the texts. Neither the list `texts` nor a text in it may be empty.
 Corpus make_corpus(std::vector<std::string> texts);
 
 /// Applies between zero and a dozen random changes to one of the texts: flips bits; sets bytes;

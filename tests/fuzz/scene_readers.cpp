@@ -20,7 +20,7 @@ void read_nff(const std::string& text) {
   renderer::parse_scene(text, name, 1);
 }
 
-// Reads a scene, and writes it as NFF. Reading that must give the same scene.
+// Reads a scene, and writes it as NFF. Reading this NFF must give the same scene.
 void read_obj(const std::string& text) {
   const std::string name = name_scene(".obj");
   const auto write = [](const std::string& read, const std::string& as) {

@@ -100,7 +100,7 @@ void redirect(int stream, const char* file, int flags) {
   _exit(exit_code);
 }
 
-// True if the process ends within so many seconds.
+// True if the process ends within `seconds`.
 bool ends(int process, double seconds) {
   pollfd waited{process, POLLIN, 0};
   return poll(&waited, 1, static_cast<int>(1000 * seconds)) > 0;

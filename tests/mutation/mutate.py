@@ -38,13 +38,13 @@ NOT_RUN = re.compile(r"^(Kills|Fuzz|IncludeGraph|Docs|Consumer|Install)\b|Spin|H
 
 
 def room_of(file):
-    """The file's room, with the room inside it."""
+    """The folder of a file's room, such as simulator/farm, without deeper folders."""
     parts = Path(file).parent.parts
     return "/".join(parts[:3 if parts[0] == "experiments" else 2])
 
 
 def read_commands():
-    """The compile command of each source alone."""
+    """The compile command of each source, outside unity builds."""
     tree = BUILD / "commands"
     subprocess.run(["cmake", "--preset", "release", "-B", tree, "-DCMAKE_UNITY_BUILD=OFF"], cwd=ROOT, check=True,
                    stdout=subprocess.DEVNULL)
@@ -60,7 +60,7 @@ def read_commands():
 
 
 def read_sites(file, arguments):
-    """A source's mutation sites, cached until it changes: parsing takes seconds."""
+    """A source's mutation sites, cached until the source changes, because parsing takes seconds."""
     text = (ROOT / file).read_bytes() + Path(__file__).with_name("sites.py").read_bytes()
     kept = BUILD / "sites" / (hashlib.sha256(file.encode() + text).hexdigest() + ".json")
     if not kept.exists():
@@ -82,7 +82,7 @@ def draw_apart(sites, number, draw):
 
 
 def choose(rooms, number, seed):
-    """Draws equally many mutants from each room inside a room, and from each of its sources."""
+    """Draws mutants: equally many from each room below `rooms`, and from each source of a room."""
     commands = read_commands()
     by_room = {}
     for file in sorted(commands):
@@ -233,7 +233,7 @@ def measure(test, longest_s):
 
 
 def measure_all(tests, known, longest_s, pool):
-    """The same for all tests; results for unchanged sources come from the call before."""
+    """Calls measure() for all tests; for unchanged sources, takes the results of the previous call."""
     wanted = [t for t in tests if known.get(t.name, {}).get("version") != t.version]
     known = {t.name: known[t.name] for t in tests if t not in wanted}
     return known | dict(zip([t.name for t in wanted], pool.map(lambda t: measure(t, longest_s), wanted)))

@@ -10,7 +10,7 @@ namespace radiosity::reference {
 
 namespace {
 
-// of the file format and of the path tracer's results; a new version makes old files invalid
+// version of the file format and of the path tracer's results; files of another version are invalid
 constexpr int VERSION = 1;
 
 std::uint64_t hash(const std::string& text) {

@@ -27,7 +27,7 @@ struct Deviation {
 };
 
 /// Excludes pixels whose ray passes so close to an edge that Embree's single precision cannot tell
-/// on which side. They count as showing nothing.
+/// on which side of the edge. These pixels count as showing nothing.
 void leave_out_edges(Reference& reference, const Room& room);
 
 /// For each pixel: true if it shows a face that does not emit, and all its neighbours show this

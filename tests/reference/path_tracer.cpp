@@ -120,8 +120,8 @@ class PathTracer {
     }
   }
 
-  // Estimates the light that arrives at a point, as a radiosity. The point reflects this times its
-  // reflectance.
+  // Estimates the light that arrives at a point, as a radiosity. The point reflects this light
+  // multiplied by its reflectance.
   Rgb sample_irradiance(SurfacePoint point, Numbers& numbers) const {
     Rgb light, weight{1, 1, 1};
     for (;;) {
@@ -169,7 +169,8 @@ class PathTracer {
     return (density * e.area / e.share) * e.emission;
   }
 
-  // The probability density, per area, with which look_anywhere() finds a point that nothing hides.
+  // The probability density, per area, with which look_anywhere() finds the point `to` if nothing
+  // hides it.
   static double eval_transfer(const SurfacePoint& point, const SurfacePoint& to) {
     const Vec way = to.at - point.at;
     const double square = dot(way, way);

@@ -201,7 +201,7 @@ TEST(Calibration, AModelOfOnesOwnBeginsAsItsBase) {
   EXPECT_EQ(tlab(folder.path, {"model", "mine", "--new"}).exit_code, 2) << "it is there";
   for (const std::string name : {"", "t805-25", "a\nb", "a b"})
     EXPECT_EQ(tlab(folder.path, {"model", name, "--new"}).exit_code, 2) << name;
-  // The same for a base in another folder.
+  // A new model in another folder than its base can also be loaded.
   std::filesystem::create_directory(folder.path / "sub");
   ASSERT_EQ(tlab(folder.path, {"model", "sub/ours", "--new", "--base", "mine.toml"}).exit_code, 0);
   const auto read = tlab(folder.path, {"model", "sub/ours.toml"});

@@ -108,7 +108,7 @@ TEST_F(Interrupt, AKilledRunLeavesNoProgramAndTheNextOneTidies) {
   EXPECT_EQ(folder.names(), (Arguments{"bin", "e.toml", "r"}));
 }
 
-// Only graphs of users are drawn by another program.
+// tlab starts another program only to draw graphs that users have made.
 TEST_F(Interrupt, DrawingsOfTopologiesAreNotWaitedFor) {
   write_file(folder.path / "own.dot", "graph { 0 -- 1; 1 -- 2; 2 -- 0; 2 -- 3; }");
   for (const int signal : {SIGINT, SIGTERM}) {
@@ -203,7 +203,8 @@ TEST_F(Sweep, RenderingIsInterruptedWithThePictureSoFar) {
   }
 }
 
-// After a second signal, the program does not finish the output that follows the first one.
+// After a second signal, the program does not finish the output that it began to write after the
+// first signal.
 TEST_F(Interrupt, TheSecondOneEndsAtOnce) {
   write_file(folder.path / "e.toml",
              "[image]\nwidth = 12\n[sweep]\n\"image.height\" = [8, 50000]\n"

@@ -203,8 +203,8 @@ TEST(Matching, RunsOverOtherAxesAreRefused) {
             "expected at least one");
 }
 
-// If two seeds are combined in all ways, samples share seeds and are not independent: refused. Two
-// seeds that change together are accepted like one.
+// If two seeds are combined in all ways, samples share seeds and are not independent, so the runs
+// are refused. Two seeds that change together are accepted like one.
 TEST(Matching, OneSeedTellsSamplesApart) {
   auto run = make_run("a", 1, 2, 1, [](int, int) { return 1.0; });
   run.table.columns.insert(run.table.columns.begin(), "seed");

@@ -66,7 +66,8 @@ TEST(FaultDrawings, AnotherFaultLeavesATimeLine) {
   EXPECT_FALSE(fs::exists(folder.path / "r-fault.svg"));
 }
 
-// Costs that depend on the host's speed, and a run of two minutes.
+// A run with timed costs and a run of two minutes are not repeated after a fault, so there is no
+// drawing.
 TEST(FaultDrawings, NothingIsDrawnOfRunsThatAreNotRepeated) {
   Point point;
   PointResult failure;

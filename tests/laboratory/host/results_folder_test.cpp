@@ -147,7 +147,8 @@ TEST(ExperimentsResultsFolder, LooksAgainBeforeItCommits) {
   EXPECT_EQ(folder.names(), Names{"out"});
 }
 
-// Another process stores its results after the first check and before the exchange of the folders.
+// Another process stores its results after the first check of older results, and before the
+// exchange of the folders.
 TEST(ExperimentsResultsFolder, LooksOnceMoreAtWhatItHasReplaced) {
   const TemporaryFolder folder;
   const auto out = folder.path / "out";
@@ -220,7 +221,7 @@ TEST(ExperimentsResultsFolder, OlderRecordsThatCannotBePutBackAreKept) {
   EXPECT_EQ(folder.names(), (Names{"elsewhere", "out"}));
 }
 
-// A symbolic link to itself cannot be copied, like a record on a full disk.
+// A symbolic link to itself stands for a record that cannot be copied because the disk is full.
 TEST(ExperimentsResultsFolder, OlderRecordsThatCannotBeCarriedOverAreKept) {
   const TemporaryFolder folder;
   const auto out = folder.path / "out", points = fs::path("points/0123");
@@ -284,7 +285,8 @@ TEST(ExperimentsResultsFolder, RecordsAreKept) {
     return fs::exists(out / "points/0123" / record) &&
            read_file(out / "points/0123" / record) == record;
   };
-  // One process was killed after it had put its results in place, and another one before.
+  // One process was killed after it had put its results in place. Another process was killed before
+  // it had done so.
   put(working.string() + dead, "a.json");
   fs::create_directories(working.string() + dead + "/points/lone");
   write_file(working.string() + dead + "/points/lone/x.json", "x");

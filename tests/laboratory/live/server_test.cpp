@@ -233,7 +233,8 @@ TEST(LiveServer, ANewPageGetsTheCompleteState) {
     run.join();
     const auto [rest, last] = look(first);
     for (const auto& sample : rest.at("samples")) {
-      if (seen.back()[1] == sample[1]) seen.erase(seen.size() - 1);  // the same moment again
+      // A sample replaces the sample of the same time.
+      if (seen.back()[1] == sample[1]) seen.erase(seen.size() - 1);
       seen.push_back(sample);
     }
 

@@ -71,7 +71,7 @@ std::vector<std::string> run_column(const TemporaryFolder& folder, const std::st
   return cells;
 }
 
-// A single worker is simulated in addition only if the sweep has no point with one.
+// A single worker is simulated in addition only if the sweep has no point with one worker.
 TEST(ExperimentsSpeedups, OfANetworkWithASizeOfItsOwnAreAgainstASingleWorker) {
   const TemporaryFolder folder;
   const auto records = [&] {

@@ -229,7 +229,7 @@ TEST_F(Sweep, HalfWrittenRecordsOfKilledProcessesGo) {
   EXPECT_TRUE(fs::exists(alive));
 }
 
-// Puts a program with this name that always fails first on PATH, while the object lives.
+// While the object lives, the first program of this name on PATH is one that always fails.
 class Failing {
  public:
   Failing(const fs::path& folder, const char* name) {
@@ -244,7 +244,7 @@ class Failing {
   const std::string path_ = std::getenv("PATH");
 };
 
-// Only graphs of users are drawn by neato, so the network is one.
+// tlab calls neato only for graphs that users have made, so the network is such a graph.
 TEST_F(Sweep, DrawingsThatFailCostNoResults) {
   if (!is_gnuplot_installed()) GTEST_SKIP() << "no gnuplot";
   write_file(folder.path / "own.dot", "graph { 0 -- 1; 1 -- 2; 2 -- 0; 2 -- 3; }");

@@ -71,7 +71,7 @@ TEST(Legend, NamesTheAxesOnceAndTheValuesOfEachCurve) {
   EXPECT_NE(script.find("title \"tree, 200\""), script.npos);
 }
 
-// Of coupled axes, one names the curves.
+// If axes are coupled, the names of curves contain only one of them.
 TEST(Legend, OmitsAxesThatOthersDetermine) {
   Table table{.columns = {"workers", "height", "objects", "time_s"}, .axes = 3, .rows = {}};
   for (const std::int64_t workers : {1, 2})

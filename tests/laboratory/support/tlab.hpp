@@ -22,7 +22,7 @@ struct Outcome {
 };
 
 /// Starts tlab with `folder` as its current folder. `handler` is the handler of the signals that
-/// ask tlab to end. Its output goes to the files .out and .err in the folder.
+/// ask tlab to end. The output of tlab goes to the files .out and .err in the folder.
 inline pid_t start_tlab(const std::filesystem::path& folder, std::vector<std::string> arguments,
                         void (*handler)(int) = SIG_DFL) {
   arguments.insert(arguments.begin(), "tlab");
@@ -52,7 +52,7 @@ inline Outcome wait_for_tlab(const std::filesystem::path& folder, pid_t pid) {
 }
 
 /// Runs a line of shell commands in `folder`, with the built program as $TLAB. Returns the exit
-/// code, or 128 + the number of the signal that ended it.
+/// code of the shell, or 128 + the number of the signal that ended the shell.
 inline int run_line(const std::filesystem::path& folder, const std::string& line) {
   const auto command =
       "cd '" + folder.string() + "' && export TLAB='" + ::test::in_build("tlab") + "' && " + line;

@@ -39,7 +39,8 @@ TEST(LinearFit, ResidualsAreOrthogonalToTheTerms) {
   }
 }
 
-// For a line a + b x, the variance of b is that of a value, divided by the sum of (x - mean)^2.
+// For a line a + b x, the variance of b is the variance of one value, divided by the sum of
+// (x - mean)^2.
 TEST(LinearFit, VariancesOfALineAreTheTextbooks) {
   std::mt19937_64 random(2611);
   for (int trial = 0; trial < 50; ++trial) {

@@ -53,7 +53,8 @@ TEST(ExperimentsGrowth, PowersHaveNoBend) {
   }
 }
 
-// A number of 1/s processors reaches about half of the largest speed-up that Amdahl's law permits.
+// With a serial fraction s, 1/s processors reach about half of the largest speed-up that Amdahl's
+// law permits.
 TEST(ExperimentsGrowth, AmdahlsLawBendsNearOneOverItsSerialFraction) {
   Values x, y;
   for (int n = 1; n <= 1024; n *= 2) x.push_back(n);

@@ -89,8 +89,8 @@ TEST(Draw, WhatIsCalibratedHoldsItsCell) {
   }
 }
 
-// Throws if no value of the entry gives its formula `holds` the previous value, or if the formula
-// is not linear in the entry.
+// The draw is refused if no value of the entry gives its formula `holds` the previous value, or if
+// the formula is not linear in the entry.
 TEST(Draw, WhatCannotBeHeldIsRefused) {
   const auto draw = [](const std::string& holds) {
     const test::TemporaryFolder folder;

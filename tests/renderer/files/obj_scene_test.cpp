@@ -44,7 +44,7 @@ std::vector<Samples::Sums> render_small(const Scene& scene) {
   return render(scene, make_params(40, 30, 4)).samples.sums;
 }
 
-// Sends random content that OBJ can express to the target: polygons with and without normals, and
+// Sends to the target random content that OBJ can express: polygons with and without normals, and
 // all kinds of surfaces and lights.
 void tell_random(Random& random, NffTarget& target) {
   target.set_view(make_image_plane({.from = random.point(1) + Vec{0, 0, 6},

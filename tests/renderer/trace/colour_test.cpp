@@ -131,7 +131,7 @@ TEST(Colour, TimesTheSurfacesInAmbientAndDiffuseLight) {
   Params params = make_ambient(1, 1);
   params.ambient = 0.1;
   const Rendering found = render(scene, params);
-  // Seen and lit from directly above.
+  // The point is seen and lit from directly above.
   const Rgb colour = found.samples.get(0);
   EXPECT_NEAR(colour.r, 0.8 * 1.1 * 0.5, 1e-9);
   EXPECT_NEAR(colour.g, 0.8 * 1.1 * 0.5 * 0.2, 1e-9);

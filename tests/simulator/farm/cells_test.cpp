@@ -168,8 +168,8 @@ TEST(FrameBuffer, SmoothCellsAreBilinear) {
   EXPECT_GT(work[renderer::Op::pixel_interpolated], 16u);
 }
 
-// A pixel must show the mean of those of its samples whose primary ray has arrived. In the end this
-// equals the sum of the contributions, each with the weight 1 / pixel_samples.
+// A pixel must show the mean of those of its samples whose primary ray has arrived. At the end,
+// this mean equals the sum of the contributions, each with the weight 1 / pixel_samples.
 TEST(FrameBuffer, ShowsTheMeanOfSamples) {
   renderer::Sampling sampling;
   sampling.pixel_samples = 4;

@@ -259,8 +259,8 @@ TEST(Farm, FaultsSayWhoAndWhat) {
   }
 }
 
-// Messages of the farm take no other route. If a link is cut, the farm must wait for the lost
-// workers until it deadlocks, unless it had already finished.
+// Messages of the farm are not sent around a cut link. The farm must wait for the lost workers
+// until it deadlocks, unless it had already finished.
 TEST(Farm, ACutLinkIsADeadlockUnlessTheFarmIsOver) {
   const auto run_cut = [](double at_s) {
     return isolated([&] {

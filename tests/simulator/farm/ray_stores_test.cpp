@@ -161,7 +161,8 @@ TEST(RayStores, CountTheirWork) {
   EXPECT_EQ(stores.peaks().heap, 2u);
 }
 
-// A heap of n rays has log2(n) levels; no operation may exchange more rays than that.
+// A heap of n rays has log2(n) levels; no operation may exchange more rays than the heap has
+// levels.
 TEST(RayStores, HeapStepsAreLogarithmic) {
   std::mt19937_64 random(7);
   RayStores stores(CELLS, {});

@@ -52,8 +52,8 @@ std::string describe(const SharedParams& data) {
                      data.waiting_queue, int(data.method));
 }
 
-// The image must equal that of the sequential renderer. The farm must make one access for each test
-// of a box or object there. Each access is either local or a request.
+// The image must equal that of the sequential renderer. For each test of a box or object by the
+// sequential renderer, the farm must make one access. Each access is either local or a request.
 void expect_equal(const farm::Params& params, const std::string& topology,
                   const renderer::Scene& scene, const SharedParams& data) {
   run_isolated([&] {

@@ -91,7 +91,7 @@ TEST(IirraInput, GreensTreeGoesRoundTheDisplay) {
   EXPECT_EQ(error_of(params, "tree:5"), "");
 }
 
-// run_iirra must refuse such input before anything runs.
+// run_iirra must refuse invalid input before anything runs.
 TEST(IirraInput, ARunRefusesToo) {
   auto params = small_params();
   params.max_cell = 3;

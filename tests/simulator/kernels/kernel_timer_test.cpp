@@ -45,7 +45,8 @@ TEST(KernelTimer, WhatOtherProgramsAddNowAndThenIsMetByRepetition) {
   for (int i = 0; i < 10; ++i) EXPECT_NEAR(timer.eval(replay, 1), 3e-3, 1e-12);
 }
 
-// Long disturbances slow the yardstick, too, so the measured time must not change.
+// Long disturbances also slow the yardstick (the reference workload), so the measured time must not
+// change.
 TEST(KernelTimer, ASlowerHostIsMetByTheYardstick) {
   FakeHost host;
   KernelTimer timer(host.host);

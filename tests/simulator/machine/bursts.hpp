@@ -16,8 +16,8 @@ struct Load {
   std::vector<Burst> bursts;
 };
 
-// Makes a random load. They suit a model with a whole number of cycles per tick. Lengths of
-// low-priority computations are odd, so that none ends on a tick.
+// Makes a random load for models with a whole number of cycles per tick. Lengths of low-priority
+// computations are odd, so that none ends on a tick.
 inline Load make_load(std::uint64_t seed) {
   std::mt19937_64 random(seed);
   const auto blocked = make_exact_model().channel.blocked.value;
@@ -37,8 +37,8 @@ struct Recorded {
 };
 
 // Starts the processes of a load. The process of each burst ends by waiting for a message that
-// never comes, so that it leaves the CPU ahead of the clock. The cycles that start this wait are
-// counted as part of the burst.
+// never comes. It therefore gives up the CPU before the clock has reached the end of its charged
+// cycles. The cycles that start this wait are counted as part of the burst.
 inline void start_load(Lab& lab, Processor& cpu, const Load& load, Recorded& recorded) {
   recorded.burst_ends.resize(load.bursts.size());
   for (std::size_t i = 0; i < load.bursts.size(); ++i) {

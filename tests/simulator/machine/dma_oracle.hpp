@@ -26,7 +26,7 @@ struct Machine {
 
 struct Relay {
   int processor;
-  double computes;  // cycles that it computes for each message
+  double computes;  // cycles that the process computes for each message
 };
 struct Stream {
   std::vector<Relay> relays;    // from the source to the sink
@@ -125,7 +125,7 @@ class Simulation {
     return step_s;
   }
 
-  // An activity counts as ended if at most so many cycles or bytes are left.
+  // An activity counts as ended if at most HAIR cycles or bytes are left.
   static constexpr double HAIR = 1e-7;
 
   void advance(double step_s) {

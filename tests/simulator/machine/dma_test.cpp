@@ -68,9 +68,10 @@ TEST(Dma, TakesItsCyclesFromAComputationThatLastsLonger) {
   }
 }
 
-// A process owes computed cycles when it reaches an ALT. A message slows the CPU down, so the debt
-// seems to last until after the timeout's tick. The message ends early, however. The ALT must wait
-// for the tick; if it has a SKIP guard, it must take SKIP rather than the timeout.
+// A process reaches an ALT while it still owes charged cycles to the clock. A message slows the CPU
+// down, so the debt seems to last until after the timeout's tick. The message ends early, however.
+// The ALT must wait for the tick; if it has a SKIP guard, it must take SKIP rather than the
+// timeout.
 TEST(Dma, EndsBeforeAnAltIsPaidFor) {
   constexpr double TICK = 1024;  // length of a tick in cycles
   constexpr std::int64_t MOST_OWED = 1000, BEFORE = 64;

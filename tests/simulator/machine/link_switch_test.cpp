@@ -6,8 +6,8 @@
 namespace occam {
 namespace {
 
-// Returns the date in seconds at which the message has arrived. Each switch delays the first byte
-// and lengthens the period of the others.
+// Returns the date in seconds at which the message has arrived. Each switch delays the first byte,
+// and increases the time for every further byte.
 double time_through(const Model& model, int switches, std::uint64_t bytes) {
   return isolated_numbers([&] {
            Lab lab(model);

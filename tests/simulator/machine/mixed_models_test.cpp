@@ -14,7 +14,8 @@ std::shared_ptr<const Model> share(const char* name) {
   return std::make_shared<const Model>(load_model(name));
 }
 
-// Durations must depend on each processor's clock, and those of compiled occam on its own factor.
+// The duration of a computation must depend on the clock of its processor. For compiled occam, it
+// must also depend on the factor of this processor.
 TEST(MixedModels, EachProcessorHasItsOwnClockAndCosts) {
   const auto slow = share("t800-20");
   Model quick = load_model("t805-30");

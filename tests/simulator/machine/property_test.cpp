@@ -9,7 +9,7 @@ namespace {
 
 // The cost of a plan, counted without the simulator.
 struct Counts {
-  std::vector<std::int64_t> cycles;  // of each processor, without context switches
+  std::vector<std::int64_t> cycles;  // cycles of each processor, without context switches
   // Numbers of messages and bytes, by name of the link direction.
   std::map<std::string, std::pair<std::uint64_t, std::uint64_t>> links;
 };

@@ -19,15 +19,15 @@ struct Stage {
   int processor;
   bool two;
   Priority priority[2];
-  std::int64_t computes;  // cycles of computation for each message
-  int polls = 0;        // ticks that it waits for a message before it does other work; 0: for ever
-  bool in_par = false;  // the two processes are branches of a PAR in a third one
+  std::int64_t computes;      // cycles of computation for each message
+  int polls = 0;              // ticks of waiting for a message before other work; 0: for ever
+  bool in_par = false;        // the two processes are branches of a PAR in a third one
   bool by_companion = false;  // a process on the companion relays messages between the two
 };
 
 struct Stream {
   std::vector<Stage> stages;
-  std::vector<std::uint64_t> lengths;  // of the stream's messages, in bytes
+  std::vector<std::uint64_t> lengths;  // lengths of the stream's messages, in bytes
   machine::Seconds begins = {};
 };
 

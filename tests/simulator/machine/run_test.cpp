@@ -58,8 +58,9 @@ TEST(Run, EndsAtItsLimitWithNothingBeyond) {
   }
 }
 
-// A process blocks at an own time after the limit. The run must end at its limit, for any kind of
-// wait and any number of parts.
+// A process that charges cycles in advance has an own time ahead of the machine's clock. The
+// process blocks when its own time is past the limit. The run must end at its limit, for any kind
+// of wait and any number of parts.
 TEST(Run, EndsAtItsLimitThoughAProcessWaitsFromALaterTimeOn) {
   constexpr std::int64_t LIMIT = 100;  // limit of the run in cycles
   using Waits = void (*)(Channel<Words>&);

@@ -148,8 +148,8 @@ TEST(Scheduler, ProcessEndsWhenItsTimeHasPassed) {
 }
 
 // High-priority processes must run in the order of the dates at which they became ready. A process
-// may become ready at a date ahead of the clock. A process made ready by a link before that date
-// must run first.
+// that has charged cycles in advance may make another one ready at a date ahead of the clock. A
+// process made ready by a link before that date must run first.
 TEST(Scheduler, ReadyQueuesAreFirstComeFirstServedBySimulatedTime) {
   const auto found = isolated_numbers([] {
     Lab lab;

@@ -244,9 +244,10 @@ TEST(TimeSlices, TickThatPassesDuringAPreemptionCounts) {
 }
 
 // A first low-priority process computes. A high-priority one makes a second low-priority process
-// ready, at a date ahead of the clock unless it `pays` (syncs) before. Shortly before the tick, a
-// third low-priority process becomes ready or, if `has_message`, a message comes whose DMA delays
-// the work charged in advance. Returns the cycles at which the second and the third process end.
+// ready: at once if it `pays` (lets its charged cycles pass) before, otherwise at a date ahead of
+// the clock. Shortly before the tick, a third low-priority process becomes ready or, if
+// `has_message`, a message comes whose DMA delays the work charged in advance. Returns the cycles
+// at which the second and the third process end.
 Numbers end_around_tick(std::int64_t wakes, bool has_message, bool pays) {
   return isolated_numbers([&] {
     Model model = make_exact_model();

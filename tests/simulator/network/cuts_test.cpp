@@ -34,8 +34,8 @@ void add_routes(const Routing& routing, Waits& waits) {
   }
 }
 
-// Adds messages to all processors: such a message waits for every link that passes it on. Also
-// checks that it reaches every processor.
+// Adds broadcasts to the graph: a broadcast waits for every link over which a processor passes it
+// on. Also checks that a broadcast reaches every processor.
 void add_messages_to_all(const Routing& routing, Waits& waits) {
   const auto epoch = routing.epoch();
   for (int sender = 0; sender < routing.processors(); ++sender) {

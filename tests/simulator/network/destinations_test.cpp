@@ -62,8 +62,8 @@ TEST(Destinations, PermutationsFollowTheirDefinitions) {
       EXPECT_EQ(destination(transpose, 5 * row + column), row == column ? -1 : 5 * column + row);
 }
 
-// Largest number of messages on a direction of a link, counted along the routes of many drawn
-// messages, for each message per sender. Parallel links share their messages.
+// The largest number of messages on a direction of a link, divided by the number of messages per
+// sender. Counts along the routes of many drawn messages. Parallel links share their messages.
 double count_busiest(const Destinations& destinations, const topologies::Topology& topology,
                      const topologies::RoutingTable& routes, int draws, std::uint64_t seed) {
   std::map<std::pair<int, int>, double> counts, links;

@@ -216,7 +216,7 @@ TEST(Router, MessagesUnderWayWhenALinkIsCutArriveOnce) {
 
 // If messages are passed as pointers, the time must grow with the length only because of the link.
 // If they are copied, each byte is copied three times more: into the router, to the sender process
-// of the client's way, and to the client.
+// that serves the client, and to the client.
 TEST(Router, CopiesCostMemoryCyclesAByte) {
   const auto latency = [](bool pointers, std::uint64_t bytes) {
     return occam::isolated_numbers([&] {

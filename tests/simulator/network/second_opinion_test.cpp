@@ -1,7 +1,4 @@
-// Networks of the machine, compared with an independent simulation, and both with queueing theory.
-//
-// The CPUs are so fast here that routing takes no time, and links do not slow each other down. Only
-// store-and-forward over links remains; a link carries one packet at a time.
+// Compares networks of the machine with an independent simulation, and both with queueing theory.
 #include "tests/simulator/network/second_opinion.hpp"
 
 #include <gtest/gtest.h>

@@ -53,8 +53,8 @@ TEST(AltFailure, AGuardOnACutLinkIsNeverReady) {
     for (auto reader : BOTH_PRIORITIES) {
       const auto silent = wait_in_alt({1e9, writer, reader, 0, false});
       ASSERT_EQ(silent.at(0), 0);
-      // The link is cut from the start, before the writer arrives, or while the writer is ahead of
-      // the clock.
+      // The link is cut from the start, before the writer arrives, or while the writer has charged
+      // cycles in advance.
       for (const auto& [cut, computes] : {std::pair{0.0, 0}, {500.0, 3000}, {500.0, 900}}) {
         const auto found = wait_in_alt({cut, writer, reader, computes});
         EXPECT_EQ(found.at(0), 0) << cut;
@@ -124,8 +124,8 @@ TEST(FailureDeadlock, SaysThatTheLinkIsCut) {
   }
 }
 
-// The link is cut while the process, ahead of the clock, has not yet reached it. This must not
-// postpone the date of the deadlock.
+// The process has charged cycles in advance. The link is cut before the clock reaches the own time
+// at which the process uses the link. The cut must not postpone the date of the deadlock.
 TEST(FailureDeadlock, IsNotPutOffByACutBeforeTheProcessComes) {
   const auto blocked = static_cast<double>(make_exact_model().channel.blocked.value);
   const auto report = deadlock_of(blocked / 2, [](Lab& lab, Processor& a, Processor& b) {

@@ -18,7 +18,8 @@ struct Choice {
   int skip;                // place of SKIP among the guards; -1: no SKIP
 };
 
-// Makes every set of waiting writers under every set of conditions, with SKIP at any place.
+// Makes all choices: every set of waiting writers, with every set of true conditions, and with SKIP
+// at any place.
 std::vector<Choice> make_choices() {
   std::vector<Choice> choices;
   for (unsigned waiting = 0; waiting < 1u << CHANNELS; ++waiting)
@@ -112,9 +113,9 @@ TEST(Alt, CostsItsInstructionsAndTheInput) {
   EXPECT_EQ(excess_of_input, std::set<double>{0});
 }
 
-// Two writers output to channels of an ALT. The first output must wake the ALT, whether its channel
-// is soft or hard and its writer ahead of the clock or not; the second must wait for the next ALT.
-// `dates` are the cycles of the outputs after LATE.
+// Two writers output to channels of an ALT. The first output must wake the ALT; the second must
+// wait for the next ALT. The channels may be soft or hard, and the writers may have charged cycles
+// in advance. `dates` are the cycles of the outputs after LATE.
 struct Wake {
   bool hard[2];
   Priority reader, writer;
@@ -201,8 +202,8 @@ TEST(Alt, WordsOfOccam) {
   EXPECT_EQ(found, (Numbers{2, 1, -2}));
 }
 
-// A high-priority process reaches its ALT ahead of the clock. Outputs that came before its own time
-// must be ready.
+// A high-priority process has charged cycles in advance, so that it reaches its ALT at an own time
+// ahead of the clock. Outputs that came before its own time must be ready.
 TEST(Alt, AheadOfTheClockSeesTheOutputsThatCameBefore) {
   for (bool reader_first : {false, true})
     for (auto priority : BOTH_PRIORITIES) {

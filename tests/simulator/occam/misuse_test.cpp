@@ -135,7 +135,8 @@ TEST(Misuse, AnEndMayBeHandedOver) {
   }
 }
 
-// The second process starts early, but by its own time it arrives long after the first has left.
+// The second process starts early, but it charges cycles in advance. By its own time it arrives
+// long after the first process has left.
 TEST(Misuse, OneWhoComesLaterByItsOwnTimeIsNotRefused) {
   const auto found = isolated_numbers([] {
     Lab lab;

@@ -35,8 +35,7 @@ std::int64_t expected_time(const Model& model, const Tree& tree) {
   return time;
 }
 
-// Runs the tree, and returns its own time at the end. A parent must continue after all its
-// branches.
+// Runs the tree, and returns the time at its end. A parent must continue after all its branches.
 double run_tree(const Tree& tree, Priority priority, std::string& wrong) {
   compute(tree.cycles);
   double last = 0;
@@ -163,7 +162,8 @@ TEST(Par, HighBranchOfALowParentRunsAtOnce) {
   EXPECT_EQ(found.at(3), started.value + 500 + (2 * s.end_process + s.return_to_low).value);
 }
 
-// The own time of a process without debt must be exact, and must include the time without the CPU.
+// The own time of a process that owes no charged cycles must be exact. It must include the time
+// during which the process was without the CPU.
 TEST(Par, ALowParentHasLostTheTimeOfAHighBranch) {
   const Model model = make_complete_model();
   const auto found = isolated_numbers([&] {
@@ -258,7 +258,8 @@ TEST(Par, LeavesNothingBehind) {
 #endif
 }
 
-// Each branch leaves a timeout behind that does not fire. This must be harmless and cheap.
+// Each branch leaves behind a timeout that does not fire. The timeouts must not keep branches
+// alive.
 TEST(Par, BranchesMayEndBeforeTheirTimeouts) {
   for (std::int64_t patience : {100, 1'000'000'000}) {
     const auto found = run_branches(50'000, [&](Channel<Words>& channel) {

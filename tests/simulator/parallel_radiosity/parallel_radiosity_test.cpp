@@ -136,7 +136,7 @@ TEST(Amp, LossesAddUp) {
       });
 }
 
-// There is no waiting, so the machine's time must be that of the kernels' cycles.
+// A single processor never waits, so the machine's time must be that of the kernels' cycles.
 TEST(Amp, OneProcessorTakesItsKernelsTime) {
   const Mesh mesh = make_room(0, 3);
   const Params params = make_params(5);
@@ -169,8 +169,8 @@ TEST(Amp, SharedGeometryGivesTheSameSolution) {
       });
 }
 
-// If all processors have another model, this must be as another machine. If only some have, the
-// faster processors must wait.
+// If all processors have another model, the times must be those of a machine of this model. If only
+// some have it, the faster processors must wait.
 TEST(Amp, ProcessorsOfOtherModels) {
   const Mesh mesh = make_room(1, 3);
   for (const double cache_percent : {0., 30.}) {

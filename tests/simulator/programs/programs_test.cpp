@@ -1,4 +1,5 @@
-// Runs every program with its defaults on a small network. The experiments check what they measure.
+// Runs every program with its defaults on a small network. Checks in experiment files test the
+// measurements of programs.
 #include "simulator/programs/programs.hpp"
 
 #include <gtest/gtest.h>
@@ -256,7 +257,8 @@ TEST(Programs, ParametersKnowWhatTheyAllow) {
   EXPECT_EQ(sources.find("messages")->assign(of_sources, 3), "a whole number from 4 to 10000000");
 }
 
-// The stages of an experiment file ([[stage]]).
+// The keys of a stage ([[stage]] in an experiment file) must accept valid limits and refuse invalid
+// ones.
 TEST(Programs, LimitsOfAStageKnowWhatTheyAllow) {
   for (const char* name : {"farm", "iirra"}) {
     SCOPED_TRACE(name);

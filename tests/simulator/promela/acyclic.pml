@@ -4,7 +4,7 @@
  * A receiver or a sender takes a message, then outputs it. It is modelled as a place for one message,
  * with the states of the process; a rendezvous moves a message from a full place to an empty one.
  * A message crosses a wire as soon as both ends are ready. Until then nothing else can use these ends,
- * and the crossing holds nothing up. So a later crossing could lead to no other final state. */
+ * so crossing at once delays nothing, and a later crossing could lead to no other final state. */
 #include "network.pml"
 
 /* 1 + destination; 0: empty, listening */

@@ -6,7 +6,7 @@
  * -DSENT_RETURNS: cells that are sent away are counted as returned.
  * -DPARKED_MOVE: a parked cell is sent, once in a run, and stays counted.
  * -DNO_RECOUNT: with new limits, pixels reported under the old ones are not counted again.
- * -DEMPTY: a division can make a daughter without pixels beside the others.
+ * -DEMPTY: a division can make a cell without pixels beside the others.
  * -DPATIENT: a worker with a request listens only to the answer.
  * -DDEAF: a stopped worker takes no messages.
  * -DHASTY: workers are stopped before the display has its last answers.
@@ -30,12 +30,12 @@ bool ended;               /* the display's answer to `over` */
 bool stop;                /* message to the workers, after this answer */
 
 /* The workers. */
-byte entered[W];      /* the phase; 0: no limits have come yet */
+byte entered[W];      /* phase of the worker; 0: no limits have come yet */
 byte returned[W];     /* pixels not yet reported */
-byte finished[W];     /* pixels */
+byte finished[W];     /* pixels in finished cells */
 byte open[SIZES * W]; /* active cells */
 byte parked[SIZES * W];
-byte moving[SIZES * W]; /* on their way to each worker */
+byte moving[SIZES * W]; /* active cells on their way to each worker */
 byte stopped;           /* number of stopped workers */
 #ifdef PARKED_MOVE
 bool parked_moved;

@@ -71,8 +71,8 @@ Drawn read_drawing(const std::string& svg) {
   return drawn;
 }
 
-// The root has a second circle around its own. The number of a port stands beside its processor,
-// one letter outside its circle along the link and 0.72 letters across.
+// The root has a second circle around its own. The number of a port stands beside its processor:
+// outside the circle by the size of a letter, along the link, and 0.72 times this size to the side.
 TEST(Drawing, ShowsTheRootAndWritesPortsBesideTheirProcessors) {
   constexpr double RADIUS = 13.5, LETTER = 8;  // points
   for (const auto* spec : {"line:3", "ring:7", "mesh:3x4", "tree:7", "star:5"}) {

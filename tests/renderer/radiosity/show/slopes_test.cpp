@@ -133,7 +133,8 @@ TEST(Slopes, AtBordersAreTheParabolas) {
     EXPECT_NEAR(along(slopes[v], up).r, values[v % 4 + 4].r - values[v % 4].r, 1e-12);
 }
 
-// Therefore, the slope along a crease is the same on both sides, even if their patches differ.
+// Along a straight border, slopes depend only on the vertices of the border. The slope along a
+// crease is therefore the same on both sides, even if their patches differ.
 TEST(Slopes, AlongAStraightBorderDependOnItsVerticesOnly) {
   Random random{5};
   const auto plane = make_plane(random, true);
@@ -155,7 +156,8 @@ TEST(Slopes, AlongAStraightBorderDependOnItsVerticesOnly) {
               1e-12);
 }
 
-// If slopes only turn with the surface, they do not change, so that mixed derivatives are zero.
+// If slopes change only by turning with the surface, they count as constant, so that mixed
+// derivatives are zero.
 TEST(Twists, DoNotMistakeTheTurnOfACurvedSurfaceForAChange) {
   const auto helix = [](double u, double v) { return place_on_cylinder(u + v / 3, v); };
   const Mesh mesh = make_grid(make_lines(4), make_lines(4), helix);

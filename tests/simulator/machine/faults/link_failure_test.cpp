@@ -18,9 +18,9 @@ struct Try {
   std::uint64_t bytes = 8;
 };
 
-// Cuts the link at `cycle` while these processes output and input. Returns for each process whether
-// its message was moved, and the cycle at which its operation ended; then the end of the run and
-// the counts of messages and bytes.
+// Cuts the link at `cycle` while the processes of `tries` output and input. Returns for each
+// process whether its message was moved, and the cycle at which its operation ended. The end of the
+// run and the counts of messages and bytes follow.
 Numbers try_all(double cycle, const std::vector<Try>& tries, int switches = 0) {
   return isolated_numbers([&] {
     CutPair pair(cycle, make_exact_model(), switches);
@@ -115,8 +115,8 @@ TEST(LinkFailure, IsToldAtOnceWhenItWasBefore) {
       }
 }
 
-// One process waits, and its partner is ahead of the clock. The waiting process must fail at the
-// cut, the other one when it reaches the link.
+// One process waits. Its partner has charged cycles in advance, and so is ahead of the clock. The
+// waiting process must fail at the cut, the other one when it reaches the link.
 TEST(LinkFailure, BetweenTheTwoEndsOfAMeeting) {
   for (auto first : {Side::writer, Side::reader}) {
     const Side second = first == Side::writer ? Side::reader : Side::writer;
@@ -127,8 +127,9 @@ TEST(LinkFailure, BetweenTheTwoEndsOfAMeeting) {
   }
 }
 
-// At the cut, the first process is ahead of the clock. The second arrives after the cut, but before
-// the own time of the first. Each must fail at its own time.
+// At the cut, the first process has charged cycles in advance, so that its own time is ahead of the
+// clock. The second arrives after the cut, but before the own time of the first. Each must fail at
+// its own time.
 TEST(LinkFailure, IsToldThoughThePartnerIsAheadOfTheClock) {
   for (auto first : {Side::writer, Side::reader})
     for (auto priority : BOTH_PRIORITIES) {
@@ -187,7 +188,7 @@ TEST(LinkFailure, GivesTheCyclesOfTheDmaBack) {
                 ROUNDING);
 }
 
-// A cut after the end of the run or after its limit must have no effect, nor a second cut.
+// A second cut, and a cut after the end of the run or after its limit, must have no effect.
 TEST(LinkFailure, IsToldOnceAndNotAfterTheEnd) {
   const auto run = [](double cut, double end, double limit) {
     return isolated_numbers([=] {
