@@ -1,5 +1,5 @@
-# Writes the current commit, for `tlab --version`, into FILE; nothing if the sources are not a clone.
-# Touches the file only if it changes.
+# Writes the current commit, for `tlab --version`, into FILE. Writes nothing if the sources are not in a clone
+# of the repository. Touches FILE only if its content changes.
 execute_process(COMMAND git -C ${SOURCE} rev-parse --show-toplevel
                 OUTPUT_VARIABLE clone OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
 if(clone STREQUAL SOURCE)

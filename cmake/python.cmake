@@ -1,5 +1,6 @@
-# The Python package: its own modules, and tlab._native, linked from the rooms. In the build tree it is
-# in python/, beside the command that it starts; its modules are links to the sources there.
+# Builds the Python package. It consists of Python modules and of the extension tlab._native, which is linked
+# from the C++ modules. The build tree has the package in python/, beside the command that the package starts.
+# The Python modules there are links to the sources.
 set_target_properties(experiments_python_bindings PROPERTIES CXX_VISIBILITY_PRESET hidden)
 pybind11_add_module(tlab_native MODULE NO_EXTRAS ${PROJECT_SOURCE_DIR}/experiments/python/bindings/main.cpp)
 target_link_libraries(tlab_native PRIVATE experiments_python_bindings)

@@ -1,4 +1,4 @@
-# Makes the documents of all packages; cpack runs it on the staged files before it packs them.
+# Makes the documents of all packages. cpack runs this file on the staged files before it packs them.
 set(staged "")
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   string(TOUPPER ${component} name)
