@@ -33,7 +33,7 @@ def fenced(text, language):
     return f"```{language}\n{text.rstrip()}\n```\n"
 
 
-# Text in prose: what Markdown and HTML would take for their own.
+# Escapes the characters of a text that Markdown or HTML would interpret. Does not change code between backquotes.
 def prose(text):
     parts = re.split(r"(`[^`]*`)", text)
     return "".join(p if p.startswith("`") else re.sub(r"([*_<>\[\]])", r"\\\1", p) for p in parts)
@@ -41,13 +41,13 @@ def prose(text):
 
 @a_filter
 def text(outputs):
-    """What is printed, as it is."""
+    """The printed output, unchanged."""
     return fenced("".join(outputs), "text")
 
 
 @a_filter
 def source(outputs, *functions):
-    """A file of C++; or some of its functions and types, each by how its first line begins."""
+    """A C++ file, or only some of its functions and types. Each one is named by the beginning of its first line."""
     if not functions:
         return fenced(outputs[0], "cpp")
     excerpts = []
@@ -61,13 +61,13 @@ def source(outputs, *functions):
 
 @a_filter
 def markdown(outputs):
-    """What is Markdown already."""
+    """The printed output, which is already Markdown."""
     return outputs[0].rstrip() + "\n"
 
 
 @a_filter
 def usage(outputs):
-    """`--help`."""
+    """The output of `--help`, with long lines wrapped."""
     help_text = re.sub(r"Usage: \S+", "Usage: tlab", outputs[0])
     help_text = re.sub(r"(--jobs \S+) \[\d+\] +", r"\1 [processors of this host]\n" + 30 * " ", help_text)
     lines = []
@@ -77,7 +77,7 @@ def usage(outputs):
     return fenced("\n".join(lines), "text")
 
 
-# Lines "  name    help" of the part of a help text that begins with `head`.
+# Yields indent, name and help of each line "  name    help" in the part of a help text that begins with `head`.
 def entries(help_text, head):
     lines = ("\n" + help_text).split("\n" + head, 1)[1].split("\n")[1:]
     for line in lines:
@@ -89,7 +89,7 @@ def entries(help_text, head):
 
 @a_filter
 def keys(outputs, *sections):
-    """Keys of the experiment file, of the sections named; "other": keys and sections without a dot."""
+    """Table of the experiment file's keys in the named sections. "other" stands for all names without a dot."""
     rows = [["key", "meaning"]]
     for indent, name, about in entries(outputs[0], "Keys of the experiment file"):
         if name == "model.SECTION.NAME" or indent > 2:
@@ -109,7 +109,7 @@ def example(outputs):
     return fenced(re.search(r"^Example:\n\n(.*?)(\n\nKeys:\n|\Z)", outputs[0], re.DOTALL | re.MULTILINE)[1], "toml")
 
 
-# The parameters of programs from the help on all keys: for each program its description and rows.
+# Reads the help on all keys. Returns, for each program, its description and the rows of its table of parameters.
 def parameters_of_programs(help_text):
     found = {}
     for indent, name, about in entries(help_text, "Programs (program.name)"):
@@ -128,7 +128,7 @@ def parameters_of_programs(help_text):
 
 @a_filter
 def program(outputs, name):
-    """A program: its parameters, from the help on keys, and its results, from `tlab columns --markdown`."""
+    """One program. The help on keys gives its parameters; `tlab columns --markdown` gives its results."""
     about, rows = parameters_of_programs(outputs[0])[name]
     columns = re.search(rf"^### {name}\n\n.*?\n\n(.*?)(\n\n|\Z)", outputs[1], re.DOTALL | re.MULTILINE)[1]
     return (f"## `{name}`\n\n{prose(about[0].upper() + about[1:])}.\n\n"
@@ -180,7 +180,7 @@ def calibrated(outputs):
 
 @a_filter
 def differences(outputs):
-    """Entries in which models differ, a column for each model."""
+    """Table of the entries in which models differ, with one column for each model."""
     models = [{row[0]: row[1] for row in model_rows(output)} for output in outputs]
     units = {row[0]: row[2] for row in model_rows(outputs[0])}
     names = [output.split()[1] for output in outputs]
@@ -191,7 +191,7 @@ def differences(outputs):
 
 @a_filter
 def metrics(outputs):
-    """Metrics of topologies, a row each."""
+    """Table of the metrics of topologies, with one row for each topology."""
     columns = {}
     for output in outputs:
         pairs = [re.split(r"  +", line.strip(), maxsplit=1) for line in output.strip().split("\n")]
@@ -203,14 +203,14 @@ def metrics(outputs):
 
 @a_filter
 def picture(outputs, name, *words):
-    """A drawing, kept as pictures/NAME."""
+    """Saves the printed drawing as pictures/NAME, and shows it."""
     (MANUAL / "pictures" / name).write_text(outputs[0])
     return f"![{' '.join(words)}](pictures/{name}){{.net}}\n"
 
 
 @a_filter
 def rooms(outputs):
-    """The rooms of CMakeLists.txt and what each may include."""
+    """Table of the rooms (C++ modules) in CMakeLists.txt, and of the rooms that each of them may include."""
     rows = [["room", "knows"]]
     for words in re.findall(r"\n *add_room\(([^)]*)\)", outputs[0]):
         name, *rest = words.split()
@@ -224,7 +224,7 @@ def rooms(outputs):
     return table(rows)
 
 
-# A number and its per cent stay in one line.
+# Keeps each number and its percent sign on one line.
 def whole(numbers):
     return numbers.replace(" %", "&nbsp;%")
 
@@ -234,7 +234,7 @@ CHECK = re.compile(r"^(ok|FAILED)\s+(.*): (\S+) (at .*)$")
 
 @a_filter
 def checks(outputs):
-    """`tlab verify`: a row for each check."""
+    """Table of the checks of `tlab verify`, with one row for each check."""
     rows, experiment = [["experiment", "check", "column", "points", "worst", "allowed"]], ""
     for output in outputs:
         for line in output.split("\n"):
@@ -255,7 +255,9 @@ def checks(outputs):
 
 @a_filter
 def cells(outputs, check, row_key, column_key):
-    """One check of `tlab verify --all`: simulated values by two keys, the reference's in brackets."""
+    """Table of one check of `tlab verify --all`: the simulated value for each pair of values of two keys.
+
+    The reference value is in brackets."""
     lines = outputs[0].split("\n")
     start = next(i for i, line in enumerate(lines) if (m := CHECK.match(line)) and m[2] == check)
     head = lines[start + 1].split()
@@ -276,7 +278,7 @@ def cells(outputs, check, row_key, column_key):
 
 @a_filter
 def ratios(outputs):
-    """The table at the end of the benchmarks: medians against others."""
+    """Table of the medians at the end of the benchmarks, compared with other programs."""
     rows = [["", "tlab", "against", "", "ratio"]]
     for line in outputs[0].split("\nmedians, items a second")[1].split("\n")[1:]:
         if found := re.fullmatch(r"(.+?) {2,}([\d.]+)M(?: +(\S.*?) +([\d.]+)M +([\d.]+))?", line):
@@ -287,7 +289,7 @@ def ratios(outputs):
 
 @a_filter
 def costs(outputs, name):
-    """What a transputer and an event cost, from the end of the benchmarks, with a picture of that name."""
+    """Table and picture (file `name`) of the costs of a transputer and of an event, from the end of the benchmarks."""
     machines = sorted(tuple(map(int, found)) for found in re.findall(
         r"^neighbours of a (\d+) x \1 mesh, (\d+) cycles, tlab direct +(\d+) KB a transputer +(\d+) ns an event$",
         outputs[0], re.MULTILINE))
@@ -299,7 +301,8 @@ def costs(outputs, name):
             + table([["processors", "cycles a round", "KB a transputer", "ns an event"], *machines]))
 
 
-# Against the size with the work that most have, and against the work on the machine that is loaded most ways.
+# Draws the host time of an event twice. The left side shows it against the number of processors, for the most
+# frequent number of cycles. The right side shows it against the cycles, for the most frequent number of processors.
 def draw_costs(machines, path):
     import matplotlib
 
@@ -352,7 +355,9 @@ def confidence(outputs, column):
 
 @a_filter
 def rankings(_, folder):
-    """What is best on how many machines, from the rankings.csv of `tlab run --uncertain` in a folder."""
+    """Table of the best values, and of the number of machines that agree, from `folder`/rankings.csv.
+
+    `tlab run --uncertain` has written this file."""
     with open(ROOT / folder / "rankings.csv", encoding="utf-8", newline="") as file:
         rows = list(csv.DictReader(file))
     about_all = len({row["question"] for row in rows}) == 1
