@@ -1,5 +1,6 @@
-// A sorting pipeline: each cell keeps the largest number so far, passes the others on, and sends
-// its own at the end. With as many cells as numbers, the numbers leave the last cell sorted.
+// A sorting pipeline. Each cell keeps the largest number so far and passes all other numbers on. At
+// the end it sends the number that it has kept. With as many cells as numbers, the numbers leave
+// the last cell sorted.
 //
 //        +--------+   +------+   +------+         +------+   +------+
 //        | source |-->| cell |-->| cell |-- ... ->| cell |-->| sink |
