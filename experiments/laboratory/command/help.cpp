@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t ABOUT_COLUMN = 30;  // column at which descriptions begin
 
-// Formats "  NAME   ABOUT". A long name gets a line of its own, and the description the next one.
+// Formats "  NAME   ABOUT". If the name is long, the description is on the next line.
 std::string line_of(const std::string& name, const std::string& about) {
   std::string line = "  " + name;
   if (about.empty()) return line + "\n";

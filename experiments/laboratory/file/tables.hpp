@@ -15,7 +15,8 @@ inline constexpr int LAST_PROCESSOR = topologies::MAX_PROCESSORS - 1;
 /// the table's number and line for unknown, missing or contradictory keys. Does not check whether
 /// the links and processors exist; the network is not known yet.
 std::vector<FaultSpec> read_faults(const Place& at);
-/// Reads every [[processor]], with the same rules as read_faults.
+/// Reads every [[processor]], in the order of the file. Throws BadInput as read_faults() does. Does
+/// not check whether the processors exist.
 std::vector<OtherProcessor> read_others(const Place& at);
 
 /// Reads [let], [[check]], [[plot]], [[best]] and [report] into `into`, whose path and folder must

@@ -49,8 +49,8 @@ base::Scalar read_value(const Place& at, const base::Domain& domain);
 /// Reads the text of an expression, which may also be written as a number.
 std::string read_expression(const Place& at);
 
-/// Reads a list of rows with N whole numbers each, from 0 to `high`. No value if `value` is no such
-/// list.
+/// Reads a list of rows. Each row has N whole numbers from 0 to `high`. Returns no value if `value`
+/// is anything else.
 template <std::size_t N>
 std::optional<std::vector<std::array<int, N>>> find_rows(const base::Scalar& value, int high) {
   std::vector<std::array<int, N>> all;

@@ -5,9 +5,9 @@
 namespace laboratory {
 
 /// Checks the output files of --trace, --timeline and --animate for a run with `points` points.
-/// Throws BadInput if an extension has no known format, a file would lie inside the results folder,
-/// the run has more than one point, or the point cannot show the film. Throws std::system_error if
-/// a file cannot be written.
+/// Throws BadInput if an extension has no known format, if a file would lie inside the results
+/// folder, if the run has more than one point, or if the point's program cannot draw the requested
+/// film. Throws std::system_error if a file cannot be written.
 void check_recordings(const RunOptions& options, const ExperimentFile& file, std::size_t points);
 
 /// Returns a function that runs a point as run_point() does, and writes the requested recordings,

@@ -1,5 +1,5 @@
 #pragma once
-// Help on the keys of the experiment file, both common ones and those of programs.
+// Help on the keys of the experiment file: keys common to all experiments, and keys of programs.
 #include <string>
 
 #include "simulator/programs/programs.hpp"
@@ -9,9 +9,10 @@ namespace laboratory {
 /// Formats a heading and one line for each key common to all experiments.
 std::string describe_keys();
 
-/// Formats one line for each key, of any program, whose section or last part is `word`, or whose
-/// last part ends with "_" and `word`. Leaves out the keys of the program `word`, and those of the
-/// section [program]. Keys that not all experiments have are followed by their programs.
+/// Formats one line for each key, of any program, that matches `word`. A key matches if its section
+/// or its last part is `word`, or if its last part ends with "_" and `word`. Leaves out the keys of
+/// the program `word`, and those of the section [program]. A key that only some programs have is
+/// followed by the names of these programs.
 std::string describe_keys_of(const std::string& word);
 
 /// Formats the program's name and description, and one line for each of its keys: meaning, unit,

@@ -14,12 +14,13 @@ namespace laboratory {
 using Identity = std::vector<std::pair<std::string, std::string>>;
 
 /// Collects the program's version, the scene, the order of pixels and all parameters. Identifies a
-/// generated scene by its name, and a scene file by its bytes and those of the files it refers to,
-/// not by its path.
+/// generated scene by its name. Identifies a scene file not by its path but by its bytes and the
+/// bytes of the files that it refers to.
 Identity identify(const std::string& scene, const renderer::Params& params,
                   renderer::progressive::Order order);
 
-/// Writes the state to a file as base::save_whole() does.
+/// Writes the state to a file. A failure leaves the previous content of the file
+/// (base::save_whole()).
 void save_state(const std::string& path, const Identity& identity,
                 const renderer::progressive::RefinementState& state);
 

@@ -9,8 +9,8 @@
 
 namespace laboratory {
 
-/// Ratio of counted cycles to host CPU time, measured with three workloads: single rays of a farm,
-/// its blocks of pixels, and steps of radiosity.
+/// Ratio of counted cycles to host CPU time. It is measured with three workloads: a farm with
+/// single rays as tasks, a farm with blocks of pixels as tasks, and steps of radiosity.
 struct HostSpeed {
   struct Workload {
     std::string name;
