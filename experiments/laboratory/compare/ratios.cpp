@@ -19,8 +19,8 @@ bool is_empty(const Table& table, std::size_t row, const std::string& column) {
   return table.rows[row][*table.find(column)] == Value();
 }
 
-// The numbers of a column in the given rows, without empty cells. No value if all cells are empty
-// or a cell is a string.
+// The numbers of a column in the given rows. Skips empty cells. No value if all cells are empty or
+// a cell is a string.
 std::optional<Numbers> find_numbers(const Table& table, const Rows& rows,
                                     const std::string& column) {
   Numbers numbers;

@@ -9,7 +9,7 @@
 
 namespace laboratory {
 
-/// The ratio of a run's result at one point to that of the first run.
+/// A run's result at one point, divided by the first run's result at this point.
 struct Ratio {
   double value = 0;  ///< for several seeds, the ratio of the geometric means
   /// The 95 % interval of the ratio, by Student's t-test on logarithms: paired by seed if both runs
@@ -65,9 +65,9 @@ std::vector<std::string> find_common_results(const std::vector<NamedTable>& runs
 /// to 1.02", if any point has one.
 Table compare_column(const MatchedRuns& matched, const std::string& column);
 
-/// Makes a table for other programs, with one row for each combination of result, point and run
-/// after the first. Its columns are "result", the axes, "run", "value" of this run, "first" (the
-/// first run's value), "ratio", and "low" and "high" of the ratio's interval.
+/// Makes a table for other programs, with one row for each combination of a result, a point, and a
+/// run other than the first. Its columns are "result", the axes, "run", "value" of this run,
+/// "first" (the first run's value), "ratio", and "low" and "high" of the ratio's interval.
 Table list_ratios(const MatchedRuns& matched, const std::vector<std::string>& columns);
 
 /// Puts the tables of the runs below each other: one row for each run and point, with the columns

@@ -37,8 +37,8 @@ struct ComparedRun {
 std::vector<ComparedRun> load_runs(const std::vector<std::string>& folders);
 
 /// Makes the results table of each run, without rows of incomplete points. If a key is an axis in
-/// one run and has a single value in another run, the other run's table also gets this axis, with
-/// the value in every row.
+/// run A and has a single value in run B, the table of B also gets this axis, with the value in
+/// every row.
 std::vector<NamedTable> make_tables(const std::vector<ComparedRun>& runs);
 
 /// Makes a table with one row for each setting that differs between the runs: its name, then its
@@ -48,8 +48,8 @@ Table find_differing_settings(const std::vector<ComparedRun>& runs);
 
 /// Makes a table with one row for each model entry whose value differs: "entry", "unit", then the
 /// value in each run. If a run has several models, only models with names that all runs have are
-/// compared. Their entries are shown as "MODEL: ENTRY", and a row "models" lists the models of each
-/// run if they differ.
+/// compared. Their entries are shown as "MODEL: ENTRY". If the runs have different models, a row
+/// "models" lists the models of each run.
 Table find_differing_entries(const std::vector<ComparedRun>& runs);
 
 }  // namespace laboratory
