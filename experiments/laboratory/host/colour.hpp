@@ -8,7 +8,8 @@ namespace laboratory {
 
 enum class Tone { good, bad, caution, heading };
 
-/// A text for the terminal: control characters are made visible, and it may contain colour codes.
+/// A text for the terminal. It may contain colour codes. All other control characters in it have
+/// been made visible.
 struct Painted {
   std::string text;
 };

@@ -6,7 +6,7 @@
 
 namespace laboratory {
 
-/// While this object lives and standard error is a terminal, shows there "WHAT, 3 s" (host time).
+/// While this object lives, shows "WHAT, 3 s" (host time) on standard error if that is a terminal.
 /// The display begins after the delay `after`. It has its own thread, which receives no signals.
 /// Processes forked while the object lives must call exec.
 class ElapsedTime {

@@ -20,8 +20,8 @@ namespace {
 constexpr char END_NOW = 'e', WORK_IS_DONE = 'd';
 
 std::atomic<int> interrupts = 0, guards = 0;
-// id of the process that has an InterruptWatch, or 0; child processes have no watch, so they
-// compare it with getpid()
+// id of the process that has an InterruptWatch, or 0; a child process inherits this id but has no
+// watch, and therefore compares the id with getpid()
 std::atomic<pid_t> watched = 0;
 int wake[2] = {-1, -1};  // pipe to the thread that ends the program
 static_assert(std::atomic<int>::is_always_lock_free && std::atomic<pid_t>::is_always_lock_free);

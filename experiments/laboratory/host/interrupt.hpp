@@ -30,9 +30,9 @@ class InterruptWatch {
   std::thread waits_;
 };
 
-/// While this object lives, interrupts are counted, beginning at 0, and the first one does not end
-/// the program. Copies of a signal that the same sender sends within 0.1 s, as `timeout` does,
-/// count once, and so do all SIGHUP together.
+/// While this object lives, interrupts are counted, beginning at 0, and the first interrupt does
+/// not end the program. Copies of a signal that the same sender sends within 0.1 s, as `timeout`
+/// does, count once. All SIGHUP signals together also count once.
 class InterruptGuard {
  public:
   InterruptGuard();

@@ -6,7 +6,7 @@
 namespace laboratory {
 
 /// Makes a folder and its parents. A signal that arrives during the call ends the program only
-/// after it (base/early_end.hpp).
+/// after the call (base/early_end.hpp).
 void make_folders(const std::filesystem::path& path);
 
 /// Adds to the folder `to` the visible files of the folder `from` that `to` lacks, as hard links,
@@ -17,8 +17,8 @@ void link_files(const std::filesystem::path& from, const std::filesystem::path& 
 /// Links or copies one file to the path `to`, and replaces an older file there.
 void link_file(const std::filesystem::path& from, const std::filesystem::path& to);
 
-/// Adds the records of one results folder, which are subfolders of points/, to another results
-/// folder.
+/// Adds the records of the results folder `from` to the results folder `to`. The records are in
+/// subfolders of points/. Skips the records in points/lone, which are valid only in `from`.
 void link_records(const std::filesystem::path& from, const std::filesystem::path& to);
 
 /// Calls `write`, which writes into a results folder, and calls it again if it fails. The first

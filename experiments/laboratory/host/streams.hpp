@@ -39,7 +39,7 @@ void print_out(fmt::string_view format, const Args&... args) {
              shown);
 }
 
-/// Waits until standard error accepts output, if it is a full pipe.
+/// If standard error is a full pipe, waits until the pipe accepts output.
 void wait_for_error_stream();
 
 /// Prints the text on standard error, and ignores failures.
