@@ -242,8 +242,8 @@ BestAnswer answer_question(const CheckPlan::Question& question, const Rows& rows
   return answer;
 }
 
-// Joins one of the tables of all answers, chosen by `part`. Each row begins with the question's
-// name and the row's axis values as text.
+// Joins one table of each answer: its member `part`. Each row of the result begins with the
+// question's name and the row's axis values as text.
 Table make_csv(const std::vector<BestAnswer>& answers, Table BestAnswer::*part,
                std::vector<std::string> columns) {
   columns.insert(columns.begin(), {"question", "at"});

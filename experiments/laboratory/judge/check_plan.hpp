@@ -55,8 +55,9 @@ struct CheckPlan {
 /// point. Names without a dot may be columns of results, and are checked after the simulation.
 CheckPlan plan_checks(const ExperimentFile& file);
 
-/// Makes the results table, with an additional column for each [[baseline]]. The cell of this
-/// column is empty in rows without a baseline row. Throws base::BadInput for unknown names.
+/// Makes the results table, with an additional column for each [[baseline]]. A row's cell in such a
+/// column is empty if the table has no baseline row for this row. Throws base::BadInput for unknown
+/// names.
 Table make_table(const CheckPlan& plan, const ExperimentFile& file, const Results& results);
 
 /// Makes the object that evaluates expressions in rows of the table, with the plan's names of

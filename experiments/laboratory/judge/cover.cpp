@@ -16,7 +16,7 @@ bool contains(const Range& range, double value) {
   return range.first <= value && value <= range.second;
 }
 
-// A point that was not used for calibration, and the interval that contains 90 % of the results on
+// A point that was not used for calibration, with the interval that contains 90 % of its results on
 // randomly drawn machines.
 struct Case {
   const CheckedPoint* point;

@@ -1,6 +1,6 @@
 #pragma once
-// Coverage: the share of expected values that lie inside their intervals over randomly drawn
-// machines.
+// Coverage: the share of expected values that lie inside the intervals of the results on randomly
+// drawn machines.
 #include <optional>
 #include <vector>
 
@@ -8,8 +8,9 @@
 
 namespace laboratory {
 
-/// The model's own error, which remains for any values of its parameters: (expected - simulated) /
-/// simulated. At one more point, it lies within mean ± half_width with a probability of 90 %.
+/// The model's own error, (expected - simulated) / simulated, which remains for any values of the
+/// model's parameters. At a further point, this error lies within mean ± half_width with a
+/// probability of 90 %.
 struct OwnError {
   double mean, half_width;
 };
@@ -18,10 +19,11 @@ struct OwnError {
 /// for one more observation. No value for fewer than three errors.
 std::optional<OwnError> find_own_error(const std::vector<double>& errors);
 
-/// Counts, for each check, the expected values at predicted points that lie in the interval of 90 %
-/// of the drawn machines. A check fails if their share is below its key `covers`. For checks of
-/// relative errors, also counts the expected values in intervals that are shifted and widened by
-/// the model's own error. This error is estimated, for each point, from the check's other points.
+/// Counts, for each check, the expected values at predicted points that lie in the interval of the
+/// results on 90 % of the drawn machines. A check fails if their share is below its key `covers`.
+/// For checks of relative errors, also counts the expected values in intervals that are shifted and
+/// widened by the model's own error. This error is estimated, for each point, from the check's
+/// other points.
 void check_cover(std::vector<CheckResult>& results, const Table& table,
                  const ConfidenceTables& confidence);
 

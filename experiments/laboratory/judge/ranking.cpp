@@ -60,8 +60,8 @@ Cases find_cases(const Table& answers) {
   return cases;
 }
 
-// Formats the best values on machines that disagree, such as "mesh on 5, line on 1, others on 3".
-// Names at most three values, the most frequent first.
+// Formats the best values on the machines that disagree with the nominal model, such as "mesh on 5,
+// line on 1, others on 3". Names at most three values, the most frequent first.
 std::string describe_others(const std::map<std::string, std::size_t>& others) {
   std::vector<std::pair<std::string, std::size_t>> sorted(others.begin(), others.end());
   std::ranges::stable_sort(sorted, std::greater(), &std::pair<std::string, std::size_t>::second);
