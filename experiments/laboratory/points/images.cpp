@@ -40,12 +40,14 @@ struct Shared {
   bool is_named = false;
   std::string stem, caption;
 };
-// name of the image, and the file names of its PNG and EXR files, which are hashes of their content
+// name of an image, file name of its PNG file, and file name of its EXR file; each file name is a
+// hash of the file's content
 using Key = std::array<std::string, 3>;
 
 Key key_of(const SavedImage& image) { return {image.name, image.file, image.exr}; }
 
-// Finds the axes that have one value at all `points`, and another value at some of `others`.
+// Finds the axes on which all `points` have the same value, and at least one of `others` has a
+// different value.
 std::vector<Coordinate> find_distinction(const ExperimentFile& file,
                                          const std::vector<std::size_t>& points,
                                          const std::vector<std::size_t>& others) {

@@ -1,5 +1,6 @@
 #pragma once
-// Storage of the points' images: first beside the records, then among the results.
+// Storage of the images of points. An image is saved in the folder of the points' records first,
+// and placed among the results at the end.
 #include <filesystem>
 #include <vector>
 

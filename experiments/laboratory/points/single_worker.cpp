@@ -80,9 +80,9 @@ void run_missing(const PointsPlan& plan, Results& results) {
 
 void measure_single_workers(const PointsPlan& plan, Results& results, SingleWorker single_worker) {
   ExperimentFile file = without_network(plan.file);
-  // simulation times of single workers, by the name of their point, in seconds
+  // simulated time of each single worker in seconds, by the name of its point
   std::map<std::string, double> times;
-  // by the name of a single worker's point: the points that need its time
+  // the points that need the time of a single worker, by the name of the single worker's point
   std::map<std::string, std::vector<std::size_t>> needed;
   for (std::size_t i = 0; i < results.size(); ++i) {
     const Point& point = plan.file.points[i];
