@@ -20,7 +20,8 @@ struct ImageSize {
 /// Reads the size from the header of a PNG file. Throws std::invalid_argument with `name` if the
 /// bytes are not a PNG file.
 ImageSize read_png_size(std::string_view bytes, const std::string& name);
-/// Reads the size of a WebP file, animated or lossless. Throws as read_png_size() does.
+/// Reads the size of a WebP file. The file is an animation or a lossless still image. Throws as
+/// read_png_size() does.
 ImageSize read_webp_size(std::string_view bytes, const std::string& name);
 
 /// Extracts the <svg> element of a drawing for use inside an HTML page, without prolog, titles and

@@ -116,7 +116,8 @@ std::string file_name(const Point& point) {
   return name.substr(1);
 }
 
-// For each point, true if no point that differs only in the number of workers has more workers.
+// For each point, true if it has the most workers among the points that differ from it only in the
+// number of workers.
 std::vector<bool> find_largest(const Simulation& s) {
   std::map<std::string, std::size_t> largest;
   const std::size_t column = *s.table.find(s.file.points[0].experiment.program->processors);
@@ -170,7 +171,7 @@ void draw_point(const fs::path& folder, const Simulation& s, Drawn& drawn) try {
   drawn.failure = describe_error(error);
 }
 
-// Calls f for each element. Several threads, RunOptions::jobs of them, share the work.
+// Calls f for each element. Up to RunOptions::jobs threads share this work.
 template <class Thing, class F>
 void share(const RunOptions& options, std::vector<Thing>& things, const F& f) {
   base::share(static_cast<int>(things.size()), static_cast<int>(options.jobs),

@@ -20,8 +20,8 @@ struct NetworkDrawings {
 
 /// Writes networks/NAME.svg into `folder`, which holds the records of the points. The key
 /// `networks` of [report] selects the points: "all", or "largest" for the point with the most
-/// workers among points that are otherwise equal. Only programs that declare such drawings, such as
-/// the farm, have them. The report shows networks of up to 1024 workers; files are written for up
+/// workers among points that are otherwise equal. Only some programs, such as the farm, declare
+/// drawings of networks. The report shows networks of up to 1024 workers; files are written for up
 /// to topologies::MAX_DRAWN workers. Draws up to RunOptions::jobs points at the same time.
 NetworkDrawings draw_networks(const std::filesystem::path& folder, const RunOptions& options,
                               const Simulation& s);

@@ -13,8 +13,8 @@ namespace {
 using nlohmann::ordered_json;
 using programs::Load;
 
-// The share of time that a resource was busy. JSON has null, and this function returns 0, if no
-// simulated time passed.
+// The share of time that a resource was busy. If no simulated time passed, the share in the JSON is
+// null, and this function returns 0.
 double share_of(const ordered_json& part) {
   const auto& busy = part.at("busy");
   return busy.is_null() ? 0 : busy.get<double>();

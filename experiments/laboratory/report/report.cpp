@@ -85,7 +85,7 @@ data make_table(const Table& table, const std::vector<std::string>& columns,
   return made;
 }
 
-// Truncates a table to the most rows that a page shows, and adds a note about it.
+// Truncates a table to the maximum number of rows that a page shows, and adds a note about it.
 void shorten(Table& table, std::vector<std::string>& notes) {
   constexpr std::size_t MOST = 1000;
   if (table.rows.size() <= MOST) return;

@@ -141,7 +141,7 @@ void save_run_json(const fs::path& folder, const RunOptions& options, const Simu
   text.resize(text.size() - 2);  // removes "\n}" at the end of the JSON text
   base::save_whole(folder / "run.json", [&](std::ostream& out) {
     out << text << ",\n  \"points\": [";
-    // stops at the first write error, so that errno is that of this error
+    // stops at the first write error, so that errno still describes this error
     for (std::size_t i = 0; i < s.results.size() && out; ++i)
       out << (i > 0 ? ",\n    " : "\n    ") << point_json(folder, s, i).dump();
     out << "\n  ]\n}\n";

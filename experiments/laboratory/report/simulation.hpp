@@ -27,7 +27,7 @@ struct Simulation {
   std::string ended;                 ///< a sentence that says why the run ended
   bool complete = false;             ///< true if all points were completed
   std::size_t there = 0;             ///< number of points whose results were recorded already
-  /// number of points of the run, including those of randomly drawn machines
+  /// number of points of the run, including the points of randomly drawn machines
   std::size_t asked = 0;
   /// number of randomly drawn machines whose points are not all complete
   std::size_t left_out = 0;
