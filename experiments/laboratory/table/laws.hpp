@@ -46,7 +46,7 @@ struct Fit {
   std::vector<Estimate> parameters;
   std::string minimised;  ///< name of the quantity whose squared residuals are minimised
   double rms = 0;         ///< root mean square of the residuals of the minimised quantity
-  /// number of points that determine the parameters; for laws of speed-up, without those at n = 1
+  /// number of points that determine the parameters; laws of speed-up do not count points at n = 1
   std::size_t points = 0;
   /// Test of the residuals (Ramsey's RESET test with one term): a term is added to the law and
   /// fitted to the residuals. The result is a misfit if this term differs from 0 at the 5 % level,
@@ -55,7 +55,7 @@ struct Fit {
   std::optional<Misfit> misfit = {};
 };
 
-/// Fits Amdahl's serial fraction to the run times in units of the time on one processor, 1/S.
+/// Fits Amdahl's serial fraction to the run times 1/S, where the time on one processor is 1.
 /// Minimises residuals of times, because times are what is measured, and because the law is linear
 /// in them: 1/S - 1/n = s (1 - 1/n). The vectors have equal length. Ignores points whose values are
 /// not finite and positive. No value for fewer than two points with n > 1.

@@ -1,6 +1,6 @@
 #pragma once
-// Rows of a table that differ only in the seed are samples of a random result: their means, and the
-// confidence intervals of these means.
+// Means of random results, and the confidence intervals of these means. The samples of a result are
+// the rows of a table that differ only in the seed.
 
 #include <optional>
 #include <string>
@@ -18,8 +18,8 @@ bool is_seed(std::string_view axis);
 /// The indices of axes that are seeds and have several values.
 std::vector<std::size_t> find_seeds(const Table& table);
 
-/// Groups the rows that have equal values on all axes except seeds, in the order of their first
-/// rows. If no seed has several values, each row is a group of its own.
+/// Groups the rows that have equal values on all axes except seeds. The order of the groups is the
+/// order of their first rows. If no seed has several values, each row is a group of its own.
 std::vector<RowList> group_samples(const Table& table, const RowList& rows);
 /// For each row of the table, the number of its group, from 0.
 std::vector<std::size_t> number_samples(const Table& table);
@@ -54,7 +54,8 @@ struct RowSamples {
   RowList rows;
   std::vector<double> values;
 };
-/// The difference of the means, b - a. Pairs the samples if both groups have the same seeds.
+/// The difference of the means, b - a. If both groups have the same seeds, pairs the samples that
+/// have equal seeds.
 MeanInterval compare_samples(const Table& table, const RowSamples& a, const RowSamples& b);
 
 }  // namespace laboratory

@@ -136,7 +136,7 @@ Ending find_unit(std::string_view column) {
 std::string unit_of(std::string_view column) { return std::string(find_unit(column).unit); }
 
 std::string make_label(std::string_view column) {
-  // ends the name of a column with half widths of confidence intervals
+  // the name of a column with half widths of confidence intervals ends with this text
   constexpr std::string_view HALF_WIDTH = " ±";
   if (column.ends_with(HALF_WIDTH))
     return make_label(column.substr(0, column.size() - HALF_WIDTH.size())) +

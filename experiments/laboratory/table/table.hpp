@@ -72,8 +72,8 @@ std::vector<std::size_t> find_all(const Table& table, const std::vector<std::str
 /// True if a column has only numbers and empty cells. Such columns are aligned to the right.
 bool is_numeric(const Table& table, std::size_t column);
 
-/// Formats a table with aligned columns for a terminal: names, a line, and one line for each row.
-/// `shown` selects columns as in find_all().
+/// Formats a table with aligned columns for a terminal: a line with the columns' names, a line of
+/// dashes, and one line for each row. `shown` selects columns as in find_all().
 std::string to_text(const Table& table, const std::vector<std::string>& shown = {});
 
 /// Formats a table as CSV (RFC 4180) with '\n' as line end; the bytes are the same on any host.
@@ -83,8 +83,8 @@ std::string to_csv(const Table& table);
 
 /// Puts a ' before each text that a spreadsheet program would execute as a formula.
 Table guard_formulas(Table table);
-/// Reads the output of to_csv(), and everything that base::CsvReader accepts. Skips blank lines,
-/// unless the table has only one column: then they are rows. A quoted cell is a string. A cell
+/// Reads the output of to_csv(), and everything that base::CsvReader accepts. A blank line is a row
+/// if the table has only one column; otherwise it is skipped. A quoted cell is a string. A cell
 /// without quotes is an integer, else a floating-point number, else a string. Sets `axes` to 0.
 /// Throws BadInput "name:line: ...".
 Table parse_csv(std::string_view text, std::string_view name);
