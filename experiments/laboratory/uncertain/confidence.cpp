@@ -28,7 +28,8 @@ class Reader {
   Reader(const Table& table, std::size_t row) : table_(table), row_(row) {}
   std::string text(std::string_view column) const { return to_string(cell(column)); }
   double number(std::string_view column) const { return as_number(cell(column)).value_or(0); }
-  // The cells of the row's axes as text. The axes are the columns before the column "column".
+  // The values of the row's axes as text, one on each line. The axes are the columns before the
+  // column "column".
   std::string axes() const {
     std::string text;
     for (std::size_t c = 0; c < *table_.find("column"); ++c)

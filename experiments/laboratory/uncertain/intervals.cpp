@@ -30,7 +30,7 @@ std::optional<std::size_t> find_row(const Table& table, const std::vector<Value>
   return static_cast<std::size_t>(found - table.rows.begin());
 }
 
-// The results for a cell of the nominal table on all machines; empty if one of them has no result.
+// The results for a cell of the nominal table on all machines; empty if a machine has no result.
 std::vector<double> gather(const Table& table, std::size_t row, std::size_t column,
                            const std::vector<Table>& machines) {
   std::vector<double> all;

@@ -1,5 +1,6 @@
 #pragma once
-// Tornado chart: one bar for the influence of each entry on a result, the largest at the top.
+// Tornado chart of the influences of model entries on a result: one bar for each entry, the longest
+// bar at the top.
 #include <string>
 
 #include "experiments/laboratory/uncertain/confidence.hpp"
