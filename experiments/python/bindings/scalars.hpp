@@ -6,8 +6,8 @@
 
 namespace bindings {
 
-/// Converts a value to Python. A field without a value becomes None. A source becomes its text, or
-/// None if the text is empty.
+/// Converts a value to Python. A field without a value becomes None. A base::Source becomes the
+/// text that the user wrote, or None if this text is empty.
 pybind11::object to_python(const base::Scalar& value);
 
 /// Converts a Python bool, int, float, str, or sequence of numbers. Throws BadInput with the prefix

@@ -12,7 +12,7 @@ from tlab.errors import BadInput
 
 
 def plain(value):
-    """Converts numpy types to plain ones, and a pathlib.Path to an absolute path as text."""
+    """Converts numpy values to values of Python, and a pathlib.Path to the text of its absolute path."""
     if isinstance(value, numpy.generic):
         return value.item()
     if isinstance(value, numpy.ndarray):
