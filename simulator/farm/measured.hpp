@@ -10,8 +10,9 @@ using programs::Load;
 /// Possible bottlenecks of the farm with their loads (fractions from 0 to 1), busiest first:
 /// - "workers": mean load of their CPUs, with the fraction spent on routing;
 /// - "workerN (routing)": load by high-priority routers, for the worker that routes most;
-/// - "coordination": fraction of time in which this process did not wait for workers. While it
-///   waits for the ray database or the display, it is a bottleneck even though its CPU is idle;
+/// - "coordination": fraction of time in which the coordination process did not wait for workers.
+///   While this process waits for the ray database or the display, it is a bottleneck even though
+///   its CPU is idle;
 /// - "database", "display": load of their CPUs, if they have processors of their own;
 /// - "link A>B": the busiest direction of a link;
 /// - "tasks": fraction of time after the last task was sent, when workers become idle.

@@ -7,8 +7,8 @@ namespace farm {
 
 using ProgramParams = ray_tracing::ProgramParams<Params>;
 
-/// Makes the program "farm". If Setup::cycles_per_host_s is set, costs come from host timings, also
-/// while the experiment is only checked.
+/// Makes the program "farm". If Setup::cycles_per_host_s is set, the costs of the program come from
+/// host timings. This also holds for an experiment that is only checked, not simulated.
 programs::Program make_farm();
 
 }  // namespace farm

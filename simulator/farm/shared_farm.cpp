@@ -15,7 +15,7 @@ using shared_memory::DataManager;
 
 namespace {
 
-// Number of the farm's processes in network addresses, and the contents of their messages.
+// Process number of the farm in network addresses, and the contents of the farm's messages.
 constexpr int FARM_PROCESS = shared_memory::FIRST_FREE_PROCESS;
 using FarmMessage = std::variant<Stop, renderer::Area, renderer::Block>;
 
@@ -58,8 +58,8 @@ topologies::Topology join_coordinator(const topologies::Topology& workers) {
   return joined;
 }
 
-// Parameters of the network. The routers' buffers hold all messages that can be in transit: for
-// each worker, one request or its reply, and its blocks.
+// Parameters of the network. The routers' buffers hold all messages that can be in transit at the
+// same time. For each worker, these are one request or one reply, and the blocks of this worker.
 network::Params make_network_params(const machine::Model& model, const Params& farm,
                                     const SharedParams& data,
                                     const shared_memory::Catalogue& catalogue,

@@ -19,7 +19,8 @@ struct SharedResult {
 /// refuses parameters of the ordinary farm that have no meaning here.
 void check(const machine::Model& model, const ray_tracing::SceneSize& scene, const Params& farm,
            const SharedParams& data);
-/// Checks only that tasks are blocks, not single rays.
+/// Throws base::BadInput if the tasks are single rays instead of blocks of pixels. Checks nothing
+/// else.
 void check_task(const Params& farm);
 
 /// Runs the farm. Each worker has farm.worker_memory bytes; processor 0 has farm.database_memory.

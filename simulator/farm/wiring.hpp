@@ -19,8 +19,8 @@ struct Wires {
   std::deque<Channel<Answer>> results;
 };
 
-/// Connection from a data router to the sender process of one way out. The sender signals on `free`
-/// that it can take a message, then takes it from `into`.
+/// Connection to a sender process. The sender signals on `free` that it can take a task, and then
+/// takes the task from `into`.
 struct Way {
   Channel<Signal>& free;
   Channel<Task>& into;

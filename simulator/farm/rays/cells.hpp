@@ -17,8 +17,8 @@ enum class CellOrder : std::uint8_t {
   sequential,  ///< from top to bottom, each row from left to right
   recursive,   ///< recursively by quadrants: upper left, upper right, lower left, lower right
   /// Random order. A cell is made only after the larger cell that contains it has been sampled. If
-  /// the sample of the larger cell shows another object than a neighbour's, the new cell precedes
-  /// cells up to four times as large.
+  /// the larger cell's sample shows another object than the sample of a neighbouring cell, the new
+  /// cell precedes cells up to four times as large.
   adaptive
 };
 
@@ -64,7 +64,7 @@ enum class CellLight : std::uint8_t {
   smooth     ///< interpolates bilinearly between the known samples at the cell's corners
 };
 
-/// Final sums of a complete pixel with adaptive sampling whose samples have unequal weights.
+/// Final sums of a complete pixel to whose samples adaptive sampling has given unequal weights.
 struct FinishedPixel {
   std::uint32_t sample = 0;  ///< number of the pixel: y * width + x
   /// The pixel's estimated colour multiplied by its number of samples.
@@ -81,12 +81,13 @@ class FrameBuffer {
   FrameBuffer(int width, int height, Cells cells, CellLight light, renderer::Area area = {},
               const renderer::Sampling& sampling = {});
 
-  /// Adds a ray's contribution to its pixel and repaints. A pixel shows the mean of those of its
-  /// samples whose primary ray has arrived. Returns true if the picture has changed.
+  /// Adds a ray's contribution to its pixel and repaints. A pixel shows the mean of its samples
+  /// whose primary rays have arrived. Returns true if the picture has changed.
   bool add(const renderer::Ray& ray, const renderer::Rgb& contribution, renderer::Work& work);
-  /// Replaces the sums of a complete pixel with adaptive sampling and repaints.
+  /// Replaces the sums of a complete pixel by its final sums, and repaints the pixel. Used with
+  /// adaptive sampling.
   void finish(const FinishedPixel& finished, renderer::Work& work);
-  /// Sets the background, a picture of the same size.
+  /// Sets the background, a picture with the size of the image.
   void set_background(std::vector<std::uint8_t> rgb8) { rgb8_ = std::move(rgb8); }
   /// Adds a block of complete pixels.
   void add(const renderer::Block& block, renderer::Work& work);
@@ -114,8 +115,8 @@ class FrameBuffer {
   renderer::Area area_;
   renderer::Sampling sampling_;
   renderer::Samples samples_;
-  std::vector<std::uint16_t> counts_;  // number of samples of each pixel; empty if it is at most 1
-  std::vector<std::uint32_t> owner_;   // fineness_of() the cell that each pixel shows
+  std::vector<std::uint16_t> counts_;  // samples of each pixel; empty if no pixel has several
+  std::vector<std::uint32_t> owner_;   // for each pixel, fineness_of() the cell that it shows
   std::vector<std::uint8_t> rgb8_;
 };
 
