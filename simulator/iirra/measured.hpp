@@ -12,7 +12,7 @@ namespace iirra {
 struct Losses {
   double idle = NAN;  ///< the worker has no task, or waits for the display
   double data = NAN;  ///< the worker waits for scene data
-  /// Spent on samples outside the image, or on rays that several workers traced.
+  /// the worker spends time on samples outside the image, or on rays that several workers traced
   double repeated = NAN;
   double routing = NAN;   ///< spent in high-priority processes, which route messages
   double managing = NAN;  ///< spent on tasks, pictures, messages and searches for scene data

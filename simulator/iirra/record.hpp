@@ -16,8 +16,8 @@ struct Counts {
   std::uint64_t moves = 0;     ///< messages that carry tasks, except the initial distribution
   std::uint64_t tasks_moved = 0, bytes_moved = 0;
   std::uint64_t reports = 0;  ///< progress messages from workers without tasks to the coordinator
-  /// Numbers of polls by the display, of picture messages, of the painted blocks in them, and of
-  /// their bytes.
+  /// Numbers of polls by the display, of messages with pictures, and of painted blocks in these
+  /// messages; total length of these messages in bytes.
   std::uint64_t polls = 0, pictures = 0, blocks = 0, picture_bytes = 0;
   /// Maximum number of tasks held by a worker.
   std::size_t tasks_most = 0;

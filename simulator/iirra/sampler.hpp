@@ -7,14 +7,14 @@ namespace iirra {
 
 class Sampler {
  public:
-  /// Before each ray calls `serve`, which handles the messages that may not wait for a complete
-  /// sample.
+  /// Before each ray calls `serve`, which handles the messages that cannot wait until the sample is
+  /// complete.
   Sampler(Shared& shared, shared_memory::DataManager& manager, std::function<void()> serve);
 
   /// Makes the sample at a point and traces its primary ray.
   void begin(const Point& point);
-  /// Traces those waiting rays of the point's sample number `pass` that are at this level of their
-  /// shading tree and within the limits.
+  /// Traces the waiting rays that belong to sample number `pass` of the point, have this level in
+  /// their shading tree, and are within the limits.
   void deepen(const Point& point, int pass, int level, const Limits& limits);
   /// Traces the whole shading tree of a point without storing a sample, so that the caller can
   /// measure its time.

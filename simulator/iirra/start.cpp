@@ -64,9 +64,9 @@ std::vector<int> assign(Start start, int columns, int rows, int workers) {
       worker_of[order[i]] = static_cast<int>(i * static_cast<std::size_t>(workers) / cells);
     return worker_of;
   }
-  // Makes macro-cells (groups of adjacent cells, one for each worker) as square as the number of
-  // workers allows. A macro-cell with more cells than workers gives the surplus to the workers in
-  // rotation.
+  // Divides the image into macro-cells. A macro-cell is a block of adjacent cells with one cell for
+  // each worker, and is as square as the number of workers allows. If a macro-cell has more cells
+  // than workers, the surplus cells go to the workers in rotation.
   const int down = std::max(1, static_cast<int>(std::sqrt(static_cast<double>(workers))));
   const int across = (workers + down - 1) / down;
   int turn = 0;

@@ -20,8 +20,8 @@ class NoBalance : public Balance {
 };
 
 // Base class of methods that let workers without tasks make requests. A worker sends one request,
-// then waits for tasks or new limits. A worker that receives a request and has no tasks to spare
-// may store the request until it has.
+// then waits for tasks or new limits. A worker without tasks to spare may store a request until it
+// has tasks to spare.
 class Passive : public Balance {
  public:
   using Balance::Balance;
@@ -76,8 +76,9 @@ class AskNeighbours : public Passive {
   std::size_t refusals_ = 0, next_ = 0;
 };
 
-// A request travels to the coordinator, and every worker on the route may serve it. If none does,
-// the coordinator forwards the request to a worker, chosen in rotation, which stores it.
+// A request travels to the coordinator, and every worker on the route may serve it. If no worker
+// has served it, the coordinator forwards the request to the next worker in rotation. This worker
+// stores the request.
 class AskCoordinator : public Passive {
  public:
   using Passive::Passive;
@@ -96,7 +97,7 @@ class AskCoordinator : public Passive {
 };
 
 // Requests travel around the ring of workers. A request that returns to its sender unserved is sent
-// around once more, and the next worker then stores it unless it can serve it.
+// around once more. In this second round, a worker that cannot serve the request stores it.
 class AskRing : public Passive {
  public:
   using Passive::Passive;

@@ -53,8 +53,8 @@ class Balance {
   virtual void ask() {}
   /// Called when the number of tasks has increased.
   virtual void created() {}
-  /// Called after each step of a task. Tasks that had to stay, because they use the samples of that
-  /// step, can then be given away.
+  /// Called after each step of a task. During a step, tasks that use the sample in progress cannot
+  /// be given away. After the step they can.
   virtual void worked() {}
   /// Called when `message`, which contains `request`, has arrived.
   virtual void requested(const network::Message& message, const TaskRequest& request) = 0;
