@@ -8,13 +8,13 @@
 
 namespace kernels {
 
-/// A cost or set of costs of type T for each processor model. Made once per model, at first use.
+/// Values of type T, one for each processor model. A value is a cost or a set of costs, and is made
+/// at its first use.
 template <class T>
 class ByModel {
  public:
   using Make = std::function<T(const machine::Model&)>;
-  /// Also calls `make` for `model` at once, so that missing entries of the model throw BadInput
-  /// here.
+  /// Also calls `make` for `model` at once. If `model` lacks an entry, this call throws BadInput.
   ByModel(const machine::Model& model, Make make) : make_(std::move(make)) { make_(model); }
 
   /// Returns the cost on the processor of this_process(). The reference stays valid.

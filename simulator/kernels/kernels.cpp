@@ -75,8 +75,9 @@ machine::Cycles KernelCost::note(machine::Cycles counted, machine::Cycles charge
 }
 
 // Records the host time of one measured call, which stands for all calls since the previous
-// measured one. If calls are short compared with reading the clock, only one in 17 is measured. The
-// period is a prime number, so that a pattern in the kinds of rays is unlikely to repeat with it.
+// measured one. If calls are short compared with reading the clock, only one in 17 is measured.
+// This period is a prime number, so a pattern in the kinds of rays is unlikely to have the same
+// period.
 void KernelCost::note_profile(double start_s) {
   constexpr std::uint64_t SAMPLED = 17;
   const double interval_s = clock_interval_s();
