@@ -1,6 +1,6 @@
 #pragma once
-// Faults of the simulated program, with place and date. The other two kinds of error, bad input and
-// broken invariants, are in base/errors.hpp.
+// Faults of the simulated program, with their place and simulated time. The other two kinds of
+// error, bad input and broken invariants, are in base/errors.hpp.
 #include <fmt/format.h>
 
 #include <stdexcept>

@@ -169,8 +169,8 @@ void bind_entries(Model& model, std::string_view origin) {
     }
 }
 
-// Checks that a key is known. A model with a base may change the base's entries in sections that
-// accept any key (see unit_of), but must not add any.
+// Checks that a key is known. In sections that accept any key (see unit_of), a model with a base
+// may change entries of the base, but must not add entries.
 void check_key(const Model& model, const Entry& entry, bool has_base) {
   const bool known =
       std::ranges::find(model.entries, entry.key, &Entry::key) != model.entries.end();
