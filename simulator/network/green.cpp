@@ -1,8 +1,8 @@
 // Green's router (S. Green, 1991), adapted to any topology as in the thesis (figures 5.12 to 5.14).
 // Each client, and each link to a processor with a lower number, has a sender process. Messages for
-// a busy sender wait in its FIFO. On a link to a higher number, the router itself sends and waits.
-// In a chain of routers that wait for each other, the numbers therefore ascend, so the chain is no
-// cycle.
+// a busy sender wait in its FIFO. On a link to a processor with a higher number, the router itself
+// sends, and waits until the message is sent. In a chain of routers that wait for each other, the
+// numbers therefore ascend, so the chain is not a cycle.
 #include "simulator/network/routers.hpp"
 #include "simulator/occam/process.hpp"
 

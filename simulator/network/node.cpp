@@ -149,7 +149,7 @@ int Node::choose_link(const Message& message, int port) const {
 }
 
 void Node::note_unreached(const Message& message) {
-  if (message.tree == 0) return;  // the tree made before any cut reaches all processors
+  if (message.tree == 0) return;  // tree 0, made before any cut, covers all processors
   const auto reached = routing->below(message.tree, id, id);
   for (int to = 0; to < routing->processors(); ++to) {
     if (std::ranges::find(reached, to) != reached.end()) continue;

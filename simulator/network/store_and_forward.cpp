@@ -122,7 +122,8 @@ void StoreAndForward::start_way_in(int id, int way, Channel<Packet>* link) {
   start(id, "receiver", way, receive(id, way, link));
 }
 
-// Chooses the way out of a packet. If several links lead to the next processor, uses them in turn.
+// Chooses the link or client to which a processor passes a packet. If several links lead to the
+// next processor, uses them in turn.
 int StoreAndForward::take_way_to(int from, int to) {
   if (from == to) return CLIENT;
   auto& turn = nodes_[from].turn[routes_.next_port(from, to)];
