@@ -22,8 +22,8 @@ void add(TimelineRow& row, double from, double to, std::size_t kind, const Scale
   }
 }
 
-// The period of a process that is still being extended, in columns. `own` is the time of the
-// process itself, without the interruptions.
+// A period of a process, in columns of the chart. The period may still be extended. `own` is the
+// time of the process itself, without the interruptions.
 struct Open {
   double from = 0, to = -2, own = 0;
 };

@@ -119,7 +119,7 @@ class ChromeFile {
 
   void write_spans() {
     const std::string switching = "\"switching\",\"cat\":\"switching\",\"cname\":\"grey\"";
-    std::vector<std::string> high, low;  // end of each slice's text, by process
+    std::vector<std::string> high, low;  // for each process, the text that ends its slices
     for (const auto& process : trace_.processes) {
       high.push_back(quote_json(process.name) + ",\"cat\":\"high\",\"cname\":\"bad\"");
       low.push_back(quote_json(process.name) + ",\"cat\":\"low\",\"cname\":\"good\"");

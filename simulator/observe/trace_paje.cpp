@@ -10,9 +10,10 @@ namespace observe {
 
 namespace {
 
-// Definition of a kind of event; its number is its index. Only fields that both ViTE and PajeNG
-// know are used. A CPU or link changes its state by an event PajeSetState. This event has number 4
-// for idle, quiet and switching, and number 5 or 6 for states with additional fields.
+// Definition of a kind of event. The number of a kind is its index in EVENTS. Only fields that both
+// ViTE and PajeNG know are used. A CPU or link changes its state by an event PajeSetState. This
+// event has number 4 for idle, quiet and switching, and number 5 or 6 for states with additional
+// fields.
 struct EventDef {
   const char* name;
   std::vector<std::string_view> fields;
