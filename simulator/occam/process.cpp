@@ -21,7 +21,7 @@ std::int64_t whole_ticks(double ticks) {
   return static_cast<std::int64_t>(std::floor(ticks * (1 + 1e-12) + 1e-9));
 }
 
-// The wait of a process that executes a PAR, for the branches of the PAR.
+// The state of a process that executes a PAR and waits until all branches have ended.
 struct Join : machine::Wait {
   std::size_t running = 0;
   bool parent_waits = false;
