@@ -173,8 +173,8 @@ Columns<Measured> picture_columns() {
        base::only_if(has_reference, base::lift_columns<Measured>(errors, error))});
 }
 
-// Columns for sizes, times, losses, loads and pictures. Columns about data managers or the
-// reference have empty cells if there are none.
+// Columns for sizes, times, losses, loads and pictures. The columns about data managers are empty
+// if the run has no data managers. The columns about the reference are empty if the run has none.
 Columns<Measured> make_columns() {
   const auto data = [](const Measured& m) -> auto& { return m.result.data; };
   const auto loss = [](const Measured& m) -> auto& { return m.result.loss; };

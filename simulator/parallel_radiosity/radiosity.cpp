@@ -25,8 +25,9 @@ shared_memory::DataParams data_params(const machine::Model& model, const Mesh& m
   return data;
 }
 
-// Parameters of the network. The buffers suffice for all messages that can be in transit: from each
-// processor a candidate, a request or a reply, and the light of its shared vertices.
+// Parameters of the network. The buffers suffice for all messages that can be in transit at the
+// same time. For each processor, these are one candidate, one request or reply, and the messages
+// with the light of its shared vertices.
 network::Params network_params(const Common& common, const shared_memory::DataParams& data,
                                const machine::Model& model, const std::vector<Share>& shares) {
   std::size_t borders = 0;  // number of messages with light of shared vertices
@@ -43,8 +44,8 @@ network::Params network_params(const Common& common, const shared_memory::DataPa
   return params;
 }
 
-// Seconds charged in all rounds (shots) together: by the busiest processor of each round (`most`),
-// and by a processor on average (`mean`).
+// Charged seconds, summed over all rounds (shots). In each round, `most` adds the seconds of the
+// busiest processor, and `mean` the mean over all processors.
 struct Rounds {
   double most = 0, mean = 0;
 };
