@@ -1,6 +1,6 @@
 // A ring of processes that deadlocks. In the first round, every second process inputs before it
-// outputs, and the round succeeds. In the second round, all output first and wait for their
-// neighbours.
+// outputs, and the round succeeds. In the second round, all processes output first, and wait for
+// each other.
 #include "simulator/programs/declare/support.hpp"
 
 namespace programs {

@@ -102,7 +102,7 @@ struct CompiledMachine : Machine {
   CompiledMachine(const Setup& setup, int count) : Machine(setup, count, machine::Code::compiled) {}
 };
 
-/// A machine for compiled programs that has the processors of the topology, a network of routers,
+/// A machine for compiled programs. It has the processors of the topology, a network of routers,
 /// and the faults of the setup.
 struct RouterMachine : CompiledMachine {
   RouterMachine(const Setup& setup, const network::Params& params)
@@ -114,8 +114,8 @@ struct RouterMachine : CompiledMachine {
     plan_faults(
         *this, setup.faults, [this](int id) -> auto& { return (*this)[id]; });
   }
-  /// Starts a process on every processor that calls `application` with the processor's router
-  /// client.
+  /// Starts a process on every processor. The process calls `application` with the processor's
+  /// router client.
   template <class Application>
   void start_all(Application application) {
     for (int id = 0; id < static_cast<int>(processors().size()); ++id)

@@ -1,5 +1,5 @@
-// Quality of a picture while two passes of samples are taken in a given order of pixels, and the
-// length of the queue of quadrants. No machine is simulated, so the results contain no times.
+// Takes two passes of samples in a given order of pixels. Records the quality of the picture and
+// the length of the queue of quadrants. Simulates no machine, so the results contain no times.
 #include "renderer/progressive/refinement.hpp"
 
 #include <cmath>

@@ -1,5 +1,5 @@
-// Requests that travel along a line (InPathTo), and that processors on the route sometimes answer
-// (thesis, 5.1.1.3).
+// Requests that travel along a line of processors. Processors on the route sometimes answer them
+// (addressing mode InPathTo; thesis, 5.1.1.3).
 
 #include "base/random.hpp"
 #include "simulator/programs/declare/routers.hpp"
