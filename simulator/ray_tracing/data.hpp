@@ -20,8 +20,8 @@ struct SharedParams : shared_memory::DataParams {
 /// The fields of the section [data], including data.cache_percent.
 base::Fields<SharedParams> data_fields();
 
-/// Throws base::BadInput that names the field, the value found and the values expected. Caches of 0
-/// % are refused.
+/// Throws base::BadInput that names the field, the value found and the values expected. Refuses
+/// caches of 0 %.
 void check_data(const machine::Model& model, const SceneSize& scene, const SharedParams& data);
 /// Returns the parameters with the cache sizes converted from percent to bytes.
 shared_memory::DataParams make_data_params(const machine::Model& model, const SceneSize& scene,

@@ -19,8 +19,8 @@ struct ProgramParams {
   bool shares_data() const { return data && data->cache_percent > 0; }
 };
 
-/// The field "weights", a list of numbers that are stored in the members `of` of type W. `member`
-/// is the member of P that holds the W.
+/// The field "weights", a list of numbers. They are stored in the members `of` of a struct W, which
+/// is the member `member` of P.
 template <class P, class W, std::size_t N, class Member>
 base::Field<P> weights_field(double W::*const (&of)[N], Member member, const std::string& expected,
                              const std::string& help) {
@@ -56,8 +56,8 @@ base::Fields<Limits> ray_limit_fields() {
                    "deepest tree level of transmitted rays and their descendants")};
 }
 
-/// All fields of a program. `memory` are those of the section [machine], and `own` those of the
-/// section with the program's name.
+/// All fields of a program. `memory` has the fields of the section [machine], and `own` has the
+/// fields of the section with the program's name.
 template <class M>
 base::Fields<ProgramParams<M>> program_fields(const std::string& program,
                                               const base::Fields<M>& memory,

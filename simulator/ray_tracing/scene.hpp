@@ -1,5 +1,6 @@
 #pragma once
-// The scene of a ray tracing program: the section [scene], and the names and keys of its images.
+// The scene of a ray tracing program: the fields of the section [scene], and functions that depend
+// on the scene.
 #include "renderer/trace/params.hpp"
 #include "simulator/programs/declare/program.hpp"
 
