@@ -9,8 +9,8 @@ namespace shared_memory {
 
 class LruCache {
  public:
-  /// `bytes[r]` is the size of record r; `capacity` is that of the cache, both in bytes. Throws
-  /// base::BadInput that names `key` if a record is larger than the cache.
+  /// `bytes[r]` is the size of record r, and `capacity` the size of the cache, both in bytes. If a
+  /// record is larger than the cache, throws base::BadInput that names `key`.
   LruCache(std::vector<std::uint64_t> bytes, std::uint64_t capacity, const std::string& key);
 
   bool holds(std::size_t record) const { return next_.at(record) != NOT_HELD; }

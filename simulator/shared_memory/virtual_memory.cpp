@@ -71,8 +71,8 @@ struct DiskWait : machine::Wait {
   std::string describe() const override { return "the disk"; }
 };
 
-// Reads a record from the host computer's disk over its link; the process blocks until it has
-// arrived.
+// Reads a record from the disk of the host computer, over the link to this computer. The process
+// blocks until the record has arrived.
 void read_disk(std::uint64_t bytes) {
   auto& self = this_process();
   const auto& disk = self.processor().model().disk;
