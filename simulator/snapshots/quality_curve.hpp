@@ -9,7 +9,7 @@ namespace snapshots {
 /// Summary of the quality over time. Quality is the structural similarity to the final picture.
 struct Figures {
   std::optional<double> area;  ///< mean quality during the run, 0 to 1
-  /// Seconds until the quality stays at least 50, 90, 99 %.
+  /// Seconds after which the quality remains at or above 50, 90 and 99 %.
   std::optional<double> to_50_s, to_90_s, to_99_s;
 };
 base::Columns<Figures> figure_columns();
