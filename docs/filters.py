@@ -18,7 +18,7 @@ def a_filter(function):
     return function
 
 
-# Markdown of a table: a list of rows, the first of which is the head.
+# Makes a Markdown table of a list of rows. The first row is the head of the table.
 def table(rows):
     cells = [[str(cell).replace("|", "\\|").strip() for cell in row] for row in rows]
     cells.insert(1, ["---"] * len(cells[0]))
