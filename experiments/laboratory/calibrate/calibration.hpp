@@ -11,7 +11,7 @@ namespace laboratory {
 struct CalibrationTask {
   std::string model;         ///< The name or file of the model to fit.
   std::string measurements;  ///< A CSV file: columns of experiment keys, and one column of results.
-  /// The experiment file to simulate; "": an experiment that runs the program "message".
+  /// The experiment file to simulate. If empty, an experiment that runs the program "message".
   std::string experiment;
   std::vector<std::string> entries;  ///< Names of the entries to fit, such as "link.one_way_20".
 };
@@ -36,8 +36,8 @@ struct Calibration {
 /// Fits the entries so that the sum of squares of log(simulated / measured) is least, which assumes
 /// equal relative errors in all measurements. Simulates with the engine "direct". Throws
 /// base::BadInput, with the file or the entry, for
-///   - too few measurements (there must be more measurements than entries), or one that is not
-///     positive;
+///   - too few measurements (there must be more measurements than entries), or a measurement that
+///     is not positive;
 ///   - an entry that the model lacks, or whose value is not positive;
 ///   - entries whose values the measurements do not determine;
 ///   - an experiment that changes the machine model, or has an axis that is no column of the

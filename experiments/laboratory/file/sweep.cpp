@@ -37,7 +37,7 @@ toml::table* flatten_sweep(toml::table& file, const std::string& origin) {
   return node->as_table();
 }
 
-// Spells a value so that 2 and 2.0 are equal.
+// Spells a value. Equal numbers such as 2 and 2.0 have equal spellings.
 std::string spell(const toml::node& value) {
   if (const auto* list = value.as_array()) {
     std::string text;

@@ -19,7 +19,7 @@ using base::require;
 using renderer::Frame;
 
 // Minimum number of samples of the picture for each frame of the film. A frame shows the last
-// sample before its own time.
+// sample before the frame's time.
 constexpr int SNAPSHOTS_A_FRAME = 2;
 constexpr double MOST_BYTES = 1e9;  // limit on the memory of all sampled pictures, bytes
 

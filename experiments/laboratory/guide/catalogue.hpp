@@ -25,8 +25,8 @@ const std::vector<std::string>& catalogue_kinds();
 /// the installation. No value if there is only the executable.
 std::optional<std::filesystem::path> find_experiments();
 
-/// The path of an included experiment that `tlab list` shows, such as "farm" or "formulas/request";
-/// any other name unchanged.
+/// Returns the path of an included experiment that `tlab list` shows, such as "farm" or
+/// "formulas/request". Returns any other name unchanged.
 std::string find_listed(const std::string& name);
 
 /// Lists all entries of a kind. Experiments and scenes are files below `folder`, and their names

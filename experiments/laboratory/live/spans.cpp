@@ -4,7 +4,7 @@ namespace laboratory {
 
 namespace {
 
-// joins time spans of the same activity if the gap between them is shorter
+// if the gap between two time spans of the same activity is shorter than this, they are joined
 constexpr double SHORTEST_S = 1e-6;
 
 void add_span(nlohmann::ordered_json& all, int processor, machine::Observer::Doing doing,
