@@ -37,9 +37,9 @@ std::atomic<pid_t> last_sender = 0;
 std::atomic<std::int64_t> last_ns = 0;
 static_assert(std::atomic<std::int64_t>::is_always_lock_free);
 
-// True if a signal is a copy of the last one, which must not count as a second request. The command
-// `timeout` sends each signal to its child and also to its process group. SIGHUP, from a closed
-// terminal, never counts twice.
+// True if a signal is a copy of the last one. A copy must not count as a second request. The
+// command `timeout` sends each signal to its child and also to its process group. SIGHUP, from a
+// closed terminal, never counts twice.
 bool is_repeated(int signal, const siginfo_t& info) {
   constexpr std::int64_t AT_ONCE_NS = 100'000'000;
   timespec now{};

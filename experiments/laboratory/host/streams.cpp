@@ -88,7 +88,7 @@ void print_paged(const std::string& given_text) {
   const auto text = base::show_controls(given_text);
   if (isatty(STDOUT_FILENO)) {
     const char* given = std::getenv("PAGER");
-    setenv("LESS", "FRX", 0);  // less exits at once if the text fits, and leaves it on the screen
+    setenv("LESS", "FRX", 0);  // if the text fits, exits and leaves it on the screen
     if (is_shown_by(given && *given ? given : "less", text)) return;
   }
   fmt::print("{}", text);
