@@ -68,7 +68,8 @@ double share_gained(bool least, double better, double worse) {
   return least ? worse / better - 1 : better / worse - 1;
 }
 
-// Averages the points that differ only in the seed. The result has one point for each group.
+// Averages each group of points that differ only in the seed. The result has one point for each
+// group.
 std::vector<Measured> average(const Table& table, const std::vector<Measured>& points) {
   if (find_seeds(table).empty()) return points;
   const auto group_of = number_samples(table);

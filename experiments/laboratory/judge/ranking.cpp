@@ -36,7 +36,8 @@ bool are_best(const std::string& names, const std::string& there) {
   });
 }
 
-// Makes an experiment with the points of one randomly drawn machine, counted from 0.
+// Makes an experiment with the points of one randomly drawn machine. `machine` is the number of
+// this machine, from 0.
 ExperimentFile make_machine(const ExperimentFile& file, const ExperimentFile& all,
                             std::size_t machine) {
   ExperimentFile own = file;
