@@ -78,7 +78,7 @@ Table average_seeds(const Table& table) {
   for (const auto c : kept) means.columns.push_back(table.columns[c]);
   means.columns.emplace_back(SEEDS);
   const auto groups = group_samples(table, all_rows(table));
-  // by row of the means, then by kept column
+  // half width of each mean: by row of the table of means, then by kept column
   std::vector<std::vector<std::optional<double>>> half_widths;
   // indices in `kept` of columns whose samples differ
   std::set<std::size_t> spread;
