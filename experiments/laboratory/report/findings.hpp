@@ -9,8 +9,8 @@
 
 namespace laboratory {
 
-/// Makes at most one sentence of each kind about each plot. Curves to which the same applies share
-/// a sentence. The kinds are
+/// Makes at most one sentence of each kind about each plot. Curves with equal findings share a
+/// sentence. The kinds are
 /// - bends of curves (see fit_power_law): "Speed-up bends at 4 workers for 200 objects
 ///   (workers^0.95, then workers^0.35)";
 /// - limiting resources, if the loads of the points are known: "Limited by coordination from 6
@@ -22,9 +22,9 @@ namespace laboratory {
 std::vector<std::string> tell_plots(const std::vector<Plot>& plots, bool titled, const Table& table,
                                     const std::vector<PointLoads>& points);
 
-/// Makes sentences about the resources that limit the points, for results without plots. The
-/// sentence about a single point is explain(). Several points are counted by resource: "Limited: 30
-/// of 52 points by coordination, 10 by tasks; in 12 nothing is saturated." Empty if no loads are
+/// Makes sentences about the resources that limit the points, for results without plots. explain()
+/// makes the sentence about a single point. Several points are counted by resource: "Limited: 30 of
+/// 52 points by coordination, 10 by tasks; in 12 nothing is saturated." Empty if no loads are
 /// known.
 std::vector<std::string> tell_points(const std::vector<PointLoads>& points);
 

@@ -25,7 +25,7 @@ namespace {
 using nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-// most workers of a network that is shown in the report (2 MB of SVG)
+// maximum number of workers of a network that is shown in the report (2 MB of SVG)
 constexpr int MAX_SHOWN = 1024;
 
 // Shares of time that processors were busy, by name. They are limited to at most 1, because

@@ -17,7 +17,7 @@ namespace laboratory {
 struct Simulation {
   ExperimentFile file;     ///< the experiment; its points are only those that were simulated
   HostSpeeds host_speeds;  ///< measured speeds of the host for cost = "timed"
-  /// result of each point; its member `use` is empty, since only the record has it
+  /// result of each point; its member `use` is empty, because only the point's record has this data
   Results results;
   /// path of the record of each point, relative to the results folder
   std::vector<std::filesystem::path> records;
