@@ -31,7 +31,7 @@ struct Estimate {
   double low = 0, high = 0;   ///< 95 % confidence interval by Student's t
 };
 
-/// A trend in the residuals of a fit, which shows that the law does not describe the points.
+/// A trend in the residuals of a fit. A trend shows that the law does not describe the points.
 struct Misfit {
   /// t statistic of a term added to the law: log n, or its square if the law has log n itself
   double t = 0;

@@ -45,7 +45,7 @@ Value to_cell(double value);
 /// back as the same number.
 std::string to_string(const Value& value);
 
-/// The number of characters in a UTF-8 text, which may be less than its bytes.
+/// The number of characters in a UTF-8 text, which may be smaller than the number of its bytes.
 std::size_t width_of(const std::string& text);
 
 /// Joins texts with a separator between them: "a, b, c".
