@@ -146,7 +146,7 @@ ExperimentFile spread(const ExperimentFile& file) {
     quantiles[entry] = draw_quantiles(seed, entry, machines);
   for (std::size_t machine = 0; machine < machines; ++machine) {
     const auto number = make_node(static_cast<std::int64_t>(machine + 1));
-    // by model of the file: the overrides that realise this machine
+    // the overrides that realise this machine, for each model in the file
     std::map<std::string, machine::Overrides> known;
     for (Point point : file.points) {
       const auto draw = [&](ModelSpec& spec) {

@@ -80,8 +80,9 @@ std::vector<Interval> find_intervals(const Table& table, const std::vector<Table
       auto sorted = all;
       std::ranges::sort(sorted);
       if (sorted.front() == sorted.back()) continue;
-      // Estimates the value below which one more machine would lie with the probability `share`:
-      // the sample with the rank share * (n + 1), counted from 1 and limited to the existing ranks.
+      // Estimates the value below which the result on one more machine would lie with the
+      // probability `share`: the sample with the rank share * (n + 1), counted from 1 and limited
+      // to the existing ranks.
       const auto at = [&](double share) {
         const auto n = static_cast<double>(sorted.size());
         const double place = std::clamp((share * (n + 1) - 1) / (n - 1), 0.0, 1.0);

@@ -1,6 +1,6 @@
 #pragma once
-// Uncertainty of results: their intervals over randomly drawn machines, and the model entries that
-// cause it.
+// Uncertainty of results: the intervals of the results over randomly drawn machines, and the model
+// entries that cause the uncertainty.
 #include <initializer_list>
 #include <string>
 #include <vector>
@@ -27,8 +27,8 @@ struct Influence {
   std::string entry;
   double swing;  ///< change of the result when the entry moves from 5 % to 95 % of its range
   double error;  ///< standard error of the swing
-  /// Spearman's rank correlation of the entry with the residuals of the fit on the entries that
-  /// were selected before it
+  /// Spearman's rank correlation of the entry with the residuals of a fit. The fit uses only the
+  /// entries that were selected before this entry.
   double correlation;
 };
 
