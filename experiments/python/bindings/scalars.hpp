@@ -14,7 +14,7 @@ pybind11::object to_python(const base::Scalar& value);
 /// `name` for other values.
 base::Scalar from_python(const std::string& name, const pybind11::handle& value);
 
-/// The name of a kind of values in Python.
+/// The Python name of a kind of values.
 const char* name_of(base::Domain::Kind kind);
 
 /// Describes a field: its name, unit, help, kind ("whole", "choice", ...), range, choices and
