@@ -50,9 +50,9 @@ struct Cells {
   std::uint32_t rank_of(std::uint32_t sample) const;
 };
 
-/// Makes the first primary ray of each sample, in the order of storing: from the largest cells to
-/// the smallest, and among equal sizes as `cells` specifies. With CellOrder::adaptive, makes only
-/// the rays of the largest cells.
+/// Makes the first primary ray of each sample, in the order of storing. Larger cells precede
+/// smaller ones, and `cells` specifies the order of cells of equal size. With CellOrder::adaptive,
+/// makes only the rays of the largest cells.
 std::vector<renderer::Ray> make_initial_rays(const renderer::Scene& scene,
                                              const renderer::Params& params, const Cells& cells,
                                              std::uint64_t seed);
