@@ -148,7 +148,7 @@ void Display::keep(const std::string& name) {
 }
 
 // Draws the upper and left borders of cells in white. Cells with sides below four pixels get no
-// borders, which would hide them.
+// borders, because borders would hide these cells.
 std::vector<std::uint8_t> Display::draw_borders() const {
   auto rgb8 = screen_.rgb8;
   const int width = shared_.record.samples.width;

@@ -44,7 +44,7 @@ class Worker final : private TaskGiver {
   Sampler sampler_;
   FrameBuffers unshown_;
   TaskManager tasks_;
-  bool is_under_way_ = false;  // a picture sent unasked awaits its acknowledgement
+  bool is_under_way_ = false;  // the last picture sent without a poll is not acknowledged
   // Messages that wait until the current sample is complete.
   std::deque<network::Message> deferred_;
   bool has_begun_;  // true when the first tasks, or the empty first message, have arrived

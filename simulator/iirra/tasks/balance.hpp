@@ -26,10 +26,11 @@ struct Peers {
   int parent = 0;               ///< parent in the spanning tree from the coordinator
 };
 
-/// The functions of a worker that its load balancing method calls.
+/// The functions of a worker that the worker's load balancing method calls.
 class TaskGiver {
  public:
-  /// Number of waiting tasks within the limits, not counting the task that is being worked on.
+  /// Number of waiting tasks that are within the present limits. Does not count the task in
+  /// progress.
   virtual std::size_t load() const = 0;
   /// Sends some tasks to worker `to`. Returns the number of tasks sent, 0 if there are none to
   /// spare.
