@@ -17,7 +17,8 @@ void Engine::set_pace(Pace& pace) {
 
 Engine::End Engine::run(Seconds until) {
   events_.set_until(until.value);
-  // Ensures one event, after which callbacks scheduled by soon() before the run are called.
+  // Schedules an event at time 0. After it, the callbacks that soon() scheduled before the run are
+  // called.
   events_.at(0, [] {});
   carrier_->run();
   if (events_.end() == End::no_event_left) rewind();

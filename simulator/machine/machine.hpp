@@ -44,9 +44,9 @@ class Machine {
   /// occam::ChannelBase). If either processor stops, the other one continues. Throws Misuse if `of`
   /// already has a companion.
   Processor& add_companion(Processor& of, std::string name, std::string role = {});
-  /// Adds a link between two processors, which passes `switches` C004 link switches. Throws Misuse
-  /// if a processor would have more than four links or a link to itself, or if the models of the
-  /// two processors have different link speeds.
+  /// Adds a link between two processors. The link passes through `switches` C004 link switches.
+  /// Throws Misuse if a processor would have more than four links or a link to itself, or if the
+  /// models of the two processors have different link speeds.
   void connect(Processor& a, Processor& b, int switches = 0);
   /// The direction from `from` to `to` of a link. `number` selects one of several links between the
   /// two processors; it counts from 0 in the order of connect(). Throws Misuse if there is no such
