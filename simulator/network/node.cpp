@@ -109,8 +109,8 @@ WaysOut Node::determine_ways(Message& message, int came_by) {
   }
   for (;;) {
     const int to = message.to.processor, client = client_of(message.to.process);
-    // After a cut, the route may lead through the sender again. A sender is never offered its own
-    // message.
+    // After a cut, the route of a message may lead through the message's sender again. A sender is
+    // never offered its own message.
     const bool is_offered =
         message.to.mode == Mode::in_path_to && from_link && message.from.processor != id;
     if (client != NO_WAY && (to == id || is_offered)) {

@@ -1,6 +1,6 @@
 #pragma once
-// The router of each method. It is in the source file with the method's name. A Node must outlive
-// the processes of its router.
+// The router of each method, in the source file with the method's name. A Node must outlive the
+// processes of its router.
 #include "simulator/network/node.hpp"
 
 namespace network {
