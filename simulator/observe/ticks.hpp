@@ -4,7 +4,7 @@
 
 namespace observe {
 
-/// Distance between tick marks in ns, and the unit of their labels, in ns and by name.
+/// Distance between tick marks in ns. The unit of their labels has a length in ns, and a name.
 struct Ticks {
   std::int64_t step_ns, unit_ns;
   const char* unit;
