@@ -16,7 +16,8 @@ inline std::shared_ptr<const machine::Model> find_model(const OtherModels& other
   return found == others.end() ? nullptr : found->second;
 }
 
-/// The model of processor `id`. `machines` is the model of the machine.
+/// The model of processor `id`: its own model if it has one, else `machines`, the model of the
+/// machine.
 inline const machine::Model& model_of(const OtherModels& others, int id,
                                       const machine::Model& machines) {
   const auto own = find_model(others, id);
