@@ -9,8 +9,8 @@ namespace ray_tracing {
 /// The fields show_at_s, show_every_s and growth.
 base::Fields<snapshots::Schedule> snapshot_fields();
 
-/// Checks that the recorded pictures fit into the host's memory and into an animation. Otherwise
-/// throws base::BadInput that names the key in the section `section`, for instance "farm".
+/// Throws base::BadInput unless the recorded pictures fit into the host's memory and into an
+/// animation. The error names the key in the section `section`, for instance "farm".
 void check_snapshots(const std::string& section, const snapshots::Schedule& snapshot_times,
                      const renderer::Params& image);
 
