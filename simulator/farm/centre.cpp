@@ -10,9 +10,9 @@ using occam::case_of, occam::this_process, occam::turn;
 void interaction(ray_tracing::Orders<Limits>& orders, const Progress& progress,
                  Channel<Command>& into_coordination) {
   out(into_coordination, Command{Begin{}});
-  // Sends a second Begin, which coordination ignores, to wait for the start of the user's time:
-  // coordination receives it only after it has stored the initial rays and recorded that start. The
-  // times of orders count from there.
+  // Sends a second Begin, in order to wait for the start of the user's time. Coordination ignores
+  // this Begin, but receives it only after it has stored the initial rays and recorded that start.
+  // The times of orders count from the start of the user's time.
   if (orders.has_any()) out(into_coordination, Command{Begin{}});
   for (bool has_left = false; !has_left;) {
     const auto what = orders[orders.next(progress.begun)].what;

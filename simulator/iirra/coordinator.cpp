@@ -148,8 +148,8 @@ void Coordinator::obey(const Message& message) {
       [&](const TaskRequest& request) {
         if (shared_.params.balance == BalanceMethod::green)
           return serve_demand(message.from.processor);
-        // The request passed all workers on its route unserved. Forwards it to a worker chosen in
-        // rotation, which stores the request until it has tasks to spare.
+        // No worker on the route has served the request. Forwards it to the next worker in
+        // rotation. This worker stores the request until it has tasks to spare.
         const auto& workers = shared_.places.workers;
         int to = request.asker;
         for (std::size_t tries = 0; to == request.asker && tries < workers.size(); ++tries)

@@ -29,7 +29,7 @@ std::uint64_t sift_down(std::vector<T>& heap, std::size_t i, Before before) {
   }
 }
 
-/// Makes a heap of elements in arbitrary order. Returns the number of exchanges.
+/// Turns `heap`, whose elements may be in any order, into a heap. Returns the number of exchanges.
 template <class T, class Before>
 std::uint64_t make_heap(std::vector<T>& heap, Before before) {
   std::uint64_t steps = 0;

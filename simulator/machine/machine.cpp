@@ -8,9 +8,9 @@ namespace {
 
 constexpr std::size_t MAX_LINKS = 4, WORD_BYTES = 4;
 
-// Rates of a link that passes C004 link switches. Each byte waits until the previous one has been
-// acknowledged. Byte and acknowledgement both pass every switch, so each switch lengthens the time
-// per byte.
+// Rates of a link that leads through C004 link switches. Each byte waits until the previous one has
+// been acknowledged. Byte and acknowledgement both pass every switch, so each switch lengthens the
+// time per byte.
 LinkRates rates_through(const Model::Link& link, int switches) {
   const double period = link.bit_rate / link.one_way_rate + switches * link.switch_byte_bits;
   const double rate = link.bit_rate / period;

@@ -159,8 +159,9 @@ Seconds Process::blocked(Wait::Kind kind) const {
 }
 
 // Syncs if too many charged cycles are unpaid, or if they extend beyond the time limit of the run.
-// Otherwise a process that only computes would keep the run from ending at its limit, at a failure
-// or on request. A Proc cannot sync here; if too many of its cycles are unpaid, it throws.
+// Without this sync, a process that only computes would never stop, and the run could not end at
+// its limit, at a failure or on request. A Proc cannot sync here; if too many of its cycles are
+// unpaid, it throws.
 void Process::sync_if_much() {
   if (executing != this) return;
   const Seconds earliest = processor_.now() + debt_ / processor_.clock();

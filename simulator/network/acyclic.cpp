@@ -68,7 +68,7 @@ class AcyclicRouter {
   }
 
   // Passes the message to the processes at its ways out. `came_by` is the way by which the message
-  // came, or NO_WAY; `as` is the way in whose channels are used.
+  // came, or NO_WAY; the channels of the input way `as` are used.
   void hand_on(Message message, int came_by, int as) {
     const Returned before = message.returned;
     const WaysOut ways = node_.find_ways_out(message, came_by);

@@ -227,8 +227,8 @@ Cycles ChannelBase::Exchange::cost_to_copy(const machine::Model::Channel& costs)
   return static_cast<std::int64_t>((bytes + 3) / 4) * costs.copy_word;
 }
 
-// Charges the cost of reaching the rendezvous. Returns false if the process must yield the CPU
-// before it goes on; pay() and pay_for_late_partner() do so too.
+// Charges the cost of reaching the rendezvous. Like pay() and pay_for_late_partner(), returns false
+// if the process must yield the CPU before it goes on.
 bool ChannelBase::Exchange::pay_to_come(Process& self) const {
   const auto& costs = self.processor().model().channel;
   const bool is_outword = side_ == writer && bytes_ == 4;

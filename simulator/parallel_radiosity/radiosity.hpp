@@ -33,8 +33,8 @@ struct Frame {
 struct Params {
   radiosity::SolveParams solve;  ///< tolerance, maximum number of shots, and form factors
   Distribution distribution = Distribution::tiles;
-  /// If true, one processor computes the light of a shared vertex and sends it to the others. If
-  /// false, each processor computes the light itself.
+  /// If true, one processor computes the light of a shared vertex and sends it to the other
+  /// processors that share the vertex. If false, each of them computes the light itself.
   bool exchange = true;
   network::Method method = network::Method::green;
   /// Number of shots between two pictures sent to the display; 0 means only the last picture.

@@ -19,8 +19,8 @@ struct RoomParams {
   /// has the refine of the scene; if `reference` is "", there is no reference.
   int reference_refine = 0;
   int reference_senders = 0;  ///< LightParams::senders of the reference
-  /// Interpolation of the reference. Its member twist is ignored in favour of that in
-  /// `reconstruction`.
+  /// Interpolation of the reference. The member twist of `reconstruction` is used in
+  /// place of its own member twist.
   radiosity::ReconstructionParams shown_reference;
 };
 

@@ -16,7 +16,7 @@ struct KeyImage {
 struct Rendering {
   renderer::Samples samples;
   std::vector<std::uint8_t> rgb8;    ///< final picture on the display
-  std::vector<KeyImage> key_images;  ///< at the ends of stages and at orders
+  std::vector<KeyImage> key_images;  ///< at the end of each stage and at each order
   /// Pictures that snapshots::Recorder has recorded.
   std::vector<snapshots::Snapshot> pictures, growth;
   renderer::RayCounts rays;

@@ -37,7 +37,7 @@ base::Columns<Figures> figure_columns() {
 QualityCurve make_quality_curve(const std::vector<Snapshot>& pictures, int width, int max_cell) {
   if (pictures.empty()) return {};
   // Borders of larger cells are also borders of cells with sides of 4 pixels. Drawing only the
-  // borders of the latter therefore shows all borders.
+  // borders of the small cells therefore shows all borders.
   const int side = std::min(max_cell, 4);
   const auto last = make_bitmap(pictures.back(), width);
   QualityCurve growth;

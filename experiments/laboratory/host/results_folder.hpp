@@ -9,9 +9,9 @@
 
 namespace laboratory {
 
-/// Throws BadInput if writing results into `path` would destroy files of the user: if `path` is not
-/// a folder, is the current folder or a parent of it, or contains files but neither run.json nor
-/// points/.
+/// Throws BadInput if writing results into `path` would destroy files of the user. This is so if
+/// `path` is not a folder, if it is the current folder or one of its parents, or if it contains
+/// files but neither run.json nor points/.
 void check_results_folder(const std::filesystem::path& path);
 
 /// Collects results in a hidden folder beside `path`, ".NAME.partial-HOST-PID". `commit` moves them

@@ -23,8 +23,8 @@ struct PlotSize {
 
 PlotSize choose_size(const base::FigureStyle& style);
 
-/// Layout of the legend. It has at most as many columns as gnuplot itself would choose. Otherwise,
-/// gnuplot would change the number of lines.
+/// Layout of the legend. It has at most as many columns as gnuplot itself would choose. With more
+/// columns, gnuplot would change the number of lines.
 struct LegendLayout {
   int lines = 0, columns = 1;
   std::size_t longest = 0;  ///< number of letters that fit into an entry
