@@ -92,7 +92,8 @@ class Groups {
 
  private:
   struct Group {
-    std::vector<Covering> above, below;  // pairs that cover a member, pairs that a member covers
+    // pairs in which another face covers a member; pairs in which a member covers another face
+    std::vector<Covering> above, below;
     std::optional<Vec> up;  // direction of the lift; none yet if all members are two-sided
     int levels_above = 0, levels_below = 0;
     double height = 0;

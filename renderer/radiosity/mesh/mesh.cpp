@@ -15,8 +15,9 @@ namespace radiosity {
 
 namespace {
 
-// Number of patches that creases may always produce in a room, even if it has few patches without
-// creases. In a single face, creases may multiply the number of patches by up to MOST_FACE_GROWTH.
+// Number of patches that a room with creases may always have, even if it would have few patches
+// without creases. In a single face, creases may multiply the number of patches by up to
+// MOST_FACE_GROWTH.
 constexpr std::size_t MOST_ANYHOW = 2000;
 constexpr int MOST_FACE_GROWTH = 64;
 // Largest step of the illumination in a penumbra, as a fraction of the mean illumination that the
