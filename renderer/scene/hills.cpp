@@ -73,7 +73,7 @@ double eval_ground(double x, double y) {
 // Indices of the points of a triangle, counter-clockwise as seen from above.
 using Corners = std::array<std::uint32_t, 3>;
 
-// Strips of triangles between rows of points; rows run from front to back.
+// Strips of triangles between rows of points. The first row is in front, the last row at the back.
 struct Ground {
   std::vector<Vec> points;
   std::vector<Corners> triangles;

@@ -239,8 +239,9 @@ inline constexpr double CLOSE = 32e-10;
 Vec pull_inside(const Polygon& polygon, const PolygonCorner* pool, const Vec& point,
                 double epsilon);
 
-// In a room, half of all rays to lights go towards a given wall, but nearly all of them end before
-// it. Branches that the processor predicts well reject such polygons.
+// In a room, half of all rays to lights go towards a given wall, but nearly all of these rays end
+// before the wall. The branches below reject such polygons. The host's processor predicts these
+// branches well.
 [[gnu::always_inline]] inline double intersect(const Polygon& p, Probe& ray) {
   if (ray.starts_on(p.tag)) return NO_HIT;
   const Vec &origin = ray.origin, &direction = ray.direction;
