@@ -256,7 +256,8 @@ TEST(Distributed, AnEdgeBehindATranslucentPlate) {
     expect_segments(fmt::format("f 0 0 0 0 0 1 1 1\n# translucent {}\n", radius), false, radius);
 }
 
-// Reflected rays that would go through the surface are mirrored to the right side.
+// Reflected rays that would pass through the surface are mirrored back to the side on which they
+// belong.
 TEST(Distributed, GlossStaysOnItsSide) {
   const Scene scene = parse(
       "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nf 0 0 0 0 1 1 1 1.2\n# gloss 1\n# translucent 1\n"

@@ -67,7 +67,7 @@ Scene make_lines() {
   return scene;
 }
 
-// The shadow on a wall of a half plane that is not in the picture. The light is 4 pixels wide.
+// A half plane, which is not in the picture, casts a shadow on a wall. The light is 4 pixels wide.
 Scene make_shadow_edge() {
   Scene scene = make_view();
   add_half_plane(scene, -500);

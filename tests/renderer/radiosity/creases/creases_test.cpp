@@ -131,7 +131,8 @@ TEST(Discontinuities, FromAFootOneGoesOutForEveryCornerOfTheLight) {
   const auto creases = find_creases(room);
   for (const double foot : {-1.0, 1.0})
     for (const Vec& corner : room.faces[1].corners) {
-      // The lines are as long as the shadow of the edge, whose height is a quarter of the lamp's.
+      // The lines are as long as the shadow of the upright edge. This edge is a quarter as high as
+      // the lamp.
       const Vec end{foot + (foot - corner.x) / 3, -corner.y / 3, 0};
       EXPECT_TRUE(is_crease({foot, 0, 0}, end, creases)) << foot << ' ' << corner.x << corner.y;
     }

@@ -114,8 +114,8 @@ TEST_F(Pieces, LargerThanDeltaAreasDoNotMatter) {
                 eval(mesh, point, patch, {.samples = 8, .reflections = 1, .mirror_pieces = 1}));
 }
 
-// With smaller pieces, each with its fraction h, the result must converge to the exact view in the
-// mirror: for every patch, and in total.
+// With smaller pieces, the result must converge to the exact view in the mirror: for every patch,
+// and in total.
 TEST_F(Pieces, SmallOnesConverge) {
   const Mesh mesh = make(1);
   const auto points = make_points(10);
@@ -142,8 +142,8 @@ TEST_F(Pieces, SmallOnesConverge) {
   EXPECT_LT(last, 0.03);
 }
 
-// Over two mirrors, the piece with the smaller solid angle counts. Each solid angle is as seen from
-// the vertex, along the whole path.
+// On a path via two mirrors, the piece with the smaller solid angle counts. Solid angles are
+// measured from the vertex, along the whole path.
 TEST_F(Pieces, OfTwoMirrorsConverge) {
   Room room = make_cube("xyzZ", false, 1);
   add_walls(room, "XY", 1, 2);

@@ -151,7 +151,8 @@ TEST(Adapt, SharesAreOfThePictureAndOfItsSquare) {
   double all = 0;
   const Mesh straight = make_mesh(room, {});
   for (const Rgb& share : find_shares(straight, room.view, picture)) all += share.r;
-  EXPECT_NEAR(all, 0.96, 1e-12);  // the lamp's back, 2 x 2 of 10 x 10, is black
+  // the lamp's back is black and hides 2 x 2 of the ceiling's 10 x 10 units
+  EXPECT_NEAR(all, 0.96, 1e-12);
   add_quad(room, 2, {-5, -5, 900}, {0, 10, 0}, {10, 0, 0});  // a mirror that faces down
   room.view.from = {0, 0, 0.5};
   room.view.at = {0, 0, 1};
