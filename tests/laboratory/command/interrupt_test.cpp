@@ -120,7 +120,7 @@ TEST_F(Interrupt, DrawingsOfTopologiesAreNotWaitedFor) {
   }
 }
 
-// The scene comes through a pipe. When tlab has opened the pipe, it is waiting for the scene.
+// The scene comes through a pipe. Once tlab has opened the pipe, it waits for the scene.
 TEST_F(Sweep, ReadingIsInterrupted) {
   const auto pipe = folder.path / "scene.nff";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -327,7 +327,8 @@ TEST_F(Sweep, SignalsAreHandledFromTheStart) {
   }
 }
 
-// A signal that only the process of a simulation gets is no request of the user to end the run.
+// A signal that reaches only the process of a simulation is not a request by the user to end the
+// run.
 TEST_F(Sweep, ASimulationThatIsEndedAloneIsAFailure) {
   write_file(folder.path / "e.toml",
              "[image]\nwidth = 4000\nheight = 200\n[sweep]\nworkers = [1]\n"

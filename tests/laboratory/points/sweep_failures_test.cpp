@@ -110,7 +110,8 @@ TEST_F(Sweep, ImagesOfOtherProcessesStay) {
   EXPECT_EQ(count(), before);
 }
 
-// A defect of tlab has precedence over a fault of the simulated program, in any order.
+// A defect of tlab has precedence over a fault of the simulated program, whichever point fails
+// first.
 TEST(ExperimentsFailures, OfSeveralTheLowestExitCodeCounts) {
   const auto file = load("[sweep]\nworkers = [1, 2, 3]\n");
   const auto code_of = [&](const std::vector<int>& codes) {

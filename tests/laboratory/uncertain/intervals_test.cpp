@@ -67,8 +67,8 @@ TEST(Influences, OfASumAreItsFactors) {
   }
 }
 
-// A sum with noise, and 100 entries, most of them without effect. The factors are found within
-// their errors, and entries without effect are seldom selected.
+// The result is a sum of two entries and noise. The other 100 entries have no effect. The factors
+// of the sum are found within their standard errors. Entries without effect are seldom selected.
 TEST(Influences, AreFoundAmongMany) {
   int others = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
