@@ -111,8 +111,9 @@ TEST(FrameBuffer, ShowsTheSameInAnyOrder) {
     }
 }
 
-// A cell with a side of 8 pixels shrinks twice at once if the samples 2 pixels away arrive before
-// those 4 pixels away. The picture must be the same as in the usual order.
+// If the samples 2 pixels from the corner of a cell arrive before the samples 4 pixels from this
+// corner, a cell with a side of 8 pixels shrinks twice at once. The picture must be the same as in
+// the usual order of arrival.
 TEST(FrameBuffer, SmoothCellsAreRepaintedWhenTheyShrinkTwice) {
   const auto paint = [](std::vector<std::uint32_t> samples) {
     FrameBuffer picture(16, 16, {.width = 16, .max_cell = 8}, CellLight::smooth);

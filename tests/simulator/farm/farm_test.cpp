@@ -92,8 +92,8 @@ TEST(Farm, ImageDoesNotDependOnLimitsOrdersSeedsOrCells) {
   }
 }
 
-// The transfer of the scene takes longer than 0.05 s, the time of the order. The order must still
-// take effect 0.05 s after the first task.
+// The order is for the time 0.05 s. The transfer of the scene takes longer than that. The order
+// must still take effect 0.05 s after the first task.
 TEST(Farm, OrdersCountFromTheFirstTask) {
   run_isolated([] {
     Params params = small_params();

@@ -71,7 +71,8 @@ TEST(Session, RaysThatNewLimitsAdmitAreAskedForAtOnce) {
   }
 }
 
-// Whatever the order, cells, weights and user's orders, the result must be the sequential image.
+// The result must be the sequential image for any order of cells, any kind of cells, any weights,
+// and any orders of the user.
 TEST(Session, EndsWithTheImage) {
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -163,8 +164,8 @@ TEST(Session, PointsAreDark) {
   EXPECT_EQ(told, "9 108 true");
 }
 
-// All rays within the first limits are traced long before the order comes. The farm must wait for
-// it.
+// All rays within the first limits are traced long before the next order comes. The farm must wait
+// for this order.
 TEST(Session, TheNullModeWaitsForTheNextOrder) {
   const std::string told = isolated([] {
     Params params = staged_params();

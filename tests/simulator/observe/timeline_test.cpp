@@ -112,7 +112,8 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// Two processes wait for each other, a third for them. Arrows show the cycle only.
+// Two processes wait for each other; a third process waits for them. Arrows show only the cycle of
+// the two processes.
 TEST(TimelineSvg, ADeadlockIsMarked) {
   Trace trace = make_small_trace();
   EXPECT_FALSE(contains(saved(save_timeline, trace), "waits for"));

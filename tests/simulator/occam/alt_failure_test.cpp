@@ -7,9 +7,10 @@
 namespace occam {
 namespace {
 
-// A process waits in an ALT for a message or a timeout. wait_in_alt() returns 1 for the message, 0
-// for the timeout, or -1 if the link was cut after the message's guard was chosen; then the cycle;
-// then whether the output succeeded.
+// A process waits in an ALT for a message or a timeout. wait_in_alt() returns three numbers. The
+// first is 1 for the message, 0 for the timeout, or -1 if the link was cut after the message's
+// guard was chosen. The second is the cycle at which the ALT ends. The third is 1 if the output
+// succeeded, otherwise 0.
 struct AltCase {
   double cut;
   Priority writer, reader;
@@ -76,7 +77,9 @@ TEST(AltFailure, MayComeAtAnyCycleOfAnAlt) {
         ++seen.at(static_cast<std::size_t>(found.at(0) + 1));
       }
   for (int times : seen)
-    EXPECT_GT(times, 0);  // cuts after the choice, before it, and after the message
+    // the three outcomes occur: a cut after the choice, a cut before it, and a cut after the
+    // message
+    EXPECT_GT(times, 0);
 }
 
 TEST(AltFailure, OtherGuardsGoOn) {
