@@ -308,7 +308,8 @@ TEST(TopologyTexts, MetricsAreATable) {
 TEST(TopologySvg, NeedsGraphvizOnlyForGraphsOfNoKnownShape) {
   const std::string path = getenv("PATH");
   setenv("PATH", "/nonexistent", 1);
-  // Positions come from the shape: neighbours of a mesh are 1.6 units of 36 points apart.
+  // Positions come from the shape: neighbours in a mesh are 1.6 units apart, and a unit is 36
+  // points.
   const auto mesh = to_svg(make_topology("mesh:16x16"));
   EXPECT_NE(mesh.find("width=\"9"), mesh.npos) << mesh.substr(0, 800);
   auto graph = make_topology("ring:3");
