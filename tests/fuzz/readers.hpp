@@ -32,8 +32,8 @@ struct Reader {
 /// All readers. Their names are different.
 std::vector<Reader> all_readers();
 
-/// Makes readers that execute the program `tlab` in a process of its own, with the texts as files.
-/// Making them writes files into the current folder.
+/// Makes readers that execute the program `tlab` in a separate process. The program reads the texts
+/// from files. Making the readers writes files into the current folder.
 std::vector<Reader> command_readers(const std::string& tlab);
 
 /// Loads the texts for a reader: its own corpus, and files of the project.

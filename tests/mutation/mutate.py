@@ -1,8 +1,9 @@
-"""Changes the program in one place at a time and looks whether the tests notice.
+"""Changes the program in one place at a time and checks whether the tests notice.
 
-All changes are in one build, each behind a switch. A mutant is killed if a test fails, crashes or takes 10 s
-and ten times as long as without it, twice. Only the tests that come by the changed place are run: those of the room's
-own folder first, the shortest before others, until a limit of time."""
+All changes are in one build, each behind a switch. A mutant is killed if a test fails twice with it. A test also fails
+if it crashes, or if it takes longer than 10 s plus ten times its duration without the mutant. Only tests that execute
+the changed place are run: first those in the folder of the mutant's room, then the others, and each time the shortest
+test first. They are run until the time limit is reached."""
 import argparse
 import concurrent.futures
 import hashlib

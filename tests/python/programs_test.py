@@ -1,4 +1,5 @@
-"""A function for each program: the command's help is the oracle of signatures, its runs are that of results."""
+"""Functions of the package, one for each program. Their signatures must agree with the command's
+help, and their results with the command's runs."""
 
 import inspect
 import keyword
