@@ -24,7 +24,7 @@ constexpr int MOST_FACE_GROWTH = 64;
 // room would have if it were closed.
 constexpr double STEP = 0.005;
 
-// The reversed face, for its second side.
+// Returns a face turned round, for the patches of its second side.
 Face turn(Face face) {
   std::ranges::reverse(face.corners);
   std::ranges::reverse(face.normals);
