@@ -130,7 +130,8 @@ std::optional<SurfacePoint> RoomGeometry::intersect(const Vec& origin, const Vec
       return SurfacePoint{near - eval_height(plane, near) * plane.normal,
                           in_front ? plane.normal : -plane.normal, face};
     }
-    // The ray has hit a back. Searches for the front of a face that lies on it.
+    // The ray has hit the back of a face. Searches for a face that lies on this back and shows its
+    // front.
     context.to = face;
     const float found = query.ray.tfar;
     query.ray.tnear = std::max(NEAREST, found - static_cast<float>(TOGETHER));

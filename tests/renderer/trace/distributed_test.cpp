@@ -91,7 +91,7 @@ TEST(Distributed, WhatIsInFocusIsSharp) {
 }
 
 // The length of motion blur in the image must be the length of the movement while the shutter is
-// open, divided by its distance from the eye.
+// open, divided by the distance between the eye and the movement.
 TEST(Distributed, BlurIsSpeedTimesShutter) {
   constexpr double DEPTH = 10, RADIUS = 0.3, SPEED = 3;
   for (const bool is_camera : {false, true})

@@ -10,8 +10,8 @@
 namespace radiosity::test {
 namespace {
 
-// Provides points in the middle of a cube with random normals. They see the cube's patches over the
-// mirror at high x.
+// Provides points in the middle of a cube. Their normals are random. They see the cube's patches
+// via the mirror at high x.
 class Pieces : public testing::Test {
  protected:
   static Mesh make(int n) {
@@ -62,8 +62,9 @@ TEST_F(Pieces, OneAloneFollowsEquations312And316) {
   }
 }
 
-// For any shape of the mirror and any position of the delta area in it, h is at most 1. The light
-// is then at most that of thesis Eq 3.12.
+// h is the fraction of a delta area that a piece of a mirror shows. It is at most 1 for any shape
+// of the mirror and for any position of the delta area's image in the mirror. The light is then at
+// most that of thesis Eq 3.12.
 TEST_F(Pieces, NeverShowMoreThanThereIs) {
   Random random{3};
   int lit = 0;

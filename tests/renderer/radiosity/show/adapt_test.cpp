@@ -193,8 +193,8 @@ TEST(Adapt, TakesAnyRoom) {
     EXPECT_LE(adapted.error, 0.05);
     EXPECT_GT(mesh.patches.size(), 2 * before);
     EXPECT_EQ(mesh.mirrors.size(), 1u);
-    // The patches of each side cover it exactly once: the floor, the lamp, the leaning face on both
-    // sides, and the triangle.
+    // The patches cover every visible side exactly once: the floor, the lamp, the leaning face on
+    // both sides, and the triangle.
     EXPECT_NEAR(mesh.area, 36 + 4 + 2 * std::sqrt(4.25) + 1, 1e-9);
     // No patch of the floor may extend across the crease.
     for (const Patch& patch : mesh.patches) {
