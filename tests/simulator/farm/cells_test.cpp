@@ -46,8 +46,8 @@ std::vector<std::pair<std::uint32_t, renderer::Rgb>> random_contributions(std::m
   return all;
 }
 
-// The expected picture: each pixel shows the sample of the smallest cell around it that has a
-// sample.
+// The expected picture. Each pixel lies in cells of several sizes. It shows the sample of the
+// smallest of these cells that has a sample.
 std::vector<std::uint8_t> constant_picture(const renderer::Samples& samples,
                                            const std::set<std::uint32_t>& there,
                                            const Cells& cells) {
@@ -191,7 +191,7 @@ TEST(FrameBuffer, ShowsTheMeanOfSamples) {
   FrameBuffer means(4, 4, {.width = 4, .max_cell = 1}, CellLight::constant, {}, sampling);
   for (const double red : {0.2, 0.6, 0.7}) means.add(ray_of(3), {red, 0, 0}, work);
   EXPECT_NEAR(means.samples().get(3).r, 0.5, 1e-9);
-  // finish() replaces the sums by those of samples with unequal weights.
+  // finish() replaces the contributions so far by sums of samples with unequal weights.
   renderer::Samples::Sums sums;
   add(sums, renderer::Rgb{3 * 0.6, 0, 0});
   means.finish({3, sums}, work);

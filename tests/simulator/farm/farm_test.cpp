@@ -259,8 +259,8 @@ TEST(Farm, FaultsSayWhoAndWhat) {
   }
 }
 
-// Messages of the farm are not sent around a cut link. The farm must wait for the lost workers
-// until it deadlocks, unless it had already finished.
+// Messages of the farm are not sent around a cut link. If the farm has not finished before the cut,
+// it waits for the lost workers. It must then end in a deadlock.
 TEST(Farm, ACutLinkIsADeadlockUnlessTheFarmIsOver) {
   const auto run_cut = [](double at_s) {
     return isolated([&] {

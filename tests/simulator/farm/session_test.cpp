@@ -41,9 +41,9 @@ std::ptrdiff_t black_pixels(const std::vector<std::uint8_t>& rgb8) {
   return n;
 }
 
-// The first rays come from the top of the scene, where two mirrors are; the last ones hit nothing.
-// At the end of the phase no child ray thus makes the coordination ask the database again. New
-// limits must nevertheless take effect at once.
+// The first rays come from the top of the scene, which has two mirrors. The last rays hit nothing.
+// At the end of the phase, there is therefore no child ray that would make the coordination ask the
+// database again. New limits must nevertheless take effect at once.
 TEST(Session, RaysThatNewLimitsAdmitAreAskedForAtOnce) {
   const auto scene = renderer::parse_scene(
       "v\nfrom 0 -4 0\nat 0 0 0\nup 0 0 1\nangle 40\nhither 0.01\nresolution 24 24\n"

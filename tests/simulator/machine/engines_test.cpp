@@ -89,7 +89,8 @@ TEST_F(Engines, RunRandomMachinesTheSameInParts) {
   }
 }
 
-// Parts must run in the same time windows; otherwise they would only take turns.
+// The parts of a machine must run in common time windows. Without common windows, only one part
+// would run at a time.
 TEST_F(Engines, PartsShareWindows) {
   const Plan plan = make_plan(3);
   EngineParams engine = DIRECT;

@@ -91,8 +91,9 @@ TEST(ProcessorStop, ForgetsItsTimers) {
   }
 }
 
-// Neighbours that wait or communicate must fail at the moment of the stop; those that try later, at
-// once. Processes of the stopped processor itself must not receive a failure.
+// Neighbours that wait or communicate must fail at the moment of the stop. Neighbours that start to
+// communicate later must fail at once. Processes of the stopped processor itself must not receive a
+// failure.
 TEST(ProcessorStop, CutsItsLinks) {
   const auto blocked = static_cast<double>(make_exact_model().channel.blocked.value);
   for (auto priority : BOTH_PRIORITIES)
