@@ -11,7 +11,7 @@
 
 namespace fuzz {
 
-/// Error: the result of a reader lacks a property that it should have.
+/// Thrown if the result of a reader lacks a property that it should have.
 struct Broken : std::logic_error {
   using std::logic_error::logic_error;
 };

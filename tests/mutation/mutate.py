@@ -34,7 +34,8 @@ TREE = SOURCE / "build" / "release"
 RESULTS = BUILD / "results.json"
 ROOMS = ["base", "topologies", "renderer", "simulator", "experiments"]
 JUDGED = Path(__file__).parent / "judged.toml"
-# Tests that are not run: tests of the source text, of other programs, and tests that run tests.
+# Tests that are not run: tests of the source text, tests of other programs, and tests that run
+# tests.
 NOT_RUN = re.compile(r"^(Kills|Fuzz|IncludeGraph|Docs|Consumer|Install)\b|Spin|HaveAtMost100Lines")
 
 
@@ -255,7 +256,8 @@ def try_mutant(number, plan, limit_s):
 
 
 def plan_tests(number, site, tests, measured, done):
-    """The tests that reach a mutant, in order, without those already run."""
+    """Returns the tests that reach a mutant, without those already run. Tests of the room's own
+    folder come first; within each group, the shortest test comes first."""
     plan = []
     for test in tests:
         found = measured[test.name]

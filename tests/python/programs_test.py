@@ -72,7 +72,8 @@ class FunctionsTest(unittest.TestCase):
 
 
 def _comparable(value, text):
-    """A default and its spelling in help, as truth values, numbers, lists of numbers or texts."""
+    """Converts a default, and the spelling of a default in the help, to values that can be
+    compared: truth values, numbers, lists of numbers, or texts."""
     if text in ("true", "false"):
         return bool(value), text == "true"
     if isinstance(value, (int, float)):
