@@ -45,7 +45,7 @@ Scene make_dots() {
   return scene;
 }
 
-// A slanted cylinder in each row of pixels, 1/8 of a pixel wide.
+// A slanted cylinder, 1/8 of a pixel wide, in each row of pixels.
 Scene make_hairs() {
   Scene scene = make_view();
   for (int i = 0; i < SIDE; ++i) {

@@ -30,8 +30,8 @@ TEST(Discontinuities, ParallelSquares) {
     add_face(room, turn(make_rectangle(-a, -a, a, a, h)), LIGHT);
     add_face(room, make_rectangle(-b, -b, b, b, g), seed % 2 == 0 ? GREY : MIRROR);
     add_face(room, make_rectangle(-9, -9, 9, 9, 0), GREY);
-    // By similar triangles: where a line from the light's edge at x past the occluder's edge at y
-    // meets the floor.
+    // By similar triangles: the position at which a line from the light's edge at x past the
+    // occluder's edge at y meets the floor.
     const auto floor = [&](double x, double y) { return x + (y - x) * h / (h - g); };
     const double outer = floor(-a, b), inner = std::abs(floor(a, b));
     std::vector<Crease> expected;
