@@ -161,7 +161,7 @@ Quantities random_quantities(std::mt19937_64& random) {
 }
 
 // The chosen step must be possible and within the limits. Advance::none must be chosen only if no
-// step is both.
+// step is both possible and within the limits.
 TEST(IirraAdvance, IsPossibleAndAllowed) {
   for (std::uint64_t seed = 1; seed <= 4000; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

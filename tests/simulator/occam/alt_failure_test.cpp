@@ -54,8 +54,8 @@ TEST(AltFailure, AGuardOnACutLinkIsNeverReady) {
     for (auto reader : BOTH_PRIORITIES) {
       const auto silent = wait_in_alt({1e9, writer, reader, 0, false});
       ASSERT_EQ(silent.at(0), 0);
-      // The link is cut from the start, before the writer arrives, or while the writer has charged
-      // cycles in advance.
+      // In the three cases the link is cut at the start, before the writer arrives, or while the
+      // writer has charged cycles in advance.
       for (const auto& [cut, computes] : {std::pair{0.0, 0}, {500.0, 3000}, {500.0, 900}}) {
         const auto found = wait_in_alt({cut, writer, reader, computes});
         EXPECT_EQ(found.at(0), 0) << cut;
