@@ -187,7 +187,7 @@ TEST(TopologyDot, AssignsFreePortsInTheOrderOfEdges) {
   EXPECT_EQ(t.links, expected);
 }
 
-// In a strict undirected graph, the edge b -- a is the edge a -- b if that exists already.
+// In a strict undirected graph, b -- a means the edge a -- b if this edge exists already.
 TEST(TopologyDot, PortsAreThoseOfNodesAndOfDefaults) {
   for (const auto* text :
        {"graph { 0:1 -- 1:2:ne }", "graph { edge [port_a=1]; 0 -- 1:3 [headport=\"2:n\"] }",
