@@ -75,7 +75,7 @@ def read_sites(file, arguments):
 
 
 def draw_apart(sites, number, draw):
-    """Chooses up to `number` sites of a source that do not overlap."""
+    """Chooses up to `number` sites of one source. The chosen sites do not overlap."""
     drawn = []
     for site in draw.sample(sites, len(sites)):
         if len(drawn) < number and all(site.end <= other.start or site.start >= other.end for other in drawn):
