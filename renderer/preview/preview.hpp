@@ -10,7 +10,7 @@ namespace renderer {
 
 enum class PreviewStep : std::uint8_t {
   points,   ///< corners of polygons and of the facets of spheres and cones
-  edges,    ///< visible edges of these polygons and facets
+  edges,    ///< visible edges of polygons and of the facets of spheres and cones
   flat,     ///< flat shading: one colour per facet, computed at its middle
   gouraud,  ///< colours interpolated between the corners of facets
   phong,    ///< illumination computed at every pixel, without shadows

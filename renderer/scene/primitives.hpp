@@ -246,7 +246,7 @@ Vec pull_inside(const Polygon& polygon, const PolygonCorner* pool, const Vec& po
   if (ray.starts_on(p.tag)) return NO_HIT;
   const Vec &origin = ray.origin, &direction = ray.direction;
   const double along = dot(p.normal, direction);
-  // NaN or infinite if parallel.
+  // NaN or infinite if the ray is parallel to the plane.
   const double distance = (p.offset - dot(p.normal, origin)) / along;
   const bool ahead = (distance > ray.epsilon) & (distance < NO_HIT);
   ray.edges += ahead;
