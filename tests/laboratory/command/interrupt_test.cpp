@@ -98,8 +98,8 @@ TEST_F(Interrupt, OlderResultsStay) {
   EXPECT_EQ(folder.names(), (Arguments{"bin", "e.toml", "r"}));
 }
 
-// A killed tlab cannot report or clean up. But the programs that it has started end, and the next
-// run cleans up.
+// A killed tlab cannot report or clean up. However, the programs that it started must end as well,
+// and the next run of tlab must clean up.
 TEST_F(Interrupt, AKilledRunLeavesNoProgramAndTheNextOneTidies) {
   EXPECT_EQ(interrupt_drawing(SIGKILL, {"run", "e.toml", "-o", "r"}).exit_code, -1);
   EXPECT_EQ(folder.names().size(), 4u);
