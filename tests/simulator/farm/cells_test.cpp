@@ -16,7 +16,7 @@ namespace {
 
 using renderer::Area;
 
-// Returns a primary ray of the pixel with number `sample`.
+// Returns a primary ray of the pixel whose number is `sample`.
 template <class Sample>
 renderer::Ray ray_of(Sample sample) {
   renderer::Ray ray;

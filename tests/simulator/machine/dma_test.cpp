@@ -12,8 +12,9 @@ double cycles_to_move(const Model& model, std::uint64_t bytes) {
   return static_cast<double>(bytes) / model.link.one_way_rate * model.cpu.clock.value;
 }
 
-// High-priority processes send a message from processor 0 to 1, while a low-priority process
-// computes on each. Returns the ends of the two computations and of the run, in cycles.
+// High-priority processes send a message from processor 0 to 1. At the same time, a low-priority
+// process computes on each of the two processors. Returns the ends of the two computations and of
+// the run, in cycles.
 Numbers compute_beside_transfer(const Model& model, std::int64_t cycles, std::uint64_t bytes) {
   return isolated_numbers([&] {
     Lab lab(model);

@@ -190,7 +190,7 @@ TEST(Amp, ProcessorsOfOtherModels) {
     const auto quick_run = run_with({});
     const auto slow_run = run_with({}, "t800-20");
     EXPECT_EQ(run_with(all).time_s, slow_run.time_s);
-    // If one processor is slow, the others must wait, at least if it is the one with the most work.
+    // At least if the slow processor is the one with the most work, the others must wait for it.
     double latest = 0, most_unequal = 0;
     for (int id = 0; id < 5; ++id) {
       const auto mixed_run = run_with({{id, slow}});
