@@ -2,8 +2,8 @@
 
 All changes are in one build, each behind a switch. A mutant is killed if a test fails twice with it. A test also fails
 if it crashes, or if it takes longer than 10 s plus ten times its duration without the mutant. Only tests that execute
-the changed place are run: first those in the folder of the mutant's room, then the others, and each time the shortest
-test first. They are run until the time limit is reached."""
+the changed place are run: first those in the folder of tests that mirrors the folder of the changed source, then the
+others, and each time the shortest test first. They are run until the time limit is reached."""
 import argparse
 import concurrent.futures
 import hashlib
@@ -40,13 +40,14 @@ NOT_RUN = re.compile(r"^(Kills|Fuzz|IncludeGraph|Docs|Consumer|Install)\b|Spin|H
 
 
 def room_of(file):
-    """The folder of a file's room, such as simulator/farm, without deeper folders."""
+    """The room of a file (see CMakeLists.txt): its folder, such as simulator/farm, without deeper
+    folders."""
     parts = Path(file).parent.parts
     return "/".join(parts[:3 if parts[0] == "experiments" else 2])
 
 
 def read_commands():
-    """The compile command of each source, outside unity builds."""
+    """The compile command of each source, in a build without unity files."""
     tree = BUILD / "commands"
     subprocess.run(["cmake", "--preset", "release", "-B", tree, "-DCMAKE_UNITY_BUILD=OFF"], cwd=ROOT, check=True,
                    stdout=subprocess.DEVNULL)
@@ -84,7 +85,8 @@ def draw_apart(sites, number, draw):
 
 
 def choose(rooms, number, seed):
-    """Draws mutants: equally many from each room below `rooms`, and from each source of a room."""
+    """Draws mutants: equally many from each room below the folders `rooms`, and equally many from
+    each source of a room."""
     commands = read_commands()
     by_room = {}
     for file in sorted(commands):
@@ -99,8 +101,8 @@ def choose(rooms, number, seed):
     drawn = {file: draw_apart(sites[file], share, draw) for file in files}
     chosen, some = [], True
     while some and len(chosen) < number:
-        # In each round, takes one place from each room, from the source with the fewest places so
-        # far.
+        # In each round, takes one place from each room: from the room's source with the fewest
+        # places so far.
         some = False
         for room in draw.sample(sorted(by_room), len(by_room)):
             left = [file for file in files if drawn[file] and room_of(file) == room]
@@ -204,7 +206,7 @@ def list_tests(wanted):
 
 
 def is_own(test, file):
-    """Whether a test stands in the folder that mirrors the source's room."""
+    """Whether the folder of a test mirrors the room of a source."""
     folder = test.source.replace("tests/laboratory", "tests/experiments/laboratory").removeprefix("tests/")
     return bool(folder) and room_of(folder) == room_of(file)
 
@@ -256,8 +258,8 @@ def try_mutant(number, plan, limit_s):
 
 
 def plan_tests(number, site, tests, measured, done):
-    """Returns the tests that reach a mutant, without those already run. Tests of the room's own
-    folder come first; within each group, the shortest test comes first."""
+    """Returns the tests that reach a mutant, without those already run. Tests in the folder that
+    mirrors the source's room come first. Within each group, the shortest test comes first."""
     plan = []
     for test in tests:
         found = measured[test.name]
