@@ -42,8 +42,9 @@ std::string read_text(const std::filesystem::path& path, std::size_t most = SIZE
 /// limit on its size is the host's memory.
 std::string read_own_text(const std::filesystem::path& path);
 
-/// Checks that read_text could open the file, with the same errors, and remembers the file. Refuses
-/// pipes. To be called for files that a library opens by itself.
+/// Checks that read_text could open the file, and remembers the file. Throws the same errors as
+/// read_text if a file is missing, unreadable, a folder or a device. Also refuses pipes. To be
+/// called for files that a library opens by itself.
 void check_can_read(const std::filesystem::path& path);
 
 /// While an object of this class exists, the functions of this header remember the files that they

@@ -208,7 +208,8 @@ class MtlReader {
     return true;
   }
 
-  // Takes one to three numbers and returns the first two. A missing number is `otherwise`.
+  // Takes one to three numbers and returns the first two. For a missing second number, returns
+  // `otherwise`.
   static std::pair<double, double> take_pair(MapWords& words, double otherwise) {
     double values[] = {otherwise, otherwise, otherwise};
     for (double& value : values) {

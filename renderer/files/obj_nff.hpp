@@ -21,8 +21,9 @@ class ObjAsNff : public ObjTarget {
  public:
   /// `left_out` counts properties that NFF cannot express, such as coloured mirrors.
   ObjAsNff(NffTarget& target, LeftOut& left_out) : target_(target), left_out_(left_out) {}
-  /// Completes the scene; to be called after the last statement. If the file has no view, adds one
-  /// from outside the objects. If it has no light either, also adds a light at the eye.
+  /// Completes the scene; to be called after the last statement. If the file has no view, adds a
+  /// view from a point outside the objects. If it has no light either, also adds a light at the
+  /// eye.
   void finish();
 
   void add_library(const std::string& path) override { target_.add_file(path); }

@@ -29,7 +29,7 @@ std::string make_webp(std::span<const Frame> frames);
 using MakeFrame = std::function<Frame(std::size_t)>;
 std::string make_webp(std::size_t count, const MakeFrame& make);
 
-/// Writes an animation to a file as base::save_whole does, with the same errors.
+/// Writes an animation to a file with base::save_whole, whose errors it throws.
 void save_webp(const std::string& path, std::span<const Frame> frames);
 
 }  // namespace renderer

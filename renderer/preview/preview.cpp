@@ -235,7 +235,7 @@ class Previewer {
   static constexpr double MOST_SLACK = 0.02;
 
   // Change of 1 / depth between neighbouring pixels of a facet. Rounding to pixels can put an edge
-  // this far behind its own facet, so that it must still be drawn.
+  // behind its own facet by this amount. Such an edge must still be drawn.
   double eval_slack(const Facet& facet) const {
     const View& view = scene_.view;
     const double offset = std::abs(dot(facet.normal, facet.middle - view.from));

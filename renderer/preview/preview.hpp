@@ -10,7 +10,7 @@ namespace renderer {
 
 enum class PreviewStep : std::uint8_t {
   points,   ///< corners of polygons and of the facets of spheres and cones
-  edges,    ///< visible edges of these polygons and facets
+  edges,    ///< visible edges of polygons and of the facets of spheres and cones
   flat,     ///< flat shading: one colour per facet, computed at its middle
   gouraud,  ///< colours interpolated between the corners of facets
   phong,    ///< illumination computed at every pixel, without shadows
@@ -24,7 +24,7 @@ const base::Names<PreviewStep>& preview_steps();
 /// Work.) PreviewStep::edges draws all facets twice: into the z-buffer, and as edges.
 struct PreviewCounts {
   std::uint64_t vertices = 0;       ///< facet corners projected onto the image
-  std::uint64_t facets = 0;         ///< facets drawn; facets on the far side of a sphere are not
+  std::uint64_t facets = 0;         ///< facets drawn; the far side of a sphere is not drawn
   std::uint64_t pixels_tested = 0;  ///< pixels whose depth was compared with the z-buffer
   /// Pixels written because they were nearer than the previous content.
   std::uint64_t pixels_drawn = 0;

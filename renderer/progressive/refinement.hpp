@@ -53,8 +53,8 @@ class Refinement {
  public:
   /// `scene` must outlive the object. Throws BadInput as render() does.
   Refinement(const Scene& scene, const Params& params, Order order, int threads = 1);
-  /// Continues a refinement from its state(). The scene, parameters and order must be equal. Throws
-  /// BadInput for a state of another size.
+  /// Continues a refinement from its state(). The scene, parameters and order must be those of that
+  /// refinement. Throws BadInput for a state of another size.
   Refinement(const Scene& scene, const Params& params, Order order, int threads,
              RefinementState state);
 

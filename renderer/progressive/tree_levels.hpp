@@ -1,7 +1,7 @@
 #pragma once
-// Stepwise deepening of a shading tree without storing its rays (thesis, 4.2.1). Each step traces
-// the rays of the earlier levels again to find their children, but not their rays to lights (shadow
-// feelers).
+// Stepwise deepening of a shading tree without storing its rays (thesis, 4.2.1). To find the
+// children of the rays of earlier levels, each step traces these rays again. It does not trace
+// their rays to lights (shadow feelers) again.
 
 #include "renderer/trace/render.hpp"
 

@@ -146,8 +146,8 @@ class Scanner {
     const Spot* last = &spots_.back();
     for (const Spot& spot : spots_) {
       if ((spot.y < y) != (last->y < y)) {
-        // Orders the ends from top to bottom, so that two polygons with a common edge compute it
-        // equally to the last bit.
+        // Orders the ends of an edge from top to bottom. Two polygons with a common edge then
+        // compute the same crossings of the edge, to the last bit.
         const Spot &a = spot.y < y ? spot : *last, &b = spot.y < y ? *last : spot;
         crossings_.push_back(mix(a, b, (y - a.y) / (b.y - a.y)));
       }

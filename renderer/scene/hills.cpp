@@ -73,7 +73,7 @@ double eval_ground(double x, double y) {
 // Indices of the points of a triangle, counter-clockwise as seen from above.
 using Corners = std::array<std::uint32_t, 3>;
 
-// Strips of triangles between rows of points; rows run from front to back.
+// Strips of triangles between rows of points. The first row is in front, the last row at the back.
 struct Ground {
   std::vector<Vec> points;
   std::vector<Corners> triangles;
@@ -104,8 +104,9 @@ void add_strip(Ground& ground, std::uint32_t front, std::uint32_t back, std::uin
 }
 
 // Makes `n` triangles in strips. A strip has a triangle for each segment of its two rows. All rows
-// get the same number of segments; some get one more to reach `n`. An extra segment adds two
-// triangles if its row is an inner one, and one triangle if it is the last row.
+// get the same number of segments; then some rows get one more segment, so that there are `n`
+// triangles. An extra segment adds two triangles if its row is an inner one, and one triangle if it
+// is the last row.
 Ground make_ground(int n) {
   const int strips = static_cast<int>(std::sqrt(0.8 * n)), segments = n / (2 * strips);
   const int wanting = n % (2 * strips);

@@ -239,13 +239,14 @@ inline constexpr double CLOSE = 32e-10;
 Vec pull_inside(const Polygon& polygon, const PolygonCorner* pool, const Vec& point,
                 double epsilon);
 
-// In a room, half of all rays to lights go towards a given wall, but nearly all of them end before
-// it. Branches that the processor predicts well reject such polygons.
+// In a room, half of all rays to lights go towards a given wall, but nearly all of these rays end
+// before the wall. The branches below reject such polygons. The host's processor predicts these
+// branches well.
 [[gnu::always_inline]] inline double intersect(const Polygon& p, Probe& ray) {
   if (ray.starts_on(p.tag)) return NO_HIT;
   const Vec &origin = ray.origin, &direction = ray.direction;
   const double along = dot(p.normal, direction);
-  // NaN or infinite if parallel.
+  // NaN or infinite if the ray is parallel to the plane.
   const double distance = (p.offset - dot(p.normal, origin)) / along;
   const bool ahead = (distance > ray.epsilon) & (distance < NO_HIT);
   ray.edges += ahead;

@@ -182,7 +182,7 @@ double eval_turn(double y, double x) {
   const double wide = std::abs(x), high = std::abs(y);
   if (wide == 0 && high == 0) return 0;
   constexpr double TURN = 2 * std::numbers::pi;
-  // Computes the angle in the first quadrant, then reflects it into the right quadrant.
+  // Computes the angle in the first quadrant, then reflects it into the quadrant of the vector.
   double turn = high <= wide ? eval_arc_tangent(high / wide) / TURN
                              : 0.25 - eval_arc_tangent(wide / high) / TURN;
   if (x < 0) turn = 0.5 - turn;

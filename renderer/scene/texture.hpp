@@ -56,7 +56,8 @@ struct Filtered {
 Filtered eval_filtered(const Pyramid& pyramid, double u, double v, double size,
                        Beyond beyond = Beyond::repeats);
 
-/// A point of a texture, with the gradients in the scene of its coordinates.
+/// A point of a texture: its coordinates (u, v), and the gradients of these coordinates in the
+/// scene.
 struct TexturePoint {
   double u = 0, v = 0;
   Vec grow_u{}, grow_v{};  ///< gradients of u and v, per scene unit

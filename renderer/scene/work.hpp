@@ -29,8 +29,9 @@ enum class Op : std::uint8_t {
   pixel_drawn,      ///< a pixel of a cell written to the display memory
   pixel_interpolated,  ///< a pixel interpolated between samples
   factor_begun,        ///< radiosity: test whether a vertex and a patch face each other
-  delta_area,      ///< radiosity: a part of a patch evaluated: distance, cosines, quotient (Eq 3.8)
-  light_mirrored,  ///< a point mirrored, or the point of a path on a mirror found (Eq 3.17)
+  delta_area,  ///< radiosity: a part of a patch evaluated: distance, cosines, quotient (Eq 3.8)
+  /// a point mirrored, or the point found at which a path meets a mirror (Eq 3.17)
+  light_mirrored,
   vertex_lit,      ///< radiosity of a vertex updated (Eq 3.9)
   patch_lit,       ///< unsent light of a patch updated by its mean received light
   patch_compared,  ///< unsent light of a patch compared with the largest so far

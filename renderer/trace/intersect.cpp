@@ -197,7 +197,8 @@ template <bool MOVES>
     const Vec smooth =
         eval_smooth_normal(scene.patches[place.index()], scene.corners, scene.normals, still);
     // Near the outline of an object, the interpolated normal may face away from the ray although
-    // the normal of the plane does not. It is then turned until it just faces the ray.
+    // the normal of the plane does not. The interpolated normal is then turned until it just faces
+    // the ray.
     const double along = dot(smooth, ray.direction);
     if (along * dot(geometric, ray.direction) > 0)
       hit.normal = smooth;

@@ -12,8 +12,8 @@ double eval_highlight(double cosine, double shine) {
   return cosine > 0 ? static_cast<double>(static_cast<float>(std::pow(cosine, shine))) : 0.0;
 }
 
-// A point on the visible side of a spherical light, uniformly distributed in solid angle as seen
-// from `from`. If `from` is inside the light, the light's centre.
+// Returns a point on the visible side of a spherical light, uniformly distributed in solid angle as
+// seen from `from`. If `from` is inside the light, returns the light's centre.
 Vec find_on_sphere(const Light& light, const SquarePoint& at, const Vec& from) {
   const Vec to_middle = light.at - from;
   const double square = dot(to_middle, to_middle), radius_square = light.radius * light.radius;

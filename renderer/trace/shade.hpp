@@ -45,8 +45,8 @@ void make_branches(const Scene& scene, const Params& params, const Ray& ray, con
 
 /// The colour, including texture, of the surface where `ray` hits it. The texture is filtered
 /// isotropically over the size of a pixel at the hit: the path's length from the eye, multiplied by
-/// the pixel's angle and divided by the cosine. With several samples per pixel, it is half that
-/// size, regardless of their number.
+/// the pixel's angle and divided by the cosine. With several samples per pixel, the texture is
+/// filtered over half this size, regardless of the number of samples.
 Rgb colour_of(const Scene& scene, const Params& params, const Ray& ray, const Hit& hit, Work& work);
 
 /// The contribution of `ray` to its sample (thesis Eq 4.26), multiplied by weight_of(). A shadow

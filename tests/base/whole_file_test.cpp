@@ -152,7 +152,7 @@ bool forget_renames_with_flags(bool links_too) {
 }
 
 // Some file systems report a full disk only in fsync(); others do not support fsync() at all. The
-// first error must be reported, the second one ignored.
+// first kind of error must be reported. The second kind must be ignored.
 TEST(WholeFile, WhatIsNotStoredAtLastIsAnError) {
   const auto told = [](unsigned error) {
     return test::isolated([&]() -> std::string {

@@ -42,7 +42,7 @@ void add_farm();       // the farm of chapter 4 of the thesis
 void add_scheduler();  // rendezvous and pre-emptions of processes on one processor
 // messages between neighbours in a mesh: costs per transputer and per event
 void add_neighbours();
-void add_threads();       // such messages, on one and on two host threads
+void add_threads();       // messages between neighbours, simulated on one and on two host threads
 void add_renderers();     // the sequential renderer
 void add_noise();         // the sequential renderer, with a lens and an area light
 void add_form_factors();  // rays in the calculation of form factors

@@ -66,7 +66,7 @@ auto list_of_child(Run&& run) {
   static_assert(std::is_trivially_copyable_v<Item>);
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error("no pipe for a child process");
-  std::fflush(nullptr);  // otherwise the child would print the buffered output a second time
+  std::fflush(nullptr);  // prevents the child from printing the buffered output a second time
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error("no child process");
   if (child == 0) {

@@ -32,8 +32,8 @@ inline int route(int node, int destination) {
 struct Traffic {
   // for each node, the destinations of its messages, in order
   std::vector<std::vector<int>> destinations{NODES};
-  // for each node, the numbers of messages that leave it in each direction, from which processes
-  // know when they are done
+  // for each node, the numbers of messages that leave it in each direction. The node's processes
+  // count down these numbers to know when they have finished.
   std::vector<std::array<int, DIRECTIONS>> leaving{NODES};
   // for each node, the number of messages that arrive
   std::vector<int> arriving = std::vector<int>(NODES);

@@ -26,9 +26,10 @@ using Clock = std::chrono::steady_clock;
 // number of cases for one child process
 constexpr std::uint64_t BATCH = 500;
 
-// Progress of a child process. It is in shared memory, and so survives a crash of the child.
+// Progress of a child process. It is in shared memory, so that it is not lost if the child crashes.
 struct Progress {
-  std::uint64_t next = 0;  // number of the present case, or between two cases of the next one
+  // number of the present case; between two cases, the number of the next one
+  std::uint64_t next = 0;
   std::uint64_t accepted = 0, refused = 0;
   char what[2000] = "";
 };

@@ -40,7 +40,7 @@ auto fail_at_fourth(const Fail& fail) {
   };
 }
 
-// Executes 5 or 10 cases. With 10, the cases 3 and 7 fail.
+// Executes 5 or 10 cases. Among 10 cases, cases 3 and 7 fail.
 template <class Fail>
 void expect_told(const Fail& fail, const std::string& sentence, std::uint64_t cases = 10,
                  const Limits& limits = {}) {

@@ -11,7 +11,7 @@
 
 namespace fuzz {
 
-/// Error: the result of a reader lacks a property that it should have.
+/// Thrown if the result of a reader lacks a property that it should have.
 struct Broken : std::logic_error {
   using std::logic_error::logic_error;
 };
@@ -32,8 +32,8 @@ struct Reader {
 /// All readers. Their names are different.
 std::vector<Reader> all_readers();
 
-/// Makes readers that execute the program `tlab` in a process of its own, with the texts as files.
-/// Making them writes files into the current folder.
+/// Makes readers that execute the program `tlab` in a separate process. The program reads the texts
+/// from files. Making the readers writes files into the current folder.
 std::vector<Reader> command_readers(const std::string& tlab);
 
 /// Loads the texts for a reader: its own corpus, and files of the project.

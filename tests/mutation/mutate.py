@@ -1,8 +1,9 @@
-"""Changes the program in one place at a time and looks whether the tests notice.
+"""Changes the program in one place at a time and checks whether the tests notice.
 
-All changes are in one build, each behind a switch. A mutant is killed if a test fails, crashes or takes 10 s
-and ten times as long as without it, twice. Only the tests that come by the changed place are run: those of the room's
-own folder first, the shortest before others, until a limit of time."""
+All changes are in one build, each behind a switch. A mutant is killed if a test fails twice with it. A test also fails
+if it crashes, or if it takes longer than 10 s plus ten times its duration without the mutant. Only tests that execute
+the changed place are run: first those in the folder of tests that mirrors the folder of the changed source, then the
+others, and each time the shortest test first. They are run until the time limit is reached."""
 import argparse
 import concurrent.futures
 import hashlib
@@ -33,18 +34,20 @@ TREE = SOURCE / "build" / "release"
 RESULTS = BUILD / "results.json"
 ROOMS = ["base", "topologies", "renderer", "simulator", "experiments"]
 JUDGED = Path(__file__).parent / "judged.toml"
-# Tests that are not run: tests of the source text, of other programs, and tests that run tests.
+# Tests that are not run: tests of the source text, tests of other programs, and tests that run
+# tests.
 NOT_RUN = re.compile(r"^(Kills|Fuzz|IncludeGraph|Docs|Consumer|Install)\b|Spin|HaveAtMost100Lines")
 
 
 def room_of(file):
-    """The folder of a file's room, such as simulator/farm, without deeper folders."""
+    """The room of a file (see CMakeLists.txt): its folder, such as simulator/farm, without deeper
+    folders."""
     parts = Path(file).parent.parts
     return "/".join(parts[:3 if parts[0] == "experiments" else 2])
 
 
 def read_commands():
-    """The compile command of each source, outside unity builds."""
+    """The compile command of each source, in a build without unity files."""
     tree = BUILD / "commands"
     subprocess.run(["cmake", "--preset", "release", "-B", tree, "-DCMAKE_UNITY_BUILD=OFF"], cwd=ROOT, check=True,
                    stdout=subprocess.DEVNULL)
@@ -73,7 +76,7 @@ def read_sites(file, arguments):
 
 
 def draw_apart(sites, number, draw):
-    """Chooses up to `number` sites of a source that do not overlap."""
+    """Chooses up to `number` sites of one source. The chosen sites do not overlap."""
     drawn = []
     for site in draw.sample(sites, len(sites)):
         if len(drawn) < number and all(site.end <= other.start or site.start >= other.end for other in drawn):
@@ -82,7 +85,8 @@ def draw_apart(sites, number, draw):
 
 
 def choose(rooms, number, seed):
-    """Draws mutants: equally many from each room below `rooms`, and from each source of a room."""
+    """Draws mutants: equally many from each room below the folders `rooms`, and equally many from
+    each source of a room."""
     commands = read_commands()
     by_room = {}
     for file in sorted(commands):
@@ -97,8 +101,8 @@ def choose(rooms, number, seed):
     drawn = {file: draw_apart(sites[file], share, draw) for file in files}
     chosen, some = [], True
     while some and len(chosen) < number:
-        # In each round, takes one place from each room, from the source with the fewest places so
-        # far.
+        # In each round, takes one place from each room: from the room's source with the fewest
+        # places so far.
         some = False
         for room in draw.sample(sorted(by_room), len(by_room)):
             left = [file for file in files if drawn[file] and room_of(file) == room]
@@ -202,7 +206,7 @@ def list_tests(wanted):
 
 
 def is_own(test, file):
-    """Whether a test stands in the folder that mirrors the source's room."""
+    """Whether the folder of a test mirrors the room of a source."""
     folder = test.source.replace("tests/laboratory", "tests/experiments/laboratory").removeprefix("tests/")
     return bool(folder) and room_of(folder) == room_of(file)
 
@@ -254,7 +258,8 @@ def try_mutant(number, plan, limit_s):
 
 
 def plan_tests(number, site, tests, measured, done):
-    """The tests that reach a mutant, in order, without those already run."""
+    """Returns the tests that reach a mutant, without those already run. Tests in the folder that
+    mirrors the source's room come first. Within each group, the shortest test comes first."""
     plan = []
     for test in tests:
         found = measured[test.name]

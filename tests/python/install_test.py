@@ -1,4 +1,5 @@
-"""The install component `python`: a working package that starts its own installation's command."""
+"""Tests the install component `python`: the installed package must work, and must start the command
+of its own installation."""
 
 import os
 import pathlib

@@ -1,4 +1,5 @@
-"""A function for each program: the command's help is the oracle of signatures, its runs are that of results."""
+"""Functions of the package, one for each program. Their signatures must agree with the command's
+help, and their results with the command's runs."""
 
 import inspect
 import keyword
@@ -71,7 +72,8 @@ class FunctionsTest(unittest.TestCase):
 
 
 def _comparable(value, text):
-    """A default and its spelling in help, as truth values, numbers, lists of numbers or texts."""
+    """Converts a default, and the spelling of a default in the help, to values that can be
+    compared: truth values, numbers, lists of numbers, or texts."""
     if text in ("true", "false"):
         return bool(value), text == "true"
     if isinstance(value, (int, float)):

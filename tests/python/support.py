@@ -12,7 +12,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
 def tlab_command(*arguments, cwd=None):
-    """Starts the command like a user of a shell."""
+    """Starts the command as a shell would."""
     return subprocess.run([tlab.command.find(), *map(str, arguments)], cwd=cwd, capture_output=True, text=True,
                           check=False)
 

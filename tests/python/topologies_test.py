@@ -16,7 +16,8 @@ SPECS = ["line:1", "line:2", "line:9", "ring:3", "ring:8", "tree:13", "tree:7:1"
 
 
 def random_graph(source):
-    """A connected multigraph of at most four edges a node, with labels, ports and a root at random."""
+    """A random connected multigraph with at most four edges per node. It may have labels, ports and
+    a root."""
     size = source.randrange(1, 20)
     names = source.choice([list(range(size)), [f"p{i}" for i in range(size)],
                            [f'"{i}" <&> \u00e9' for i in range(size)]])
@@ -50,7 +51,7 @@ def _add_edge(graph, a, b, free, source):
 
 
 def make_graphs(count):
-    """Random graphs with a topology: every end without a port still finds a free one."""
+    """Random graphs that are valid topologies: a free port remains for every end without a port."""
     source = random_source()
     return [random_graph(source) for _ in range(count)]
 

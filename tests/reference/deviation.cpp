@@ -57,7 +57,7 @@ double find_quantile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(rank) - 1];
 }
 
-// True if a ray passes the edge from a to b at an angle of at most TOO_NEAR.
+// True if a ray passes the edge from a to b at an angular distance of at most TOO_NEAR.
 bool grazes(const renderer::Ray& ray, const Vec& a, const Vec& b) {
   const Vec to_a = a - ray.origin, to_b = b - ray.origin, across = cross(to_a, to_b);
   const Vec way = normalize(ray.direction);

@@ -145,7 +145,7 @@ class PathTracer {
     return look(point.at, sample_hemisphere(point.normal, u, v), point.face, MOST_MIRRORS);
   }
 
-  // The emission of what is seen from a point in a random direction. It is zero where
+  // The emission of the surface that is seen from a point in a random direction. It is zero where
   // sample_emitters() counts this light already.
   Rgb eval_emission(const Sight& seen, const SurfacePoint& from) const {
     const Rgb& emission = material_of(seen.point.face).emission;

@@ -29,8 +29,8 @@ struct Reference {
   Picture picture;
   std::vector<double> error;  ///< standard error of the mean of a pixel's colour components
   std::vector<bool> emits;    ///< for each pixel: true if it shows an emitter
-  /// For each pixel, the number of the visible face; 0: nothing is visible. A face that is seen
-  /// over different mirrors has different numbers.
+  /// For each pixel, the number of the visible face; 0: nothing is visible. A face that is seen via
+  /// different mirrors has different numbers.
   std::vector<std::uint32_t> faces;
 };
 

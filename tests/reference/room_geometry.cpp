@@ -9,13 +9,13 @@ namespace radiosity::reference {
 namespace {
 
 // Lengths in the units of RoomGeometry. Faces are enlarged by GROWTH, so that no ray passes between
-// two faces that touch. Hits nearer than NEAREST are ignored. Two faces at most TOGETHER apart
-// count as lying back to back.
+// two faces that touch. Hits nearer than NEAREST are ignored. If the distance of two faces is at
+// most TOGETHER, they count as lying back to back.
 constexpr double GROWTH = 1e-6, TOGETHER = 1e-5;
 constexpr float NEAREST = 1e-6F, NEARLY = 1 - 1e-6F;
 
-// The faces that a ray ignores: the one on which it starts and the one on which it ends. A ray
-// cannot hit these otherwise, because faces are flat and convex.
+// The faces that a ray ignores: the one on which it starts and the one on which it ends. The ray
+// meets these faces only at its ends, because faces are flat and convex.
 struct Context {
   embree::Context base;  // must be the first member, because Embree passes only its address
   const std::uint32_t* face_of_triangle;
@@ -130,7 +130,8 @@ std::optional<SurfacePoint> RoomGeometry::intersect(const Vec& origin, const Vec
       return SurfacePoint{near - eval_height(plane, near) * plane.normal,
                           in_front ? plane.normal : -plane.normal, face};
     }
-    // The ray has hit a back. Searches for the front of a face that lies on it.
+    // The ray has hit the back of a face. Searches for a face that lies on this back and shows its
+    // front.
     context.to = face;
     const float found = query.ray.tfar;
     query.ray.tnear = std::max(NEAREST, found - static_cast<float>(TOGETHER));

@@ -21,7 +21,7 @@ enum class RoomKind : std::uint8_t {
   mirrors,   ///< two mirrors that face each other
 };
 
-/// The kinds by name.
+/// Names of the kinds of rooms.
 const base::Names<RoomKind>& room_kinds();
 
 inline constexpr int ROOM_VIEWS = 3;

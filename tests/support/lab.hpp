@@ -84,8 +84,9 @@ inline machine::EngineParams engine_under_test() {
   return {.processes = name == "actors" ? machine::Processes::actors : machine::Processes::fibers};
 }
 
-// False in a fourth run of ctest. In this run, tests that need no stacks use Procs (coroutines
-// without a stack) as processes.
+// False if the environment variable TLAB_TEST_BODIES is "procs". ctest sets it for a fourth run of
+// these tests. In this run, tests that need no stacks use Procs (coroutines without a stack) as
+// processes.
 inline bool bodies_have_stacks() {
   const char* given = std::getenv("TLAB_TEST_BODIES");
   return std::string_view(given ? given : "") != "procs";

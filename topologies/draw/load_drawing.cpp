@@ -115,7 +115,8 @@ void check_loads(const Topology& topology, const Loads& loads) {
 }
 
 // Places extra processors, which are outside the topology, in rows above it. The first row has the
-// extra processors with a link to the root, each further row those with a link to the row before.
+// extra processors with a link to the root. Each further row has the extra processors with a link
+// to the row before.
 std::vector<Place> place_extras(const Loads& loads, const Place& root, double top) {
   std::vector<size_t> row;
   std::vector<int> width, place;

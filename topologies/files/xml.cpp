@@ -10,7 +10,8 @@
 namespace topologies {
 namespace {
 
-constexpr char SEPARATOR = '\n';  // Expat puts it between namespace and name; neither contains it
+// Expat puts this character between the namespace and the name. Neither of them contains it.
+constexpr char SEPARATOR = '\n';
 
 // State of the parser, with the elements read so far.
 struct Reading {

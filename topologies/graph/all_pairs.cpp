@@ -180,7 +180,9 @@ AllPairs eval_mesh(const Topology& topology, const Grid& grid) {
   for (const auto& [a, b] : topology.links) {
     const std::int64_t row = a.processor / columns, column = a.processor % columns;
     const std::int64_t above = row + 1, below = rows - above, left = column + 1;
-    if (a.port == 3)  // north-south link: between all rows above and its own column below
+    // north-south link: for messages between a processor of any row above and one below in the same
+    // column
+    if (a.port == 3)
       all.load.push_back({above * below * columns, below * above * columns});
     else  // east-west link: along the row of the source or of the destination
       all.load.push_back({(below + below + 1) * left * (columns - left),

@@ -24,7 +24,8 @@ std::vector<int> make_partition(const Topology& topology, int parts) {
   auto count = std::min(static_cast<idx_t>(parts), processors);
   std::vector<idx_t> part_of(processors, 0);
   if (count == 1) return {part_of.begin(), part_of.end()};
-  std::vector<idx_t> begins{0}, ends;  // adjacency lists for METIS, there called xadj and adjncy
+  // adjacency lists for METIS, which calls them xadj and adjncy
+  std::vector<idx_t> begins{0}, ends;
   for (const auto& around : neighbours(topology)) {
     for (const Neighbour& neighbour : around) ends.push_back(neighbour.processor);
     begins.push_back(static_cast<idx_t>(ends.size()));

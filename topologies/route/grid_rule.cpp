@@ -6,7 +6,8 @@ namespace topologies {
 namespace {
 
 // Sample destinations on one axis for add_turns(). A turn is a pair of successive ports on a route.
-// Routes to the samples contain every turn that any route makes at place `at` and its neighbours.
+// Take any route to any destination: the turns that it makes at place `at`, and at the neighbours
+// of this place, also occur on routes to the samples.
 std::vector<int> find_witnesses(const Axis& axis, int at) {
   constexpr int BESIDE = 3;
   std::vector<int> places;

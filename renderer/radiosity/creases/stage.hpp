@@ -1,6 +1,6 @@
 #pragma once
-// Creases, lines where the illumination or its derivatives jump, that one light causes on one
-// receiver.
+// Finds the creases that one light causes on one receiver. Creases are lines where the illumination
+// or its derivatives jump.
 
 #include "renderer/radiosity/room/room.hpp"
 

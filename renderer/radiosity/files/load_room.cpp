@@ -137,8 +137,9 @@ class RoomReader {
       for (const int end : {0, 1}) {
         face.corners.clear();
         for (const auto& [next, last] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}}) {
-          // True if the front faces along the positive axis. The corners are counter-clockwise as
-          // seen from the positive end of the axis if this is true, otherwise clockwise.
+          // True if the front faces along the positive axis. The corners are then counter-clockwise
+          // as seen from the positive end of the axis. If the front faces along the negative axis,
+          // they are clockwise.
           const bool seen = (end == 1) != inside;
           double at[3];
           at[axis] = ends[end][axis];

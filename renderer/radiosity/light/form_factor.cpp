@@ -23,7 +23,7 @@ struct DirectSight {
   static bool misses(const Vec&, double) { return false; }
 };
 
-// The sum of sum_deltas() for direct light from a patch at a vertex.
+// The sum of sum_deltas() for the direct light that arrives at a vertex from a patch.
 template <class Source>
 auto eval_direct(const Eye& eye, const Cut& cut, const Vertex& vertex, const Patch& patch,
                  const Quad& quad, const Source& source, Work& work) {

@@ -263,8 +263,8 @@ class PieceSum {
     return eval_delta(h * area, dot(line, line), here, there);
   }
 
-  // The path that leads from the vertex via the chain, through the centre of a piece of mirror
-  // number k. None if the path ends outside the delta area.
+  // Returns the path from the vertex via the chain of mirrors that passes through `centre`, the
+  // centre of a piece of mirror number k. Returns none if the path ends outside the delta area.
   std::optional<Way> follow(std::size_t k, const Vec& centre) const {
     const auto& chain = seen_.chain;
     if (!is_within(chain.mirrors[k]->corners, chain.mirrors[k]->normal, centre))

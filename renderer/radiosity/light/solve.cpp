@@ -48,7 +48,8 @@ Rgb eval_mean(const Mesh& mesh, std::uint32_t p, Mean mean, const State& state) 
 std::array<double, 4> eval_shares(const Patch& patch) {
   const Quad quad(patch);
   const auto eval = [&](double s, double t) {
-    // The weights of a corner along s and t, multiplied by s or t and integrated from 0 to 1.
+    // `of_s` is an integral over s from 0 to 1: the corner's weight along s, multiplied by s.
+    // `of_t` is the same integral along t.
     const double of_s = (1 + s) / 6, of_t = (1 + t) / 6;
     return (quad.density / 4 + quad.by_s * of_s / 2 + quad.by_t * of_t / 2) /
            (quad.density + quad.by_s / 2 + quad.by_t / 2);

@@ -151,7 +151,7 @@ struct LightParams {
   bool ambient = true;  ///< adds eval_ambient(), an estimate of the light from unsent power
 };
 
-/// Makes the field senders of LightParams.
+/// Makes the field `senders` of LightParams.
 base::Field<LightParams> senders_field();
 
 /// Computes the light at the vertices of `mesh`, which is a mesh of the room. Either its own

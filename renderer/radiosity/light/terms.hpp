@@ -47,8 +47,8 @@ struct TermCollector {
     }
   };
   Place eval(double s, double t) const { return {kept.terms, s, t}; }
-  /// Begins a chain and returns its index, to be given to end(). end() drops the chain if neither
-  /// it nor a longer chain that begins with it has a term.
+  /// Begins a chain and returns its index, to be given to end(). If neither this chain nor any
+  /// longer chain that begins with it has a term, end() removes this chain.
   std::size_t begin(std::size_t length, const Rgb& reflectance) const {
     kept.chains.push_back({static_cast<std::uint32_t>(kept.terms.size()),
                            static_cast<std::uint32_t>(length), reflectance});

@@ -178,7 +178,7 @@ void split_at(Mesh& mesh, const std::set<std::uint32_t>& vertices, const Edges& 
   }
 }
 
-// Sets Vertex::lit, the point where the light is computed, of the vertices on a border.
+// For the vertices on a border, sets Vertex::lit, the point where the light is computed.
 void inset_borders(Mesh& mesh, const std::vector<bool>& is_border, double inset,
                    std::span<const Fringe> fringes) {
   const auto surroundings = find_surroundings(mesh);

@@ -89,7 +89,8 @@ std::vector<std::vector<std::uint32_t>> find_neighbours(std::span<const Flat> fl
   return neighbours;
 }
 
-// The segment in which pair.other meets the plane of pair.on, if it lies in front of pair.on.
+// The segment in which pair.other meets the plane of pair.on. None if this segment does not lie in
+// front of pair.on.
 std::optional<Crease> find_touch(const Pair& pair) {
   const auto& corners = pair.other.face->corners;
   std::vector<double> heights;

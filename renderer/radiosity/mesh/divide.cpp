@@ -16,14 +16,14 @@ constexpr double KEEP = 1.0 / 3, ALONG = 1e-3;
 // Tolerances in units of Line::touch. An edge of a quad lies on a crease if it is at most ASIDE
 // beside the crease and at most BEYOND beyond its ends.
 constexpr double ASIDE = 1.1, BEYOND = 1.01;
-// Number of patches that a face without divisions counts for, when the number of its creases is
+// A face with fewer patches than this counts as having this many when the number of its creases is
 // limited.
 constexpr std::size_t LEAST_PATCHES = 16;
 // A crease lies in the plane of a face if its distance is less than this fraction of the face's
 // size.
 constexpr double IN_PLANE = 1e-5;
-// When creases of any direction are cut, a coarse grid is used with cells two patches wide. Its
-// points move to a crease that is nearer than this fraction of a cell.
+// To cut a face along creases of any direction, its grid is first made coarse: a cell is two
+// patches wide. A grid point moves to a crease that is nearer than this fraction of a cell.
 constexpr double REACH = 0.3;
 
 // Adds a grid between four corners, with lines at the parameters `along` and `across`, from 0 to 1.

@@ -27,7 +27,8 @@ Division divide_face(const Face& face, int refine);
 Grid find_grid(const Face& face, int refine);
 /// Halves the marked steps between lines. marks[i] is for the step after lines[i].
 void halve(std::vector<double>& lines, const std::vector<bool>& marks);
-/// The creases that lie in the plane of a face and on the face, or outside it by at most `touch`.
+/// The creases that lie in the plane of a face, and either on the face or at most `touch` outside
+/// it.
 std::vector<Crease> select_creases(const Face& face, std::span<const Crease> creases, double touch);
 /// The width of the narrowest quads of a face, along its edges.
 double find_patch_width(const Face& face, int refine);
@@ -50,7 +51,7 @@ struct Cuts {
   std::span<const Crease> contacts{};
   /// Lines below open edges; cut before creases and never omitted.
   std::span<const Crease> folds{};
-  /// Lines beside folds; cut like folds, but the light is smooth there.
+  /// Lines beside folds. The face is cut along them as along folds, but the light is smooth there.
   std::span<const Crease> strips{};
   /// Limit on the number of a face's patches, as a multiple of the number without creases.
   int growth = 1000;

@@ -39,7 +39,8 @@ bool are_coplanar(const Pair& pair);
 /// True if two faces in one plane have an area in common.
 bool overlap(const Pair& pair);
 
-/// True if part of the border of `on` lies on `other` or on its border, for two faces in one plane.
+/// For two faces in one plane: true if part of the border of `on` lies on `other`, or on the border
+/// of `other`.
 bool share_border(const Pair& pair);
 
 /// The part of a segment that is at least `margin` inside the edges of a face. None if it is not

@@ -54,8 +54,8 @@ class Groups {
     return face;
   }
 
-  // Unites the groups of two faces, unless one group is below the other or they face opposite
-  // sides.
+  // Unites the groups of two faces, unless one group is below the other or the two faces face
+  // opposite sides.
   void unite(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);
@@ -92,7 +92,8 @@ class Groups {
 
  private:
   struct Group {
-    std::vector<Covering> above, below;  // pairs that cover a member, pairs that a member covers
+    // pairs in which another face covers a member; pairs in which a member covers another face
+    std::vector<Covering> above, below;
     std::optional<Vec> up;  // direction of the lift; none yet if all members are two-sided
     int levels_above = 0, levels_below = 0;
     double height = 0;
@@ -146,8 +147,9 @@ class Groups {
   }
 
   std::span<const Flat> flats_;
-  std::vector<std::uint32_t> root_;  // by face: another face of its group; finally the root
-  std::vector<Group> group_;         // by root
+  // by face: another face of its group. These links lead from every face to the root of its group.
+  std::vector<std::uint32_t> root_;
+  std::vector<Group> group_;  // by root
   std::vector<std::uint32_t> order_;
 };
 

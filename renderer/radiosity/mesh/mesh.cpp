@@ -15,15 +15,16 @@ namespace radiosity {
 
 namespace {
 
-// Number of patches that creases may always produce in a room, even if it has few patches without
-// creases. In a single face, creases may multiply the number of patches by up to MOST_FACE_GROWTH.
+// Number of patches that a room with creases may always have, even if it would have few patches
+// without creases. In a single face, creases may multiply the number of patches by up to
+// MOST_FACE_GROWTH.
 constexpr std::size_t MOST_ANYHOW = 2000;
 constexpr int MOST_FACE_GROWTH = 64;
 // Largest step of the illumination in a penumbra, as a fraction of the mean illumination that the
 // room would have if it were closed.
 constexpr double STEP = 0.005;
 
-// The reversed face, for its second side.
+// Returns a face turned round, for the patches of its second side.
 Face turn(Face face) {
   std::ranges::reverse(face.corners);
   std::ranges::reverse(face.normals);

@@ -27,8 +27,8 @@ std::string name_face(const Room& room, std::size_t face) {
   return where.empty() ? fmt::format("face {}", face + 1) : where;
 }
 
-// Returns a message with the percentage of visible surface that is the back of a face, if it is
-// more than half.
+// Computes the percentage of the visible surface that is the back of a face. Returns a message with
+// this percentage if it is more than half.
 std::optional<std::string> check_camera(const Room& room, const Mesh& mesh) {
   constexpr int SIDE = 32;  // rays in each direction of the picture
   const renderer::View view = make_image_plane(room.view);

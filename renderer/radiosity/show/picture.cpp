@@ -38,8 +38,8 @@ struct Tracer {
     return intersect(mesh.blockers, ray, renderer::Traversal::nearest, work);
   }
 
-  // The first hit of the ray on a side that is visible. If the side that it hits is not, also
-  // searches just behind it, because two faces may lie back to back.
+  // The first hit of the ray on a visible side. If the ray hits a side that is not visible, also
+  // searches just behind this side, because two faces may lie back to back.
   std::optional<renderer::Hit> meet_side(const renderer::Ray& ray) {
     const auto is_nothing = [&](const renderer::Hit& hit) {
       return get_side(sides, hit.object, hit.inside).kind == Side::Kind::nothing;

@@ -294,7 +294,7 @@ Rgb find_twist(const Mesh& mesh, const Wedge& wedge, const Slopes<Rgb>& slopes,
   const Vec next = mesh.vertices[wedge.next].at, prev = mesh.vertices[wedge.prev].at;
   const Vec opposite = mesh.vertices[corners[(wedge.corner + 2) % 4]].at;
   const Vec a = unfold(v, next), b = unfold(v, prev);
-  // The two orders of differentiation must give one result, so takes their mean.
+  // The two orders of differentiation must give one result, so their mean is used.
   const Rgb mixed = 0.5 * (along(along(bend, a), b) + along(along(bend, b), a));
   return mixed + along(slopes, (v.at - next) + (opposite - prev));
 }

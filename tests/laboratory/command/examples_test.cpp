@@ -177,8 +177,8 @@ TEST(Examples, FarmReturnsEachTaskOnceOnAnyTopology) {
 
 using Body =
     std::function<void(occam::Channel<occam::Words>& there, occam::Channel<occam::Words>& back)>;
-// The message of the error that ends the machine if the process ada, on the processor left, and the
-// process bob execute these bodies.
+// Runs a machine in which two processes execute these bodies: "ada", on the processor "left", and
+// "bob". Returns the message of the error that ends the machine.
 std::string failure_of(bool bob_is_right, const Body& ada, const Body& bob) {
   using namespace occam;
   return laboratory::message_of<test::ChildThrew>([&] {

@@ -37,7 +37,7 @@ TEST(ExperimentFiles, HaveNamesOfTheirOwn) {
   }
 }
 
-// Runs tlab verify or run on an experiment at reduced size.
+// Runs `tlab verify` or `tlab run` on an experiment at reduced size.
 Outcome tlab_reduced(const fs::path& folder, const std::string& command,
                      const std::string& experiment, std::vector<std::string> more = {}) {
   std::vector<std::string> arguments{

@@ -98,8 +98,8 @@ TEST_F(Interrupt, OlderResultsStay) {
   EXPECT_EQ(folder.names(), (Arguments{"bin", "e.toml", "r"}));
 }
 
-// A killed tlab cannot report or clean up. But the programs that it has started end, and the next
-// run cleans up.
+// A killed tlab cannot report or clean up. However, the programs that it started must end as well,
+// and the next run of tlab must clean up.
 TEST_F(Interrupt, AKilledRunLeavesNoProgramAndTheNextOneTidies) {
   EXPECT_EQ(interrupt_drawing(SIGKILL, {"run", "e.toml", "-o", "r"}).exit_code, -1);
   EXPECT_EQ(folder.names().size(), 4u);
@@ -120,7 +120,7 @@ TEST_F(Interrupt, DrawingsOfTopologiesAreNotWaitedFor) {
   }
 }
 
-// The scene comes through a pipe. When tlab has opened the pipe, it is waiting for the scene.
+// The scene comes through a pipe. Once tlab has opened the pipe, it waits for the scene.
 TEST_F(Sweep, ReadingIsInterrupted) {
   const auto pipe = folder.path / "scene.nff";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
@@ -327,7 +327,8 @@ TEST_F(Sweep, SignalsAreHandledFromTheStart) {
   }
 }
 
-// A signal that only the process of a simulation gets is no request of the user to end the run.
+// A signal that reaches only the process of a simulation is not a request by the user to end the
+// run.
 TEST_F(Sweep, ASimulationThatIsEndedAloneIsAFailure) {
   write_file(folder.path / "e.toml",
              "[image]\nwidth = 4000\nheight = 200\n[sweep]\nworkers = [1]\n"

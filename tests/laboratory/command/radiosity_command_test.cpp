@@ -12,7 +12,7 @@
 namespace laboratory {
 namespace {
 
-// A room with a lamp in its ceiling, whose one wall is a mirror.
+// A room with a lamp in its ceiling. One of its walls is a mirror.
 const char* const ROOM = R"(material wall reflect 0.5 0.6 0.7
 material lamp reflect 0 0 0 emit 9 9 9
 mirror glass reflect 0.9 0.9 0.9

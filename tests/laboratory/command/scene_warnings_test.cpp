@@ -1,5 +1,5 @@
-// Warnings about OBJ files: one line for each kind of feature that is left out, with its first
-// place.
+// Warnings about OBJ files: one line for each kind of feature that is left out, with the place
+// where it first occurs.
 #include <algorithm>
 
 #include "tests/laboratory/support/tlab.hpp"

@@ -1,4 +1,5 @@
-// The command if standard output or standard error cannot be written, and under a disk quota.
+// Tests the command when standard output or standard error cannot be written, and under a disk
+// quota.
 #include "tests/laboratory/support/sweep.hpp"
 #include "tests/support/places.hpp"
 

@@ -71,8 +71,8 @@ Outcome interrupt(const fs::path& folder, const std::vector<std::string>& argume
   return wait_for_tlab(folder, pid);
 }
 
-// The points would take hours. Those that have begun are kept and marked as interrupted. The third
-// point does not begin.
+// Each of the three points would take hours. The two points that have begun are kept and marked as
+// interrupted. The third point does not begin.
 TEST(ExperimentsInterrupt, WhatWasMeasuredIsKeptAndMarked) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "e.toml")

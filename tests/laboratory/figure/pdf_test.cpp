@@ -1,4 +1,5 @@
-// Conversion of drawings to PDF: size, fonts, and the same bytes at any time.
+// Tests the conversion of drawings to PDF: size and fonts, and that a PDF's bytes do not depend on
+// the time at which it is made.
 #include "experiments/laboratory/figure/pdf.hpp"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Drawings that tlab run leaves of a deadlock or another fault.
+// Drawings that `tlab run` makes after a deadlock or another fault.
 #include "experiments/laboratory/film/fault_drawings.hpp"
 
 #include <algorithm>

@@ -9,8 +9,8 @@
 namespace laboratory {
 namespace {
 
-// An example in which the mesh is faster than the line from 4 workers on, and no faster with more
-// than 8.
+// An example in which the mesh is faster than the line from 4 workers on. With more than 8 workers,
+// neither network becomes faster.
 struct BestCase {
   ExperimentFile file;
   Table table{.columns = {"topology", "workers", "objects", "time_s"}, .axes = 3, .rows = {}};

@@ -248,8 +248,8 @@ TEST(ExperimentsChecks, PointsThatNeedOneThatIsNotThereAreLeftOut) {
   EXPECT_NE(result.notes[0].find("topology = mesh:2x2, bytes = 2"), std::string::npos);
 }
 
-// The points that are missing may be those that the check is for, so the check neither holds nor
-// fails.
+// Some points are missing, and the check may be for just these points. The check therefore neither
+// holds nor fails.
 TEST(ExperimentsChecks, WithoutPointsACheckOfIncompleteResultsIsOpen) {
   for (const auto* rest : {"", "may_be_empty = true\n"}) {
     ChecksCase test(check("at_least = 1\nwhere = \"bytes > 2\"\n" + std::string(rest)));

@@ -38,7 +38,8 @@ TEST(ExperimentsRows, BracesNameARowWithTheSameOtherAxes) {
   const RowsCase test;
   for (std::size_t row = 0; row < test.table.rows.size(); ++row) {
     const double workers = *as_number(test.table.rows[row][1]);
-    // Height changes together with workers, so it may differ in the other row.
+    // Height changes together with workers. The row with workers = 1 may therefore have another
+    // height.
     EXPECT_EQ(test.eval("{time_s @ workers = 1} / time_s", row), workers) << row;
     EXPECT_EQ(test.eval("{ time_s@height=32,objects = 200 } + workers", row), 50 + workers) << row;
     EXPECT_EQ(test.eval("{time_s @ topology = mesh} - time_s", row), 0) << row;

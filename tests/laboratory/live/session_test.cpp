@@ -131,8 +131,8 @@ TEST(LiveSession, EveryControlWorksOnARecordingAsOnItsOriginal) {
   }
 }
 
-// Sessions that end by hand; the second one uses the recording of the first. The simulated user
-// leaves only once.
+// Tests sessions that the user ends by hand. Each further session uses the recording of the session
+// before it. A recording must contain only one order with which the simulated user leaves.
 TEST(LiveSession, ARecordingCanBeEndedByHandAgain) {
   const test::TemporaryFolder folder;
   for (const std::string& text :

@@ -55,7 +55,7 @@ inline ExperimentFile read(const std::string& text, const std::string& folder) {
   return load_experiment({text, "e.toml", folder}, {{"run.engine", make_node("direct")}});
 }
 
-// The result of the point in `text` if `tlab run` simulates it.
+// Simulates the only point of the experiment `text` as `tlab run` does. Returns the point's result.
 inline std::string run_alone(const std::string& text, const std::string& folder,
                              double until_s = std::numeric_limits<double>::infinity()) {
   const auto file = read(text, folder);

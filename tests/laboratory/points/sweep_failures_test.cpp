@@ -110,7 +110,8 @@ TEST_F(Sweep, ImagesOfOtherProcessesStay) {
   EXPECT_EQ(count(), before);
 }
 
-// A defect of tlab has precedence over a fault of the simulated program, in any order.
+// A defect of tlab has precedence over a fault of the simulated program, whichever point fails
+// first.
 TEST(ExperimentsFailures, OfSeveralTheLowestExitCodeCounts) {
   const auto file = load("[sweep]\nworkers = [1, 2, 3]\n");
   const auto code_of = [&](const std::vector<int>& codes) {
@@ -244,7 +245,7 @@ class Failing {
   const std::string path_ = std::getenv("PATH");
 };
 
-// tlab calls neato only for graphs that users have made, so the network is such a graph.
+// tlab calls neato only for graphs from users' files. This network therefore comes from a file.
 TEST_F(Sweep, DrawingsThatFailCostNoResults) {
   if (!is_gnuplot_installed()) GTEST_SKIP() << "no gnuplot";
   write_file(folder.path / "own.dot", "graph { 0 -- 1; 1 -- 2; 2 -- 0; 2 -- 3; }");

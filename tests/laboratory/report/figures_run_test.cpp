@@ -48,7 +48,8 @@ TEST(ExperimentsFigures, ARunWritesWhatItFound) {
   EXPECT_EQ(tlab(run.folder.path, {"run", "e.toml", "-o", "out"}).exit_code, 0);
 }
 
-// A click on a point shows the loads in its record. The table shows the largest of them too.
+// A click on a point shows the loads in its record. The table also shows the largest of these
+// loads.
 TEST(ExperimentsFigures, ThePageKnowsWhyPointsAreNotFaster) {
   if (!is_gnuplot_installed()) GTEST_SKIP() << "gnuplot is not installed";
   const Trial run(

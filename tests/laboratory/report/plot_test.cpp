@@ -291,7 +291,8 @@ TEST(ExperimentsDrawing, ASecondPanelShowsDifferences) {
   EXPECT_NO_THROW(draw_plots({plot, plot}, folder.path));
 }
 
-// The distance of ticks is 1, 2 or 5 times a power of ten, and at most five fit into the range.
+// The distance between ticks is 1, 2 or 5 times a power of ten, and at most five ticks fit into the
+// range.
 TEST(ExperimentsDrawing, DifferencesHaveRoundSteps) {
   Plot plot;
   plot.series = {{.name = "s", .x = {1, 2}, .y = {1, 2}}};

@@ -84,7 +84,8 @@ double find_share(const std::function<MeanInterval()>& draw, double truth) {
 }
 
 // Samples are normally distributed around a known mean. In the second case, the samples of a pair
-// also share an effect of the seed, ten times as large. The standard error of the share is 0.15 %.
+// also share an effect of the seed, ten times as large. The share of intervals that contain the
+// true mean has a standard error of 0.15 %.
 TEST(ExperimentsSamples, NineteenOfTwentyIntervalsContainTheTrueMean) {
   for (const std::uint64_t seed : {1, 2})
     for (const std::size_t n : {2, 3, 5, 10}) {

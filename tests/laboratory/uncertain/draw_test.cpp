@@ -65,9 +65,9 @@ TEST(Draw, SetsEveryEntryThatHasARangeButThoseThatAreSet) {
             std::string::npos);
 }
 
-// Whatever costs of operations are drawn, a calibrated entry is fitted such that its formula
-// `holds` keeps its value. (The share drawn for the entry itself is divided out before the
-// comparison.)
+// Draws costs of operations, and then fits the calibrated entry. Whatever costs are drawn, the fit
+// keeps the value of the entry's formula `holds`. (The comparison divides out the random share that
+// is drawn for the entry itself.)
 TEST(Draw, WhatIsCalibratedHoldsItsCell) {
   const auto before = machine::load_model("t805-25");
   for (std::size_t machine = 0; machine < 16; ++machine) {

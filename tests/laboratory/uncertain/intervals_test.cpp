@@ -42,7 +42,8 @@ const Influence& find(const std::vector<Influence>& all, const std::string& entr
   return *std::ranges::find(all, entry, &Influence::entry);
 }
 
-// The interval of the only cell of a table, whose values on the machines are `results`.
+// A table has a single cell, and `results` are the values of this cell on the drawn machines.
+// Returns the interval of the cell.
 Interval interval_of(const std::vector<double>& results) {
   const auto table = [](double y) { return Table{{"y"}, 0, {{Value(y)}}, {}}; };
   std::vector<Table> machines;
@@ -67,8 +68,8 @@ TEST(Influences, OfASumAreItsFactors) {
   }
 }
 
-// A sum with noise, and 100 entries, most of them without effect. The factors are found within
-// their errors, and entries without effect are seldom selected.
+// The result is a sum of two entries and noise. The other 100 entries have no effect. The factors
+// of the sum are found within their standard errors. Entries without effect are seldom selected.
 TEST(Influences, AreFoundAmongMany) {
   int others = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
@@ -87,8 +88,8 @@ TEST(Influences, AreFoundAmongMany) {
   EXPECT_LE(others, 4);
 }
 
-// The function y = exp(2 x1) exp(x2) grows from 1 to 20. Its influences are those of the best
-// straight lines.
+// The function y = exp(2 x1) exp(x2) grows from 1 to 20. The influence of an entry follows from the
+// slope of the best straight line through y as a function of the entry.
 TEST(Influences, OfAProductNameItsFactors) {
   const auto s =
       sample(4, 256, 3, [](const auto& x) { return std::exp(2 * x[0]) * std::exp(x[1]); });

@@ -343,8 +343,8 @@ Vec sum_area(const std::vector<Vec>& corners) {
 }
 
 // Compares a face with the first faces in `found`, and returns how many of these are its parts. A
-// bent face is found as triangles between its corners. Their border is the border of the face, so
-// that the areas must be equal.
+// bent face is found as triangles between its corners. The outer border of these triangles is the
+// border of the face, so that the areas must be equal.
 std::size_t compare(const KnownFace& known, std::span<const FoundFace> found) {
   const auto count = known.is_bent ? known.corners.size() - 2 : 1;
   if (found.size() < count) {

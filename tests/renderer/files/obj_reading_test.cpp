@@ -1,4 +1,4 @@
-// Tests the OBJ and MTL readers on files as programs write them, statement by statement.
+// Tests the OBJ and MTL readers, statement by statement, with files such as other programs write.
 #include <gtest/gtest.h>
 
 #include <fstream>

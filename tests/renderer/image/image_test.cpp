@@ -113,8 +113,8 @@ TEST_F(Png, WhatCannotBeWrittenIsAnError) {
   EXPECT_FALSE(std::filesystem::is_regular_file("/dev/full"));
 }
 
-// Writes a PNG with libpng whose header states `width` and `height`, but with only one row of
-// pixels. If `height` is greater than 1, the rest of the file is invalid.
+// With libpng, writes a PNG file whose header states `width` and `height`. The file has only one
+// row of pixels. If `height` is greater than 1, the rest of the file is invalid.
 void save_row(const std::string& path, int width, int height, int bits, int type,
               const std::vector<std::uint8_t>& row) {
   FILE* file = std::fopen(path.c_str(), "wb");

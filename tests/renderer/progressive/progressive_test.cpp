@@ -293,7 +293,8 @@ TEST(Pyramid, SavesSamplesWhereNothingHides) {
   EXPECT_LT(image.advance({.contrast = 1, .depth = 1, .area = {}}).samples, 128u * 128 / 20);
 }
 
-// The pyramid must meet a small box around any point of any ray between its four corners.
+// Takes any ray between the four corners of a pyramid, and any point of this ray. The pyramid must
+// meet a small box around this point.
 TEST(Pyramid, MeetsWhatARayWithinMeets) {
   Random random{9};
   for (int i = 0; i < 2000; ++i) {

@@ -162,7 +162,8 @@ TEST(Refinement, AStateOfAnotherSizeIsRefused) {
     Refinement resumed(scene, params, Order::scan, 1, state);
   };
   EXPECT_THROW(resume(make_sampled(8, 9, 2), small.state()), base::BadInput);
-  // A rendering with a fixed number of samples, which is the maximum of the adaptive rendering.
+  // This rendering has a fixed number of samples: the largest number that the adaptive rendering
+  // may take.
   Refinement fixed(scene, make_sampled(8, 8, 20), Order::scan);
   EXPECT_THROW(resume(make_sampled(8, 8, 20, 0.1), fixed.state()), base::BadInput);
   auto state = small.state();

@@ -125,8 +125,8 @@ TEST(Ssim, PropertiesOnRandomPictures) {
 }
 
 TEST(BorderEnergy, ByHand) {
-  // The second differences at pixels 1 to 4 are 0, 10, -10, 0. The first and the last one lie
-  // inside a cell; the others cross the border.
+  // The second differences at pixels 1 to 4 are 0, 10, -10, 0. Those at pixels 1 and 4 lie inside a
+  // cell; those at pixels 2 and 3 cross the border.
   EXPECT_DOUBLE_EQ(border_energy(make_grey(6, 1, {0, 0, 0, 10, 10, 10}), 3), 100.5 / 0.5);
   EXPECT_DOUBLE_EQ(border_energy(make_grey(1, 6, {0, 0, 0, 10, 10, 10}), 3), 100.5 / 0.5);
   // The picture has a bend at the border between cells: the second differences are 0, 0, 4, 0.

@@ -51,7 +51,7 @@ TEST(Scan, CoversWhatRaysMeet) {
     add_polygon(scene, star);
     finish(scene);
     behind += std::ranges::any_of(star, [](const Vec& p) { return p.z > 0; });
-    // Interpolates the distance of the plane along the axis, which is also linear in space.
+    // Interpolates the distance of the plane along the axis. This distance is also linear in space.
     std::vector<double> found(SCREEN_SIDE * SCREEN_SIDE), nearness(SCREEN_SIDE * SCREEN_SIDE);
     Scanner<1> scanner(eye.raster, ALL);
     std::vector<Vec> flat;

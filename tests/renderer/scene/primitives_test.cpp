@@ -145,7 +145,7 @@ TEST(Primitives, PolygonsConvexAndConcave) {
 }
 
 TEST(Primitives, NeighbouringPolygonsLeaveNoGap) {
-  // Triangles in a fan around a shared corner must cover their union.
+  // The triangles form a fan around a shared corner. No ray may pass between two of them.
   Random random{5};
   const Scene scene = make_scene_of([&](Scene& s) {
     for (int i = 0; i < 7; ++i) {

@@ -249,7 +249,8 @@ std::vector<bool> find_borders(const Scene& scene, const Params& params, int gri
   return borders;
 }
 
-// The number of pixels at borders of objects, and of those among them with at most `most` samples.
+// The number of pixels at borders of objects, and the number of those of them that have at most
+// `most` samples.
 std::pair<int, int> count_borders(const Scene& scene, const Params& params, int most) {
   const auto borders = find_borders(scene, params, 10);
   const Rendering found = render(scene, params);

@@ -91,7 +91,7 @@ TEST(Distributed, WhatIsInFocusIsSharp) {
 }
 
 // The length of motion blur in the image must be the length of the movement while the shutter is
-// open, divided by its distance from the eye.
+// open, divided by the distance between the eye and the movement.
 TEST(Distributed, BlurIsSpeedTimesShutter) {
   constexpr double DEPTH = 10, RADIUS = 0.3, SPEED = 3;
   for (const bool is_camera : {false, true})
@@ -256,7 +256,8 @@ TEST(Distributed, AnEdgeBehindATranslucentPlate) {
     expect_segments(fmt::format("f 0 0 0 0 0 1 1 1\n# translucent {}\n", radius), false, radius);
 }
 
-// Reflected rays that would go through the surface are mirrored to the right side.
+// Reflected rays that would pass through the surface are mirrored back to the side on which they
+// belong.
 TEST(Distributed, GlossStaysOnItsSide) {
   const Scene scene = parse(
       "v from 0 0 5 at 0 0 0 up 0 1 0 angle 45\nf 0 0 0 0 1 1 1 1.2\n# gloss 1\n# translucent 1\n"

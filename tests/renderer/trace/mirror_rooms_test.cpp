@@ -125,8 +125,8 @@ TEST(Watertight, NoRayLeavesAMovingRoomOfMirrors) {
   }
 }
 
-// Two perpendicular mirrors, a corner reflector, move far away from the eye. Rays near their edge
-// must be reflected twice.
+// A corner reflector, which consists of two perpendicular mirrors, moves far away from the eye.
+// Rays that arrive near the edge between the mirrors must be reflected twice.
 TEST(Watertight, ARayIsReflectedTwiceAtAnEdgeThatMovedFar) {
   constexpr double FAR = 1e4;
   Scene scene;

@@ -83,7 +83,8 @@ TEST(Motion, AllTraversalsFindTheSameImage) {
   }
 }
 
-// A ray from a closed object into the object starts on its surface, wherever the object has moved.
+// Rays start on the surface of a moved sphere. The ray outwards must meet nothing. The ray inwards
+// must meet the opposite side of the sphere, not its own origin.
 TEST(Motion, ARayThatLeavesAMovingObjectDoesNotMeetItsOrigin) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

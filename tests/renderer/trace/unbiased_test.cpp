@@ -45,7 +45,7 @@ Scene make_dots() {
   return scene;
 }
 
-// A slanted cylinder in each row of pixels, 1/8 of a pixel wide.
+// A slanted cylinder, 1/8 of a pixel wide, in each row of pixels.
 Scene make_hairs() {
   Scene scene = make_view();
   for (int i = 0; i < SIDE; ++i) {
@@ -67,7 +67,7 @@ Scene make_lines() {
   return scene;
 }
 
-// The shadow on a wall of a half plane that is not in the picture. The light is 4 pixels wide.
+// A half plane, which is not in the picture, casts a shadow on a wall. The light is 4 pixels wide.
 Scene make_shadow_edge() {
   Scene scene = make_view();
   add_half_plane(scene, -500);

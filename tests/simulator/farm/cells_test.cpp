@@ -16,7 +16,7 @@ namespace {
 
 using renderer::Area;
 
-// Returns a primary ray of the pixel with number `sample`.
+// Returns a primary ray of the pixel whose number is `sample`.
 template <class Sample>
 renderer::Ray ray_of(Sample sample) {
   renderer::Ray ray;
@@ -46,8 +46,8 @@ std::vector<std::pair<std::uint32_t, renderer::Rgb>> random_contributions(std::m
   return all;
 }
 
-// The expected picture: each pixel shows the sample of the smallest cell around it that has a
-// sample.
+// The expected picture. Each pixel lies in cells of several sizes. It shows the sample of the
+// smallest of these cells that has a sample.
 std::vector<std::uint8_t> constant_picture(const renderer::Samples& samples,
                                            const std::set<std::uint32_t>& there,
                                            const Cells& cells) {
@@ -111,8 +111,9 @@ TEST(FrameBuffer, ShowsTheSameInAnyOrder) {
     }
 }
 
-// A cell with a side of 8 pixels shrinks twice at once if the samples 2 pixels away arrive before
-// those 4 pixels away. The picture must be the same as in the usual order.
+// If the samples 2 pixels from the corner of a cell arrive before the samples 4 pixels from this
+// corner, a cell with a side of 8 pixels shrinks twice at once. The picture must be the same as in
+// the usual order of arrival.
 TEST(FrameBuffer, SmoothCellsAreRepaintedWhenTheyShrinkTwice) {
   const auto paint = [](std::vector<std::uint32_t> samples) {
     FrameBuffer picture(16, 16, {.width = 16, .max_cell = 8}, CellLight::smooth);
@@ -190,7 +191,7 @@ TEST(FrameBuffer, ShowsTheMeanOfSamples) {
   FrameBuffer means(4, 4, {.width = 4, .max_cell = 1}, CellLight::constant, {}, sampling);
   for (const double red : {0.2, 0.6, 0.7}) means.add(ray_of(3), {red, 0, 0}, work);
   EXPECT_NEAR(means.samples().get(3).r, 0.5, 1e-9);
-  // finish() replaces the sums by those of samples with unequal weights.
+  // finish() replaces the contributions so far by sums of samples with unequal weights.
   renderer::Samples::Sums sums;
   add(sums, renderer::Rgb{3 * 0.6, 0, 0});
   means.finish({3, sums}, work);

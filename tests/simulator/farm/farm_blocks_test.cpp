@@ -59,8 +59,8 @@ TEST(FarmBlocks, TileTheArea) {
   }
 }
 
-// If tasks are blocks, a worker also does the shading, which otherwise the central processors do.
-// One worker must be charged the cycles of all shading trees.
+// If tasks are blocks, shading is the work of the worker, not of the central processors. One worker
+// must be charged the cycles of all shading trees.
 TEST(FarmBlocks, OneWorkerTakesTheTreesCycles) {
   const auto scene = renderer::make_spheres(100);
   run_isolated([&] {

@@ -92,8 +92,8 @@ TEST(Farm, ImageDoesNotDependOnLimitsOrdersSeedsOrCells) {
   }
 }
 
-// The transfer of the scene takes longer than 0.05 s, the time of the order. The order must still
-// take effect 0.05 s after the first task.
+// The order is for the time 0.05 s. The transfer of the scene takes longer than that. The order
+// must still take effect 0.05 s after the first task.
 TEST(Farm, OrdersCountFromTheFirstTask) {
   run_isolated([] {
     Params params = small_params();
@@ -259,8 +259,8 @@ TEST(Farm, FaultsSayWhoAndWhat) {
   }
 }
 
-// Messages of the farm are not sent around a cut link. The farm must wait for the lost workers
-// until it deadlocks, unless it had already finished.
+// Messages of the farm are not sent around a cut link. If the farm has not finished before the cut,
+// it waits for the lost workers. It must then end in a deadlock.
 TEST(Farm, ACutLinkIsADeadlockUnlessTheFarmIsOver) {
   const auto run_cut = [](double at_s) {
     return isolated([&] {

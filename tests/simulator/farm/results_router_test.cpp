@@ -14,8 +14,9 @@ using occam::isolated_numbers, occam::Lab, occam::Numbers, occam::Processor, occ
 
 constexpr int WAYS = 4, ROUNDS = 6;
 
-// Runs the results router. Each input sends its results as fast as possible, then Stop. Returns for
-// each result, in the order of output, the number of its input, and -1 for Stop.
+// Runs the results router. Each input sends its results as fast as possible, then a Stop. Returns
+// one number for each output, in order: for a result, the number of the input that sent it; for a
+// Stop, -1.
 Numbers run_results_router() {
   return isolated_numbers([] {
     Lab lab;
@@ -40,7 +41,7 @@ Numbers run_results_router() {
         active = !answer.stop();
         const auto* hit = std::get_if<Intersection>(&answer.content);
         found.push_back(hit ? static_cast<double>(hit->ray.sample) : -1);
-        compute(10'000);  // when this has passed, every input has a result waiting
+        compute(10'000);  // after this time, a result is waiting at every input
       }
     });
     lab.machine.run();

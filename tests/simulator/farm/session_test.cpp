@@ -41,9 +41,9 @@ std::ptrdiff_t black_pixels(const std::vector<std::uint8_t>& rgb8) {
   return n;
 }
 
-// The first rays come from the top of the scene, where two mirrors are; the last ones hit nothing.
-// At the end of the phase no child ray thus makes the coordination ask the database again. New
-// limits must nevertheless take effect at once.
+// The first rays come from the top of the scene, which has two mirrors. The last rays hit nothing.
+// At the end of the phase, there is therefore no child ray that would make the coordination ask the
+// database again. New limits must nevertheless take effect at once.
 TEST(Session, RaysThatNewLimitsAdmitAreAskedForAtOnce) {
   const auto scene = renderer::parse_scene(
       "v\nfrom 0 -4 0\nat 0 0 0\nup 0 0 1\nangle 40\nhither 0.01\nresolution 24 24\n"
@@ -71,7 +71,8 @@ TEST(Session, RaysThatNewLimitsAdmitAreAskedForAtOnce) {
   }
 }
 
-// Whatever the order, cells, weights and user's orders, the result must be the sequential image.
+// The result must be the sequential image for any order of cells, any kind of cells, any weights,
+// and any orders of the user.
 TEST(Session, EndsWithTheImage) {
   for (std::uint64_t seed = 1; seed <= 24; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -163,8 +164,8 @@ TEST(Session, PointsAreDark) {
   EXPECT_EQ(told, "9 108 true");
 }
 
-// All rays within the first limits are traced long before the order comes. The farm must wait for
-// it.
+// All rays within the first limits are traced long before the next order comes. The farm must wait
+// for this order.
 TEST(Session, TheNullModeWaitsForTheNextOrder) {
   const std::string told = isolated([] {
     Params params = staged_params();

@@ -79,7 +79,7 @@ TEST(IirraInput, StagesAndOrdersAreLookedAt) {
 }
 
 // On a line, a display beside the coordinator separates the coordinator from the workers. The tree
-// of green balancing cannot pass the display, so this must be refused.
+// of green balancing cannot pass the display, so this machine must be refused.
 TEST(IirraInput, GreensTreeGoesRoundTheDisplay) {
   auto params = small_params();
   params.balance = BalanceMethod::green;

@@ -66,8 +66,8 @@ TEST(DoubleNode, IsFasterThanOneProcessor) {
   EXPECT_LT(eval_time(true).at(0), eval_time(false).at(0));
 }
 
-// In each node, the processor that computes counts as worker. The other routes messages and updates
-// the LRU list of the cache.
+// In each node, one processor computes and counts as worker. The second processor routes messages
+// and updates the LRU list of the cache.
 TEST(DoubleNode, HasTwoRoles) {
   test::run_isolated([&] {
     const auto twice = run("mesh:3x3", 20, true);

@@ -70,8 +70,8 @@ TEST(IirraFaults, ACutLinkIsGoneAround) {
     }
 }
 
-// There is no other route, so a part of the picture is missing, or some workers do not learn that
-// the run ends. The run must end with a fault or deadlock that names a processor.
+// The cut leaves no other route. A part of the picture is therefore missing, or some workers do not
+// learn that the run ends. The run must end with a fault or deadlock that names a processor.
 TEST(IirraFaults, ACutLinkWithoutAnotherWayIsTold) {
   for (int balance = 0; balance < 7; ++balance)
     for (const std::uint64_t seed : {1, 2, 3}) {

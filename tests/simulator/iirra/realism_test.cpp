@@ -108,7 +108,8 @@ TEST(IirraAdvance, NothingIsDoneOutsideTheAreaOfInterest) {
   };
   EXPECT_TRUE(chosen(20, 10));
   EXPECT_TRUE(chosen(17, 7));  // the last pixel of this cell is the first of the area
-  // Only the cell's border lies in the area, and its pixels belong to the next cell.
+  // Only the border of this cell lies in the area. The pixels on the border belong to the next
+  // cell.
   EXPECT_FALSE(chosen(16, 10));
   EXPECT_FALSE(chosen(20, 6));
   EXPECT_TRUE(chosen(24, 14));
@@ -160,7 +161,7 @@ Quantities random_quantities(std::mt19937_64& random) {
 }
 
 // The chosen step must be possible and within the limits. Advance::none must be chosen only if no
-// step is both.
+// step is both possible and within the limits.
 TEST(IirraAdvance, IsPossibleAndAllowed) {
   for (std::uint64_t seed = 1; seed <= 4000; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

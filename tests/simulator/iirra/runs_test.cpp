@@ -33,8 +33,8 @@ Case make_case(std::uint64_t seed) {
   const char* const scenes[] = {"own glass", "spheres", "glass.nff", "mirrors.nff"};
   made.scene = scenes[below(random, 4)];
   auto& params = made.params;
-  // If the scene is distributed and the cache too small for it, runs are slow; images are then
-  // smaller.
+  // If the scene is distributed and too large for the cache, runs are slow. The images are smaller
+  // in these cases.
   const bool is_shared = random() % 2;
   params.image.width = 8 + below(random, is_shared ? 9 : 33);
   params.image.height = 8 + below(random, is_shared ? 9 : 33);

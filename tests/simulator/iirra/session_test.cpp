@@ -60,7 +60,8 @@ TEST(IirraSession, KeyImagesHaveNames) {
   }
 }
 
-// All steps within the first limits are done long before the next order. The run must wait for it.
+// All steps within the first limits are done long before the next order. The run must wait for this
+// order.
 TEST(IirraSession, TheNullModeWaitsForTheNextOrder) {
   for (const bool is_polled : {true, false}) {
     SCOPED_TRACE(is_polled);

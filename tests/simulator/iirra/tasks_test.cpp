@@ -94,8 +94,8 @@ TEST(IirraTasks, TheMostImportantComesFirstAndNothingIsLost) {
   }
 }
 
-// If the store has up to eight tasks, one that may move must be found. If it has more, the most
-// important task must not be given away.
+// In a store of up to eight tasks, a task that may be given away must be found. In a larger store,
+// the most important task must not be given away.
 TEST(IirraTasks, OnlyTasksThatMayGoAreGivenAway) {
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

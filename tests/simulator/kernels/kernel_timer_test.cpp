@@ -56,7 +56,8 @@ TEST(KernelTimer, ASlowerHostIsMetByTheYardstick) {
   }
 }
 
-// Calls are shorter than a clock reading. Their sum must be right, with fewer readings than calls.
+// Each call is shorter than a clock reading. The sum of their times must nevertheless be right, and
+// there must be fewer clock readings than calls.
 TEST(KernelTimer, ShortCallsAreMeasuredTogether) {
   FakeHost host;
   KernelTimer timer(host.host);

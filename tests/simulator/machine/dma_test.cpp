@@ -12,8 +12,9 @@ double cycles_to_move(const Model& model, std::uint64_t bytes) {
   return static_cast<double>(bytes) / model.link.one_way_rate * model.cpu.clock.value;
 }
 
-// High-priority processes send a message from processor 0 to 1, while a low-priority process
-// computes on each. Returns the ends of the two computations and of the run, in cycles.
+// High-priority processes send a message from processor 0 to 1. At the same time, a low-priority
+// process computes on each of the two processors. Returns the ends of the two computations and of
+// the run, in cycles.
 Numbers compute_beside_transfer(const Model& model, std::int64_t cycles, std::uint64_t bytes) {
   return isolated_numbers([&] {
     Lab lab(model);
@@ -55,8 +56,8 @@ TEST(Dma, TakesItsCyclesFromAComputationThatLastsLonger) {
                              machine::load_model("t414-20"), machine::load_model("t805-30")}) {
     const auto found = compute_beside_transfer(model, cycles, 4 * words);
     const auto& s = model.scheduler;
-    // Needs a tolerance, because unless the model is exact, the message's end is resolved only to a
-    // picosecond.
+    // The time needs a tolerance: in all models but the exact one, the message's end is resolved
+    // only to a picosecond.
     EXPECT_EQ(model.memory.steal_word, STEAL_WORD) << model.name;
     EXPECT_NEAR(found.at(0),
                 cost_first(model, Side::writer, 4 * words) + cycles + words * STEAL_WORD +
@@ -187,9 +188,9 @@ TEST(Dma, SlowsAHighPriorityProcessFromItsStart) {
   EXPECT_EQ(found.at(0), 4096 + 32 * 100);
 }
 
-// A message arrives during a computation of C cycles, and then takes no further cycles. now() must
-// return C plus two cycles per word, at low priority also the two switches. A sync() before now()
-// must change nothing.
+// A message ends during a computation of C cycles. From then on, DMA takes no cycles from the
+// computation. now() must return C plus two cycles for each word, and at low priority also the
+// cycles of two switches. A sync() before now() must change nothing.
 TEST(Dma, NowIsExactBesideIt) {
   const Model model = make_stealing_model();
   constexpr std::int64_t charges = 10, cycles = 20'000, words = 1000;

@@ -74,7 +74,9 @@ TEST_F(Engines, RunRandomMachinesTheSame) {
 TEST_F(Engines, RunRandomMachinesTheSameInParts) {
   for (std::uint64_t seed = 0; seed < 24; ++seed) {
     EngineParams one = DIRECT;
-    one.parts = {0};  // one part, but no number of events, because several parts have more events
+    // a single part; stating it makes run_random() omit the number of events, which is larger with
+    // several parts
+    one.parts = {0};
     const std::string in_one[] = {run_random(seed, one, false), run_random(seed, one, false, true)};
     std::mt19937_64 random(seed);
     for (const int parts : {2, 3, 4, 8, 16}) {
@@ -89,7 +91,8 @@ TEST_F(Engines, RunRandomMachinesTheSameInParts) {
   }
 }
 
-// Parts must run in the same time windows; otherwise they would only take turns.
+// The parts of a machine must run in common time windows. Without common windows, only one part
+// would run at a time.
 TEST_F(Engines, PartsShareWindows) {
   const Plan plan = make_plan(3);
   EngineParams engine = DIRECT;

@@ -28,8 +28,8 @@ std::vector<HardCase> make_hard_cases(bool by_alt) {
 }
 
 // The expected end of the transfer. Both processes pay for the operands and the start of their
-// instruction; the later one starts the transfer. An ALT notices the output when it enables the
-// guard, or at altwt, or is woken by it.
+// instruction; the later one starts the transfer. An ALT notices the output in one of three ways:
+// when it enables the guard, at altwt, or because the output wakes it.
 double expected_end(const Model& model, const HardCase& c) {
   const auto& alt = model.alternative;
   const auto written = c.writer_computes + cost_first(model, Side::writer, c.bytes);

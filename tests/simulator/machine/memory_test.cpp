@@ -41,7 +41,8 @@ TEST(Memory, WaitStatesLengthenTheCopy) {
       EXPECT_NEAR(time_rendezvous(model, static_cast<std::uint64_t>(4 * w)),
                   (4 + 20) + (4 + 19) + w * 2 * (3 + s), ROUNDING);
       EXPECT_EQ(model.memory.steal_word, 3 + s - 1);
-      // The workspace is on chip, so all other costs must be unchanged.
+      // The workspace is on chip, so wait states must change the costs only of instructions that
+      // access data in external memory, such as `load`.
       EXPECT_EQ(model.alternative.enable_not.value, 5 + 1 + 2 + 1);
       EXPECT_EQ(machine::get_instruction(model, "ldl").value, 2);
       EXPECT_EQ(machine::get_instruction(model, "load").value, 3 + (3 + s) - 1);

@@ -95,7 +95,8 @@ TEST(Run, EndsAtItsLimitThoughAProcessWaitsFromALaterTimeOn) {
         }
 }
 
-// Starts a process that computes for ever and neither syncs nor blocks.
+// Starts a process that computes for ever. It never blocks, and never waits until its charged
+// cycles have passed.
 void start_computing(Processor& cpu, Priority priority, std::int64_t step) {
   cpu.start("busy", priority, [step] {
     for (;;) compute(step);
@@ -201,8 +202,8 @@ TEST(Run, BeginsWhileTheUserAsksForItsEnd) {
   });
 }
 
-// Timers remain of a pre-empted computation, of a time slice that is not needed, and of a timeout
-// that does not fire. None of them may move the clock at the end of the run.
+// At the end of the run, three timers remain: of a pre-empted computation, of a time slice that is
+// not needed, and of a timeout that does not fire. None of them may move the clock.
 TEST(Run, EndsWithItsLastProcess) {
   const Model model = make_exact_model();
   const auto found = isolated_numbers([&] {

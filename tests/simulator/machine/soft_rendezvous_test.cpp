@@ -88,8 +88,8 @@ TEST(SoftRendezvous, TakesTheOperandsSetupAndCopyOfTheSecondToCome) {
   expect_soft_times(machine::load_model("t414-20"));
 }
 
-// The published costs in cycles with on-chip memory: in and out take 2w + 19 for w words, outword
-// two more; the first process takes 20; operands take 4.
+// The published costs in cycles with on-chip memory: in and out take 2w + 19 for w words, and
+// outword takes two more. The process that arrives first takes 20. The operands take 4.
 TEST(SoftRendezvous, OnChipIsThePublishedNumber) {
   const Model model = make_on_chip_model();
   for (auto bytes : SOFT_LENGTHS) {

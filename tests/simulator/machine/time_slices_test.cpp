@@ -8,7 +8,7 @@
 namespace occam {
 namespace {
 
-// A period when one low-priority process computes and no other one does.
+// A period in which one low-priority process computes and no other low-priority process does.
 struct Stretch {
   std::size_t process;
   double begin, end;
@@ -74,8 +74,8 @@ TEST(TimeSlices, GiveWayAfterOneToTwoPeriodsInTurn) {
   }
 }
 
-// A low-priority process computes, alone at first. Then another one becomes ready, by a timer or a
-// link. It must wait for at most two slice periods.
+// A low-priority process computes, alone at first. Then a second low-priority process becomes
+// ready, by a timer or a link. This second process must wait for at most two slice periods.
 TEST(TimeSlices, WokenLowProcessWaitsForAtMostTwoPeriods) {
   const Model model = make_exact_model();
   const auto found = isolated_numbers([] {
@@ -243,11 +243,11 @@ TEST(TimeSlices, TickThatPassesDuringAPreemptionCounts) {
                              s.return_to_low.value);
 }
 
-// A first low-priority process computes. A high-priority one makes a second low-priority process
-// ready: at once if it `pays` (lets its charged cycles pass) before, otherwise at a date ahead of
-// the clock. Shortly before the tick, a third low-priority process becomes ready or, if
-// `has_message`, a message comes whose DMA delays the work charged in advance. Returns the cycles
-// at which the second and the third process end.
+// Three low-priority processes and a high-priority one. The first low-priority process computes.
+// The high-priority process makes the second ready. If it first lets its charged cycles pass
+// (`pays`), this happens at once, otherwise at a date ahead of the clock. Shortly before the tick,
+// the third becomes ready; or, if `has_message`, a message comes whose DMA delays the work charged
+// in advance. Returns the cycles at which the second and the third process end.
 Numbers end_around_tick(std::int64_t wakes, bool has_message, bool pays) {
   return isolated_numbers([&] {
     Model model = make_exact_model();

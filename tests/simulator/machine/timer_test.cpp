@@ -110,8 +110,8 @@ std::pair<double, bool> expect_timeout(const Model& model, const Timeout& c) {
           true};
 }
 
-// Runs the cases. Returns for each its end in cycles, and whether the channel was chosen. If it was
-// not, the message is taken later.
+// Runs the cases. Returns two numbers for each case: the cycle at which it ends, and whether the
+// channel was chosen. If the channel was not chosen, its message is taken later.
 Numbers run_timeouts(const Model& model, const std::vector<Timeout>& cases) {
   return isolated_numbers([&] {
     Lab lab(model);

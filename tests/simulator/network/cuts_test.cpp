@@ -52,8 +52,8 @@ void add_messages_to_all(const Routing& routing, Waits& waits) {
   }
 }
 
-// Removes entries that wait for nothing until none is left (then there is no cycle) or none can be
-// removed.
+// Repeatedly removes the entries that wait for nothing. There is a cycle if some entries remain and
+// none of them can be removed.
 bool has_cycle(Waits waits) {
   for (bool is_smaller = true; is_smaller;) {
     const auto waits_for_nothing = [&](const auto& entry) {

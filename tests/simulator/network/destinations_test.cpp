@@ -195,7 +195,8 @@ TEST(Destinations, UnsuitableNumbersAreRefused) {
             "network.topology: found one processor, expected at least two");
 }
 
-// Percentiles of the latencies 1 to 100 s, sent in order; the later half takes longer.
+// Percentiles of latencies from 1 to 101 s. Each message takes one second longer than the message
+// sent before it.
 TEST(Latencies, OfKnownSamples) {
   std::vector<observe::Passage> passages;
   for (int i = 1; i <= 101; ++i) passages.push_back({i - 1.0, i * 1.0});

@@ -8,8 +8,9 @@
 namespace network {
 namespace {
 
-// Processors 1 to 3 of a star send messages over the hub to the fourth as fast as possible. Returns
-// the sender of each message, in order of arrival.
+// In a star, processors 1 to 4 are linked only to the hub, processor 0. Processors 1 to 3 send
+// messages to processor 4 as fast as possible. Returns the sender of each message, in order of
+// arrival.
 std::vector<double> find_senders(Method method, std::uint64_t bytes) {
   return test::isolated_numbers([&] {
     Params params;
@@ -26,8 +27,9 @@ std::vector<double> find_senders(Method method, std::uint64_t bytes) {
   });
 }
 
-// While all three have messages to send, each must have at least 3 of 24 messages. The numbers
-// differ, because the hub passes the turn of an idle input to the next active one.
+// While processors 1 to 3 all have messages to send, at least 3 of any 24 successive messages must
+// come from each of them. The three numbers differ: if an input is idle, the hub passes its turn to
+// the next active input.
 TEST(RouterFairness, EveryLinkInHasItsTurn) {
   for (const Method method : {Method::chalmers, Method::green, Method::acyclic, Method::naive})
     for (const std::uint64_t bytes : {4, 100}) {

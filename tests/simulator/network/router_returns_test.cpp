@@ -18,8 +18,9 @@ TEST(Messages, AreReadOnlyAsTheTypeThatWasSent) {
   EXPECT_THROW(read<double>(message), std::bad_cast);
 }
 
-// Every processor sends `each` messages to a process that does not exist on every other processor,
-// then receives what returns. Returns the number of messages that came back with the right reason.
+// Every processor sends `each` messages to every other processor, for a process that does not exist
+// there. It then receives the messages that come back. Returns the number of messages that came
+// back with the right reason.
 double send_to_nobody(Method method, const std::string& spec, int each) {
   const auto topology = topologies::make_topology(spec);
   machine::Machine machine(machine::load_model("t805-25"));

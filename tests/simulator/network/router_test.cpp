@@ -100,14 +100,15 @@ TEST(Router, GlobalReachesEveryOtherProcessorAlongEitherKindOfTree) {
         });
 }
 
-// A message must be offered to each processor on the route that has the process, nearest first,
-// until one of them keeps the message.
+// A message must be offered to the processors on its route that have the process. The nearest of
+// them is first. The offers end when a processor keeps the message.
 TEST(Router, InPathToIsOfferedOnTheWay) {
   for (const Method method : METHODS)
     expect_in_child([&] {
       Params params = with(method);
       params.processes.assign(6, {1});
-      params.processes[2] = {0b10};  // no process 0 there, so messages pass without being offered
+      // processor 2 has no process 0, so messages pass it without being offered
+      params.processes[2] = {0b10};
       Bench bench(topologies::make_topology("line:6"), params);
       std::vector<int> asked;
       for (int id = 1; id < 6; ++id)

@@ -50,8 +50,8 @@ class Network {
     bool busy = false;
     std::deque<std::size_t> waiting;
   };
-  // An event at processor `at`: a packet enters the network there, or arrives there. In the second
-  // case `freed` is the link that it leaves.
+  // An event at processor `at`: a packet enters the network there, or arrives there. If it arrives,
+  // `freed` is the link that it leaves.
   struct Event {
     double at_s;
     std::uint64_t order;  // order of events at the same date

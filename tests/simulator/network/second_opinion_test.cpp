@@ -80,8 +80,9 @@ struct Case {
 
 class SecondOpinion : public testing::TestWithParam<Case> {};
 
-// Both simulations send the same packets on the same routes at the same dates. Their only
-// difference is the fraction of a nanosecond that a processor takes.
+// Both simulations send the same packets on the same routes at the same dates. They differ only in
+// the time that a processor takes: a fraction of a nanosecond in the simulated machine, none in the
+// other simulation.
 TEST_P(SecondOpinion, AgreesOnTheMeanLatencyOfUniformTraffic) {
   const auto& [name, share, window_us] = GetParam();
   const auto topology = topologies::make_topology(name);

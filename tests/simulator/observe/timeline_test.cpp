@@ -112,7 +112,8 @@ bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
-// Two processes wait for each other, a third for them. Arrows show the cycle only.
+// Two processes wait for each other; a third process waits for them. Arrows show only the cycle of
+// the two processes.
 TEST(TimelineSvg, ADeadlockIsMarked) {
   Trace trace = make_small_trace();
   EXPECT_FALSE(contains(saved(save_timeline, trace), "waits for"));
@@ -179,7 +180,8 @@ TEST(TimelineSvg, SaysHowManyProcessorsItLeavesOut) {
   EXPECT_TRUE(contains(svg, "the first 64 of 100 processors"));
 }
 
-// The parts of a figure add up to its width: names, time axis and percentages. Its legend breaks.
+// The names, the time axis and the percentages of a figure fill exactly its width. The legend is
+// broken into several lines.
 TEST(Timeline, OfAFigureHasItsWidthAndFont) {
   const base::FigureStyle style{.width_mm = 85, .font = "DejaVu Serif", .font_pt = 8};
   const auto svg = draw_timeline(make_small_trace(), style);

@@ -57,7 +57,7 @@ std::vector<Event> read(const std::string& text) {
 // The state of a viewer while it reads a trace. Checks what must hold for every trace.
 struct Viewer {
   std::set<std::string> types, values, containers;
-  // Present value and its start, by container.
+  // By container: the present value, and the time at which it began.
   std::map<std::string, std::pair<std::string, double>> states;
   // Total time in seconds, by container and value.
   std::map<std::string, std::map<std::string, double>> totals;

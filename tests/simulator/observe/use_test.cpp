@@ -8,8 +8,8 @@
 namespace observe {
 namespace {
 
-// Makes random use of two processors, three link directions and two processes. No number is lower
-// than in `before`.
+// Makes a Use with random numbers for two processors, three link directions and two processes. No
+// number is lower than in `before`.
 Use make_use(std::mt19937_64& random, const Use& before) {
   const auto more = [&] { return static_cast<double>(random() % 100); };
   const auto count = [&] { return random() % 100; };

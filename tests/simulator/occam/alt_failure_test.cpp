@@ -7,9 +7,10 @@
 namespace occam {
 namespace {
 
-// A process waits in an ALT for a message or a timeout. wait_in_alt() returns 1 for the message, 0
-// for the timeout, or -1 if the link was cut after the message's guard was chosen; then the cycle;
-// then whether the output succeeded.
+// A process waits in an ALT for a message or a timeout. wait_in_alt() returns three numbers. The
+// first is 1 for the message, 0 for the timeout, or -1 if the link was cut after the message's
+// guard was chosen. The second is the cycle at which the ALT ends. The third is 1 if the output
+// succeeded, otherwise 0.
 struct AltCase {
   double cut;
   Priority writer, reader;
@@ -53,8 +54,8 @@ TEST(AltFailure, AGuardOnACutLinkIsNeverReady) {
     for (auto reader : BOTH_PRIORITIES) {
       const auto silent = wait_in_alt({1e9, writer, reader, 0, false});
       ASSERT_EQ(silent.at(0), 0);
-      // The link is cut from the start, before the writer arrives, or while the writer has charged
-      // cycles in advance.
+      // In the three cases the link is cut at the start, before the writer arrives, or while the
+      // writer has charged cycles in advance.
       for (const auto& [cut, computes] : {std::pair{0.0, 0}, {500.0, 3000}, {500.0, 900}}) {
         const auto found = wait_in_alt({cut, writer, reader, computes});
         EXPECT_EQ(found.at(0), 0) << cut;
@@ -76,7 +77,9 @@ TEST(AltFailure, MayComeAtAnyCycleOfAnAlt) {
         ++seen.at(static_cast<std::size_t>(found.at(0) + 1));
       }
   for (int times : seen)
-    EXPECT_GT(times, 0);  // cuts after the choice, before it, and after the message
+    // the three outcomes occur: a cut after the choice, a cut before it, and a cut after the
+    // message
+    EXPECT_GT(times, 0);
 }
 
 TEST(AltFailure, OtherGuardsGoOn) {

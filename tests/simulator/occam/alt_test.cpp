@@ -14,7 +14,7 @@ constexpr int CHANNELS = 3;
 constexpr std::int64_t LATE = 64 * 1024;  // at this cycle every writer is waiting
 
 struct Choice {
-  unsigned waiting, open;  // sets of channels with one bit each
+  unsigned waiting, open;  // sets of channels: one bit for each channel
   int skip;                // place of SKIP among the guards; -1: no SKIP
 };
 
@@ -177,8 +177,8 @@ TEST(Alt, IsWokenByTheFirstOfTwoWritersAndLosesNeither) {
   }
 }
 
-// An ALT must wait for a guard whose condition is true, even if another one is ready. It must take
-// SKIP only if no earlier guard is ready.
+// An ALT must wait for a guard whose condition is true, even if a guard whose condition is false
+// has a message. It must take SKIP only if no earlier guard is ready.
 TEST(Alt, WordsOfOccam) {
   const auto found = isolated_numbers([] {
     Lab lab;

@@ -44,8 +44,8 @@ Times expect_times(const Model& model, const Case& c) {
     enable += alt.enable_skip.value;
     disable += alt.disable_skip.value;
   }
-  // The input finds its partner waiting, and copies. If a low-priority reader thereby wakes a
-  // high-priority writer, it loses the CPU.
+  // The input finds its partner waiting, and copies the message. If this wakes a high-priority
+  // writer, a low-priority reader loses the CPU.
   const auto write = cost_first(model, Side::writer, c.bytes),
              read = cost_second(model, Side::reader, c.bytes);
   const bool preempted = c.reader == Priority::low && c.writer == Priority::high;
@@ -118,8 +118,8 @@ TEST(AltTimes, AreSumsOfRowsForBothOrdersOfArrival) {
 }
 
 // The published cycles with on-chip memory for n guards, none of them ready: alt 2+1, n enbc 5+1,
-// altwt 17+1, n disc 8+1, altend 4+1. To this add the operands of each enbc and disc: ldl 2, ldc 1,
-// and the offset of disc 1.
+// altwt 17+1, n disc 8+1, altend 4+1. The operands of each enbc and disc are added: ldl takes 2
+// cycles and ldc 1. The offset of each disc takes 1 more.
 TEST(AltTimes, OnChipAreThePublishedNumbers) {
   const auto alt = make_on_chip_model().alternative;
   for (std::int64_t n : {1, 2, 5}) {

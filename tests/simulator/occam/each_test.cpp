@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t INPUTS = 4;
 constexpr int MESSAGES = 6;  // number of messages that each writer sends
 
-// A reader notes for each message the number of its input, its content, and the cycle after the
-// input.
+// A reader notes three numbers for each message: from which input it came, its content, and the
+// cycle at which it had been input.
 using Reader = std::function<void(std::span<Channel<Words>* const>, Numbers&)>;
 
 void note(Numbers& seen, std::size_t input, const Words& message) {
@@ -66,10 +66,10 @@ void read_by_each(std::span<Channel<Words>* const> inputs, Numbers& seen) {
       pri_alt(first, each(rest, favourite, take), otherwise(false, [] {}));
 }
 
-// Reads by the PRI ALT of read_by_each(), written guard by guard. Each guard but the first costs a
-// step of the replicator. If such a guard is chosen, the address of its channel is computed again.
-// With a fair choice, each of these computations also costs a division, and so does the next
-// favourite.
+// Reads with the PRI ALT of read_by_each(), but every guard is written separately. Each guard
+// except the first costs a step of the replicator. If one of these guards is chosen, the address of
+// its channel is computed again. With a fair choice, each address computation also costs a
+// division. So does finding the next favourite.
 template <bool fair>
 void read_by_guards(std::span<Channel<Words>* const> inputs, Numbers& seen) {
   const auto& costs = this_process().processor().model().alternative;

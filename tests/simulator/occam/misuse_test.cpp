@@ -26,8 +26,8 @@ void try_to_input(Channel<Words>& channel) { static_cast<void>(in_or_fail(channe
 struct Twins {
   bool writes, hard;
   Use first, second;
-  // True if a partner arrives before the second process. On a hard channel its message is then in
-  // transit.
+  // True if a partner arrives before the second process. On a hard channel, the message between the
+  // first process and this partner is then in transit.
   bool partner_comes = true;
 };
 

@@ -227,9 +227,9 @@ double resident_pages() {
   return resident;
 }
 
-// Runs a PAR of two branches `turns` times. Returns the largest number of processes in between,
-// their number at the end, and the growth of host memory after the first thousand turns, in 4 KB
-// pages.
+// Runs a PAR of two branches `turns` times. Returns the largest number of processes during the run,
+// the number of processes at its end, and the growth of host memory after the first thousand turns,
+// in 4 KB pages.
 Numbers run_branches(int turns, const std::function<void(Channel<Words>&)>& read) {
   return isolated_numbers([&] {
     Lab lab;

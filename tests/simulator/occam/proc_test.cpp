@@ -30,11 +30,11 @@ struct Writer {
   }
 };
 
-// A PRI ALT. Input 0 has precedence over all others; if `fair`, these take turns.
+// A PRI ALT. Input 0 has precedence over all other inputs. If `fair`, the other inputs take turns.
 struct Reader {
   bool fair;
   std::vector<Channel<Words>*> inputs, rest{inputs.begin() + 1, inputs.end()};
-  Numbers seen = {};  // content of each message, and the cycle after its input
+  Numbers seen = {};  // for each message: its content, and the cycle at which it had been input
   std::size_t favourite = 0;
   Words got = {};
 
@@ -87,8 +87,8 @@ void start(Processor& cpu, Priority priority, bool has_stack, auto& body) {
     cpu.start("process", priority, body.without());
 }
 
-// Runs writers on the reader's processor, on its companion and on neighbours. Messages are sent
-// whole, or after a tag or their size.
+// Runs writers on the reader's processor, on its companion and on neighbours. A message is sent
+// alone, after a tag, or after its size.
 Numbers run(std::uint64_t seed, Bodies bodies) {
   std::mt19937_64 random(seed);
   return isolated_numbers([&] {
@@ -235,7 +235,8 @@ TEST(Proc, CatchesWhatIsThrownInAnAlt) {
   EXPECT_EQ(found, (Numbers{7, 7}));
 }
 
-// The ALT has no guard with a true condition, which it notices only after it has waited.
+// The ALT has no guard with a true condition. The process notices this error only after it has
+// waited.
 TEST(Proc, CatchesWhatAnOperationThrowsAfterItHasWaited) {
   const auto found = isolated_numbers([] {
     Lab lab;

@@ -190,7 +190,7 @@ TEST(Amp, ProcessorsOfOtherModels) {
     const auto quick_run = run_with({});
     const auto slow_run = run_with({}, "t800-20");
     EXPECT_EQ(run_with(all).time_s, slow_run.time_s);
-    // If one processor is slow, the others must wait, at least if it is the one with the most work.
+    // At least if the slow processor is the one with the most work, the others must wait for it.
     double latest = 0, most_unequal = 0;
     for (int id = 0; id < 5; ++id) {
       const auto mixed_run = run_with({{id, slow}});
@@ -225,8 +225,8 @@ TEST(Amp, RefusesWhatCannotBe) {
   EXPECT_NE(refusal("line:2", params).find("(0.01 % of a geometry"), std::string::npos);
 }
 
-// Kernels whose host time is measured run again, on a copy of the state. The solution must not
-// change.
+// To measure the host time of a kernel, the kernel runs again on a copy of the state. The solution
+// must not change.
 TEST(Amp, TimedKernelsComputeTheSame) {
   const Mesh mesh = make_room(1, 2);
   for (const double cache_percent : {0.0, 50.0})
@@ -263,9 +263,9 @@ TEST(Amp, PatchesThatDoNotFitTheMemoryAreOutOfMemory) {
             "out of memory");
 }
 
-// If the set-up of a copy takes more cycles, processors must take as many more for each colour that
-// enters or leaves a message. (The number of the routers' own copies does not depend on the length
-// of borders.)
+// If the set-up of a copy takes more cycles, the time must grow by as many cycles for each colour
+// that enters or leaves a message. (The number of the routers' own copies does not depend on the
+// length of borders.)
 TEST(Amp, ColoursOfMessagesAreCopied) {
   constexpr int SHOTS = 3, MORE = 1000;
   const auto count_colours_of_borders = [](const Mesh& mesh) {
@@ -354,8 +354,8 @@ TEST(AmpDistribution, EveryPatchIsInOneShareAndEveryVertexIsFoundOnce) {
     }
 }
 
-// A shot that carries the light of the patch's corners needs three colours more than one with its
-// mean.
+// A shot that carries the light of the patch's corners needs three colours more than a shot that
+// carries the patch's mean light.
 TEST(AmpMessages, AreAsLongAsWhatTheySay) {
   const auto model = machine::load_model("t805-25");
   const auto colour = get_bytes(model, "colour");

@@ -1,4 +1,5 @@
-// The number of routes through each processor, and of its lower neighbours.
+// The program census: the number of routes through each processor, and the number of the
+// processor's lower neighbours.
 #include <gtest/gtest.h>
 
 #include "tests/simulator/programs/run_program.hpp"

@@ -1,4 +1,5 @@
-// Runs a program by name, with parameters by name, as an experiment file does.
+// Runs a program, given by its name. Its parameters are also given by their names, as in an
+// experiment file.
 #pragma once
 
 #include <map>

@@ -84,8 +84,8 @@ void make_accesses(int id, DataManager& manager) {
 }
 
 // Whenever a record arrives, the cache's LRU list must be the same as on a single processor, so
-// that as many accesses are found locally. This must hold even if updating the list takes much
-// longer than finding a record.
+// that as many accesses are found locally as there. This must hold even if updating the list takes
+// much longer than finding a record.
 TEST(CompanionManager, FindsLocallyWhatOneProcessorFinds) {
   for (const auto scheme : {Scheme::items, Scheme::pages})
     for (const auto& [access, look_up] : {std::pair(8500.0, 4250.0), {20e3, 100.0}}) {

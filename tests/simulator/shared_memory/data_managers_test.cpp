@@ -159,7 +159,7 @@ TEST(DataManagers, ACacheForAllAsksOnce) {
   auto load = make_load(50, 50, 400);
   load.passes = 2;
   const auto n = measure(topologies::make_topology("mesh:3x3"), load);
-  // 400 random accesses reach every item, so 8 processors request all 50.
+  // 400 random accesses reach every item, so each of the 8 processors requests all 50 items.
   EXPECT_EQ(n[REQUESTS], 8 * 50);
   EXPECT_EQ(n[DISK], 50);
   EXPECT_EQ(n[COLUMNS + REQUESTS], 0);

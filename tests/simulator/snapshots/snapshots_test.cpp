@@ -34,8 +34,8 @@ struct Display {
   }
 };
 
-// Makes a display that changes at up to 200 times. These lie on a grid that includes the recording
-// times.
+// Makes a display that changes at up to 200 times. The times lie on a grid that includes the
+// recording times.
 Display random_display(std::mt19937_64& random) {
   std::set<double> times_s;
   for (auto n = 1 + random() % 200; n > 0; --n)

@@ -27,8 +27,9 @@ Place place_of(const Tree& element, const char* x, const char* y) {
 
 double distance(const Place& a, const Place& b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
-// Elements of a drawing: circles of each processor by its name; the ports of each link with their
-// places, that of the first end first; the control points of each link.
+// Elements of a drawing. `circles`: by the name of a processor, its circles. `ports`: for each
+// link, the numbers and places of its two ports, the first end's port first. `curves`: the control
+// points of each link.
 struct Drawn {
   std::map<std::string, std::vector<Place>> circles;
   std::vector<std::vector<std::pair<std::string, Place>>> ports;

@@ -187,7 +187,7 @@ TEST(TopologyDot, AssignsFreePortsInTheOrderOfEdges) {
   EXPECT_EQ(t.links, expected);
 }
 
-// In a strict undirected graph, the edge b -- a is the edge a -- b if that exists already.
+// In a strict undirected graph, b -- a means the edge a -- b if this edge exists already.
 TEST(TopologyDot, PortsAreThoseOfNodesAndOfDefaults) {
   for (const auto* text :
        {"graph { 0:1 -- 1:2:ne }", "graph { edge [port_a=1]; 0 -- 1:3 [headport=\"2:n\"] }",
@@ -308,7 +308,8 @@ TEST(TopologyTexts, MetricsAreATable) {
 TEST(TopologySvg, NeedsGraphvizOnlyForGraphsOfNoKnownShape) {
   const std::string path = getenv("PATH");
   setenv("PATH", "/nonexistent", 1);
-  // Positions come from the shape: neighbours of a mesh are 1.6 units of 36 points apart.
+  // Positions come from the shape: neighbours in a mesh are 1.6 units apart, and a unit is 36
+  // points.
   const auto mesh = to_svg(make_topology("mesh:16x16"));
   EXPECT_NE(mesh.find("width=\"9"), mesh.npos) << mesh.substr(0, 800);
   auto graph = make_topology("ring:3");

@@ -100,7 +100,8 @@ TEST(TopologyOrbits, AreFoundWhereEachProcessorLooksTheSame) {
   EXPECT_EQ(count("amp:9"), 9);
 }
 
-// Networks with more pairs than one thread processes. One search covers 64 destinations at once.
+// Networks with so many pairs of processors that several threads share the work. One search covers
+// 64 destinations at once.
 TEST(TopologyAllPairsOf, LargeNetworksAgreeWithTheirRoutes) {
   for (const unsigned seed : {1U, 2U}) {
     SCOPED_TRACE("seed " + std::to_string(seed));

@@ -124,8 +124,8 @@ TEST(TopologyBisection, IsTheLeastOfAllHalvings) {
   }
 }
 
-// For random networks of up to 16 processors, compares with a search of all divisions into halves.
-// For grids, rings and trees of up to 32, compares with known results.
+// For random networks of up to 16 processors, the result must be that of a search of all divisions
+// into halves. For grids, rings and trees of up to 32 processors, it must be the known result.
 TEST(TopologyBisection, BranchAndBoundFindsTheLeast) {
   const std::uint64_t seed = 20261125;
   std::mt19937_64 random(seed);

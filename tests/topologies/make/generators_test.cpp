@@ -42,8 +42,8 @@ TEST_P(TopologyGenerated, RootKeepsPortZeroWhenItHasAFreePort) {
   EXPECT_EQ(free_port(t, 0), full ? -1 : 0);
 }
 
-// The trees of thesis figure 4.21 for 1 to 7 workers, and larger ones. The parents of a level get
-// the workers of the next level in turn.
+// The trees of thesis figure 4.21 for 1 to 7 workers, and the trees for more workers. The parents
+// of a level get the workers of the next level in turn.
 TEST(TopologyTree, ParentsAreThoseOfFigure421) {
   const std::vector<int> parents{-1, 0, 0, 0, 1, 2, 3, 1, 2, 3, 1, 2, 3, 4, 5, 6};
   for (int n = 1; n <= 16; ++n) {

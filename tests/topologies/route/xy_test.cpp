@@ -76,7 +76,7 @@ TEST(TopologyXyRoutes, CloseNoCycleOnMeshesAndHypercubes) {
     EXPECT_TRUE(closes(spec)) << spec;
 }
 
-// The middle link of a row carries all messages from this half of the row to the other half of the
+// The middle link of a row carries all messages from its half of the row to the other half of the
 // machine.
 TEST(TopologyXyRoutes, LoadTheBusiestLinkOfAMeshAsItsBisectionSays) {
   for (const int side : {2, 4, 8, 16}) {

@@ -241,7 +241,7 @@ TEST(Discontinuities, BoxesShadowsEndAtCreases) {
   EXPECT_GT(changes, 60);
 }
 
-// Rectangles on a coarse grid, and triangles, that touch and cross in every way.
+// Rectangles on a coarse grid, and triangles. The faces touch and cross each other in every way.
 TEST(Discontinuities, AnyFacesCanBeMeshed) {
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

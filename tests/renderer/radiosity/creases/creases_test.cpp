@@ -30,8 +30,8 @@ TEST(Discontinuities, ParallelSquares) {
     add_face(room, turn(make_rectangle(-a, -a, a, a, h)), LIGHT);
     add_face(room, make_rectangle(-b, -b, b, b, g), seed % 2 == 0 ? GREY : MIRROR);
     add_face(room, make_rectangle(-9, -9, 9, 9, 0), GREY);
-    // By similar triangles: where a line from the light's edge at x past the occluder's edge at y
-    // meets the floor.
+    // By similar triangles: the position at which a line from the light's edge at x past the
+    // occluder's edge at y meets the floor.
     const auto floor = [&](double x, double y) { return x + (y - x) * h / (h - g); };
     const double outer = floor(-a, b), inner = std::abs(floor(a, b));
     std::vector<Crease> expected;
@@ -131,7 +131,8 @@ TEST(Discontinuities, FromAFootOneGoesOutForEveryCornerOfTheLight) {
   const auto creases = find_creases(room);
   for (const double foot : {-1.0, 1.0})
     for (const Vec& corner : room.faces[1].corners) {
-      // The lines are as long as the shadow of the edge, whose height is a quarter of the lamp's.
+      // The lines are as long as the shadow of the upright edge. This edge is a quarter as high as
+      // the lamp.
       const Vec end{foot + (foot - corner.x) / 3, -corner.y / 3, 0};
       EXPECT_TRUE(is_crease({foot, 0, 0}, end, creases)) << foot << ' ' << corner.x << corner.y;
     }

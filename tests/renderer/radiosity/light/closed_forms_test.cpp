@@ -51,7 +51,9 @@ struct Errors {
       EXPECT_LT(std::abs(fixed[k + 1]), std::max(std::abs(fixed[k]) / 10, 1e-5));
   }
   std::vector<double> fixed;
-  double adaptive = 0, both = 0;  // with default parameters; with 64 samples, halved where wide
+  // `adaptive` is the error with default parameters. `both` is the error with 64 delta areas, which
+  // are halved where they are wide.
+  double adaptive = 0, both = 0;
 };
 
 Errors find_errors(const Face& face, double exact) {

@@ -54,8 +54,9 @@ Room make_bare_room() {
   return room;
 }
 
-// With the mean of the corners, a single shot near an edge of the room does not balance, however
-// fine the mesh is. Beyond the edge, the distance of patches is always about their width.
+// If the mean light of a patch is the mean of its corners, the energy of a single shot near an edge
+// of the room does not balance, however fine the mesh is. On the other side of the edge, there are
+// always patches whose distance is about their width.
 TEST(Energy, OfAShotIsReflectedOrAbsorbed) {
   for (const auto mean : {Mean::corners, Mean::simpson}) {
     std::vector<double> errors;

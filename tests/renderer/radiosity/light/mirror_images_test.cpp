@@ -58,9 +58,10 @@ TEST(MirrorImages, OfAPartOfAWall) {
   expect_images(room, {{HIGH_X}}, {.reflections = 1});
 }
 
-// Two mirrors give three images. The image in both mirrors is behind their common edge, and each
-// half of it is seen via a different mirror first. (Light exactly behind the edge is lost, because
-// its path meets no mirror there. Points on the diagonal of this room do see such delta areas.)
+// Two mirrors give three images. The third image is seen in both mirrors, behind their common edge.
+// Light from one half of it meets one mirror first, light from the other half the other mirror.
+// (Light exactly behind the edge is lost, because its path meets no mirror there. Points on the
+// diagonal of this room do see such delta areas.)
 TEST(MirrorImages, OfTwoAtRightAngles) {
   Room room = make_cube("xyzZ", true, 2);
   add_walls(room, "XY", 1, 2);

@@ -10,8 +10,8 @@
 namespace radiosity::test {
 namespace {
 
-// Provides points in the middle of a cube with random normals. They see the cube's patches over the
-// mirror at high x.
+// Provides points in the middle of a cube. Their normals are random. They see the cube's patches
+// via the mirror at high x.
 class Pieces : public testing::Test {
  protected:
   static Mesh make(int n) {
@@ -62,8 +62,9 @@ TEST_F(Pieces, OneAloneFollowsEquations312And316) {
   }
 }
 
-// For any shape of the mirror and any position of the delta area in it, h is at most 1. The light
-// is then at most that of thesis Eq 3.12.
+// h is the fraction of a delta area that a piece of a mirror shows. It is at most 1 for any shape
+// of the mirror and for any position of the delta area's image in the mirror. The light is then at
+// most that of thesis Eq 3.12.
 TEST_F(Pieces, NeverShowMoreThanThereIs) {
   Random random{3};
   int lit = 0;
@@ -114,8 +115,8 @@ TEST_F(Pieces, LargerThanDeltaAreasDoNotMatter) {
                 eval(mesh, point, patch, {.samples = 8, .reflections = 1, .mirror_pieces = 1}));
 }
 
-// With smaller pieces, each with its fraction h, the result must converge to the exact view in the
-// mirror: for every patch, and in total.
+// With smaller pieces, the result must converge to the exact view in the mirror: for every patch,
+// and in total.
 TEST_F(Pieces, SmallOnesConverge) {
   const Mesh mesh = make(1);
   const auto points = make_points(10);
@@ -142,8 +143,8 @@ TEST_F(Pieces, SmallOnesConverge) {
   EXPECT_LT(last, 0.03);
 }
 
-// Over two mirrors, the piece with the smaller solid angle counts. Each solid angle is as seen from
-// the vertex, along the whole path.
+// On a path via two mirrors, the piece with the smaller solid angle counts. Solid angles are
+// measured from the vertex, along the whole path.
 TEST_F(Pieces, OfTwoMirrorsConverge) {
   Room room = make_cube("xyzZ", false, 1);
   add_walls(room, "XY", 1, 2);

@@ -138,8 +138,9 @@ TEST(Shooting, GoesOnAsIfItHadNotBeenLeft) {
   EXPECT_EQ(halves.work, whole.work);
 }
 
-// The brightest patch sends its light first; of several equal patches, the first one. Afterwards it
-// has no unsent light, except light that mirrors return.
+// The patch with the most unsent light shoots first. If several patches have equal unsent light,
+// the first of them shoots. After its shot, a patch has no unsent light except light that mirrors
+// return.
 TEST(Shooting, TheBrightestShoots) {
   const Mesh mesh = make_mesh(make_room(8, false, 2), {});
   State state = make_state(mesh, Sends::mean);

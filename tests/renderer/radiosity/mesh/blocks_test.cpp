@@ -145,7 +145,8 @@ TEST(Blocks, CreasesAreLeftOutBeyondABudget) {
         continue;
       }
       ++limited;
-      // Strips below hanging objects are reduced first. Then all creases may fit.
+      // The number of strips below hanging objects is reduced first. After this, there may be
+      // enough patches for all creases.
       const double full = double(some.patches.size()) / double(allowed);
       EXPECT_GT(full, 0.5);
       if (some.left_out > all.left_out) emptiest = std::min(emptiest, full);

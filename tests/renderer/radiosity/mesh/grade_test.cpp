@@ -13,8 +13,8 @@
 namespace radiosity::test {
 namespace {
 
-// A box with a lamp under its ceiling that shines down, at the distance `away` from the wall at low
-// x.
+// A box with a lamp under its ceiling. The lamp shines down. Its distance from the wall at low x is
+// `away`.
 Room make_lamp_room(double away) {
   Room room;
   room.materials = {{"wall", grey(0.5), {}}, {"lamp", grey(0), grey(1)}};

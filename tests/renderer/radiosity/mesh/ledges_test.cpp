@@ -36,7 +36,7 @@ TEST(Ledges, AreFoundWithTheirWidths) {
     for (const double x : {1.0, 20.0, LONG - 1})
       EXPECT_NEAR(eval_width(ledge, {x, 0, 0}), width, 1e-9);
   }
-  // A wall does not stand on a floor that ends at this wall.
+  // A wall at which the floor ends does not stand on this floor: there is no ledge.
   Room box;
   box.materials = {{"wall", grey(0.5), grey(1)}};
   add_box(box, 0, {0, 0, 0}, {3, 2, 1});

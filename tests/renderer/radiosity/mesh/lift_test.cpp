@@ -10,7 +10,8 @@
 namespace radiosity::test {
 namespace {
 
-// A room whose ceiling consists of two columns, with a lamp of columns x rows tiles across both.
+// A room whose ceiling consists of two faces side by side. A lamp of `columns` x `rows` tiles
+// extends over both faces.
 Room make_tiled_lamp(std::uint64_t seed, int columns, int rows) {
   Random random{seed};
   Room room;

@@ -116,7 +116,7 @@ TEST(PathTracer, DirectLightHasItsClosedForm) {
 
 TEST(PathTracer, MirrorShowsALampTwice) {
   // The radiosity must be B = rho E (F + m F'). F' is the form factor of the lamp's image behind a
-  // mirror, which is larger than the image.
+  // mirror. The mirror is larger than this image.
   Room room = make_floor(1);
   add_quad(room, 1, {1, -1, 0.5}, {0, 3, 0}, {0, 0, 2});
   // the lamp shines towards the mirror and the floor

@@ -173,7 +173,7 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(RoomCheck, SmallestRoomsPass) {
   Room room = make_small_room();
   EXPECT_EQ(get_error([&] { check(room); }), "accepted");
-  corners(room)[2].z = 2e-6;  // every corner is then off the mean plane by a quarter of this
+  corners(room)[2].z = 2e-6;  // every corner is then off the mean plane by a quarter of this height
   EXPECT_EQ(get_error([&] { check(room); }), "accepted");
   room.materials[0] = {"mirror", {1, 1, 1}, {}, true};
   EXPECT_EQ(get_error([&] { check(room); }), "accepted");

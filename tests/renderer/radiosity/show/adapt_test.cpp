@@ -151,7 +151,8 @@ TEST(Adapt, SharesAreOfThePictureAndOfItsSquare) {
   double all = 0;
   const Mesh straight = make_mesh(room, {});
   for (const Rgb& share : find_shares(straight, room.view, picture)) all += share.r;
-  EXPECT_NEAR(all, 0.96, 1e-12);  // the lamp's back, 2 x 2 of 10 x 10, is black
+  // the lamp's back is black and hides 2 x 2 of the ceiling's 10 x 10 units
+  EXPECT_NEAR(all, 0.96, 1e-12);
   add_quad(room, 2, {-5, -5, 900}, {0, 10, 0}, {10, 0, 0});  // a mirror that faces down
   room.view.from = {0, 0, 0.5};
   room.view.at = {0, 0, 1};
@@ -192,8 +193,8 @@ TEST(Adapt, TakesAnyRoom) {
     EXPECT_LE(adapted.error, 0.05);
     EXPECT_GT(mesh.patches.size(), 2 * before);
     EXPECT_EQ(mesh.mirrors.size(), 1u);
-    // The patches of each side cover it exactly once: the floor, the lamp, the leaning face on both
-    // sides, and the triangle.
+    // The patches cover every visible side exactly once: the floor, the lamp, the leaning face on
+    // both sides, and the triangle.
     EXPECT_NEAR(mesh.area, 36 + 4 + 2 * std::sqrt(4.25) + 1, 1e-9);
     // No patch of the floor may extend across the crease.
     for (const Patch& patch : mesh.patches) {

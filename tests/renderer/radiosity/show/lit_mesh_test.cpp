@@ -65,7 +65,8 @@ TEST(LitMesh, IsFinerWhereLightIsConcentrated) {
   EXPECT_GT(ceiling, count(even)[0]);
   EXPECT_EQ(floor, count(even)[1]);
 
-  // The view must have no effect, and the result must equal that for a given mesh.
+  // The view must have no effect on the mesh. solve_adapted() must give the same result as solve()
+  // for this mesh.
   Room turned = room;
   turned.view.from = {0.3, 0.3, 0.1};
   AdaptedMesh other = make_lit_mesh(turned, light);

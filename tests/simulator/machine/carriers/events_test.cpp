@@ -10,8 +10,8 @@
 namespace machine {
 namespace {
 
-// Events must be handled by date. At equal dates, events of first_at() must precede those of at(),
-// and events of one kind must keep the order of scheduling.
+// Events must be handled in the order of their dates. At equal dates, events of first_at() must
+// precede those of at(), and events of one kind must keep the order of scheduling.
 TEST(Events, ComeByDateAndThenAsTheyWereAskedFor) {
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);

@@ -60,8 +60,8 @@ bool names_first(const std::string& report, const std::string& cycle) {
   return report.find("\n  the cycle: " + cycle + "\n") < waits;
 }
 
-// Processes on a ring of processors pass on a token, which each takes from its predecessor. Then
-// all wait for the token again, which never comes.
+// Processes form a ring, one on each processor. Each process takes a token from its predecessor and
+// passes it on. Then all wait for the token again, which never comes.
 void deadlock_ring(Lab& lab, int n) {
   std::vector<Processor*> cpus{&lab.cpu()};
   for (int i = 1; i < n; ++i) cpus.push_back(&lab.neighbour(*cpus.back()));

@@ -91,8 +91,9 @@ TEST(ProcessorStop, ForgetsItsTimers) {
   }
 }
 
-// Neighbours that wait or communicate must fail at the moment of the stop; those that try later, at
-// once. Processes of the stopped processor itself must not receive a failure.
+// Neighbours that wait or communicate must fail at the moment of the stop. Neighbours that start to
+// communicate later must fail at once. Processes of the stopped processor itself must not receive a
+// failure.
 TEST(ProcessorStop, CutsItsLinks) {
   const auto blocked = static_cast<double>(make_exact_model().channel.blocked.value);
   for (auto priority : BOTH_PRIORITIES)
@@ -139,7 +140,8 @@ TEST(ProcessorStop, ItsProcessesStayWhereTheyAre) {
   EXPECT_EQ(found, (Numbers{20'000, 20'000}));
 }
 
-// A process elsewhere that waits for the stopped processor for ever is a deadlock.
+// A process on another processor waits for the stopped processor. It waits for ever, which is a
+// deadlock.
 TEST(ProcessorStop, LeavesADeadlockElsewhere) {
   const auto report = failure_of([](Lab& lab) {
     Processor& a = lab.cpu();
@@ -157,7 +159,8 @@ TEST(ProcessorStop, LeavesADeadlockElsewhere) {
 }
 
 // Callbacks of on_failure() must run before any other event of that date, even one scheduled
-// earlier. They must run once for the processor with all its links, and may plan further failures.
+// earlier. They must run once for the stopped processor, not once for each of its links. They may
+// plan further failures.
 TEST(ProcessorStop, IsToldBeforeAnythingElseHappens) {
   const auto log = isolated([] {
     StoppedPair pair;

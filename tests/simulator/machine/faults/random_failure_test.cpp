@@ -32,7 +32,8 @@ void write_all(const Traffic& t, Record& record) {
   for (std::size_t n = 0; n < record.sent.size(); ++n) {
     compute(t.writes);
     record.sent[n] = out_or_fail(*record.channel, {n * 37 % t.longest, n});
-    if (record.sent[n] == 0 && n % 3 == 0) return;  // otherwise it tries the next message
+    // a process that does not return here tries the next message
+    if (record.sent[n] == 0 && n % 3 == 0) return;
   }
 }
 
