@@ -205,7 +205,7 @@ void run(RadiosityOptions& o) {
   radiosity::check(o.picture);
   const Outcome made = light(o);
   if (is_exr(o))
-    radiosity::save_exr(o.output, made.picture);
+    renderer::save_exr(o.output, made.picture);
   else
     radiosity::save_png(o.output, made.picture, o.display);
   if (!o.stats.empty()) save_stats(o, made);

@@ -74,11 +74,10 @@ Slopes<T> operator*(double s, const Slopes<T>& a) {
   return {s * a.x, s * a.y, s * a.z};
 }
 
-/// The change for a step d in the vertex's tangent plane: thesis Eq 3.5 multiplied by
-/// d
-/// . It includes the half-space rule, Eq 3.6 and 3.7: the slopes are n = (N_i x N_g) x N_g, with
-/// N_i as in Slopes. The product n . d has the required sign and, if d is as long as the edge of
-/// its patch, the required size.
+/// The change for a step d in the vertex's tangent plane: thesis Eq 3.5, multiplied by d. It
+/// includes the half-space rule, Eq 3.6 and 3.7: the slopes are n = (N_i x N_g) x N_g, with N_i as
+/// in Slopes. The product n . d has the required sign and, if d is as long as the edge of its
+/// patch, the required size.
 template <class T>
 T along(const Slopes<T>& slopes, const Vec& d) {
   return d.x * slopes.x + d.y * slopes.y + d.z * slopes.z;
