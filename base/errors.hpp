@@ -10,7 +10,8 @@
 
 namespace base {
 
-/// Replaces each zero byte by the characters \x00, because std::exception::what() would end there.
+/// Replaces each zero byte by the characters `\x00`, because std::exception::what() would end
+/// there.
 inline std::string show_zeros(std::string text) {
   for (std::size_t at = 0; (at = text.find('\0', at)) != text.npos;) text.replace(at, 1, "\\x00");
   return text;

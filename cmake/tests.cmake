@@ -133,16 +133,20 @@ add_test(NAME Docs.GeneratedPagesAreUpToDate
          COMMAND ${PROJECT_SOURCE_DIR}/docs/generate --check $<TARGET_FILE:tlab>)
 add_test(NAME Docs.LinksAndSearch COMMAND ${PROJECT_SOURCE_DIR}/docs/check)
 
-# The manual's tutorials, command by command; tutorial-program uses the installed library.
+# The manual's tutorials, command by command; those of the second loop use the installed library.
 foreach(page lecture topology board)
   add_test(NAME Tutorials.${page}
            COMMAND ${PROJECT_SOURCE_DIR}/tests/tutorials/run
                    ${PROJECT_SOURCE_DIR}/docs/manual/tutorial-${page}.md $<TARGET_FILE:tlab>)
 endforeach()
-add_test(NAME Tutorials.program
-         COMMAND ${PROJECT_SOURCE_DIR}/tests/tutorials/run
-                 ${PROJECT_SOURCE_DIR}/docs/manual/tutorial-program.md --install ${PROJECT_BINARY_DIR})
+foreach(page tutorial-program own-laboratory)
+  string(REPLACE "tutorial-" "" name ${page})
+  add_test(NAME Tutorials.${name}
+           COMMAND ${PROJECT_SOURCE_DIR}/tests/tutorials/run
+                   ${PROJECT_SOURCE_DIR}/docs/manual/${page}.md --install ${PROJECT_BINARY_DIR})
+endforeach()
 set_tests_properties(Tutorials.lecture Tutorials.topology Tutorials.board Tutorials.program
+                     Tutorials.own-laboratory
                      PROPERTIES SKIP_RETURN_CODE 77)
 
 # Starts the longest tests first, so that none of them runs alone at the end.

@@ -274,7 +274,7 @@ TEST(IncludeGraph, DependenciesEnterThroughTheirDoors) {
       {{"png.h"}, std::regex("renderer/.*\\.cpp|tests/renderer/.*")},
       {{"webp/"}, std::regex("renderer/image/animation\\.cpp|tests/support/webp_frames\\.hpp")},
       {{"cairo/"}, std::regex("experiments/laboratory/(film/canvas|figure/pdf)\\.cpp")},
-      {{"OpenEXR/"}, std::regex("renderer/radiosity/show/display\\.cpp|tests/renderer/.*")},
+      {{"OpenEXR/"}, std::regex("renderer/image/picture\\.cpp|tests/renderer/.*")},
   };
   for (const Source& source : sources())
     for (const auto& include : source.includes)

@@ -39,14 +39,15 @@ The experiments of a thesis of 1995 are included.")
 # Libraries that the installed headers include and that cmake/tlabConfig.cmake finds.
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libtlab-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(needed libboost-context-dev libexpat1-dev libfmt-dev libmetis-dev
-    libmuparser-dev libopenexr-dev libpng-dev libsimgrid-dev libtomlplusplus-dev libwebp-dev)
+set(needed libassimp-dev libboost-context-dev libcairo2-dev libcli11-dev libexpat1-dev libfmt-dev
+    libmetis-dev libmuparser-dev libopenexr-dev libpng-dev libsimgrid-dev libtomlplusplus-dev
+    libwebp-dev libxxhash-dev nlohmann-json3-dev)
 list(JOIN needed ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "tlab, cmake")
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "transputer laboratory, libraries for programs of one's own
-The simulated machine, its occam vocabulary, topologies, routers and the
-renderer as C++20 headers and static libraries, which CMake's
-find_package(tlab) finds. The command tlab is not needed to build with them.")
+The simulated machine, its occam vocabulary, topologies, routers, the
+renderer and the laboratory as C++20 headers and static libraries, which
+CMake's find_package(tlab) finds. The command tlab is not needed to build with them.")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-tlab)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)

@@ -53,8 +53,8 @@ void expect(bool done, const char* call) {
 }
 
 // Structures of libwebp that free their memory in the destructor.
-struct Picture : WebPPicture {
-  explicit Picture(const Bitmap& bitmap) {
+struct EncodedPicture : WebPPicture {
+  explicit EncodedPicture(const Bitmap& bitmap) {
     expect(WebPPictureInit(this), "WebPPictureInit");
     use_argb = 1;
     width = bitmap.width;
@@ -62,9 +62,9 @@ struct Picture : WebPPicture {
     expect(WebPPictureImportRGB(this, bitmap.rgb8.data(), 3 * bitmap.width),
            "WebPPictureImportRGB");
   }
-  Picture(const Picture&) = delete;
-  Picture& operator=(const Picture&) = delete;
-  ~Picture() { WebPPictureFree(this); }
+  EncodedPicture(const EncodedPicture&) = delete;
+  EncodedPicture& operator=(const EncodedPicture&) = delete;
+  ~EncodedPicture() { WebPPictureFree(this); }
 };
 
 struct Data : WebPData {
@@ -102,7 +102,7 @@ std::string make_webp(std::size_t count, const MakeFrame& make) {
     const Frame frame = make(i);
     check.check(frame);
     if (!encoder) encoder = make_encoder(frame.bitmap.width, frame.bitmap.height);
-    Picture picture(frame.bitmap);
+    EncodedPicture picture(frame.bitmap);
     expect(WebPAnimEncoderAdd(encoder->get(), &picture, time_ms, &config), "WebPAnimEncoderAdd");
     time_ms += frame.duration_ms;
   }

@@ -20,13 +20,18 @@ Numbers make_luminance(const Bitmap& picture) {
   return all;
 }
 
-void check_pair(const Bitmap& a, const Bitmap& b, const char* who) {
-  check(a, who);
-  check(b, who);
+template <class Image>
+void check_sizes(const Image& a, const Image& b, const char* who) {
   require(
       a.width == b.width && a.height == b.height, who,
       fmt::format("pictures of {} x {} and {} x {} pixels", a.width, a.height, b.width, b.height),
       "equal sizes");
+}
+
+void check_pair(const Bitmap& a, const Bitmap& b, const char* who) {
+  check(a, who);
+  check(b, who);
+  check_sizes(a, b, who);
 }
 
 // All positions of a window in a picture.
@@ -91,6 +96,33 @@ double rms_difference(const Samples& a, const Samples& b) {
     }
   }
   return std::sqrt(squares / (3 * static_cast<double>(a.sums.size())));
+}
+
+PictureDifference find_difference(const Picture& a, const Picture& b) {
+  constexpr const char* WHO = "find_difference";
+  check_sizes(a, b, WHO);
+  require(!a.pixels.empty(), WHO, "a picture without pixels", "1 or more");
+  constexpr std::pair<double Rgb::*, const char*> COMPONENTS[] = {
+      {&Rgb::r, "red"}, {&Rgb::g, "green"}, {&Rgb::b, "blue"}};
+  PictureDifference found;
+  double squares = 0;
+  for (std::size_t i = 0; i < a.pixels.size(); ++i) {
+    const Rgb &p = a.pixels[i], &q = b.pixels[i];
+    bool is_equal = true;
+    for (const auto& [component, name] : COMPONENTS) {
+      const double difference = std::abs(p.*component - q.*component);
+      squares += difference * difference;
+      is_equal = is_equal && difference == 0;
+      if (difference <= found.largest) continue;
+      const auto at = static_cast<int>(i);
+      found.largest = difference, found.component = name;
+      found.x = at % a.width, found.y = at / a.width;
+      found.a = p.*component, found.b = q.*component;
+    }
+    found.pixels += !is_equal;
+  }
+  found.rms = std::sqrt(squares / (3 * static_cast<double>(a.pixels.size())));
+  return found;
 }
 
 double ssim(const Bitmap& a, const Bitmap& b) {

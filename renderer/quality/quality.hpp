@@ -2,7 +2,7 @@
 // Picture quality: similarity of two pictures, and visibility of the cells in an interpolated
 // picture.
 
-#include "renderer/image/image.hpp"
+#include "renderer/image/picture.hpp"
 
 namespace renderer {
 
@@ -13,6 +13,20 @@ double rmse(const Bitmap& a, const Bitmap& b);
 /// Root mean square difference of colours that have not been rounded, with components clamped to
 /// 0..1. Throws BadInput as rmse() does.
 double rms_difference(const Samples& a, const Samples& b);
+
+/// Difference of two pictures over all colour components.
+struct PictureDifference {
+  double rms = 0;            ///< root mean square difference
+  std::uint64_t pixels = 0;  ///< number of pixels that differ
+  double largest = 0;        ///< largest absolute difference; the members below describe the first
+  int x = 0, y = 0;          ///< its pixel, from the upper left corner
+  const char* component = "red";  ///< its component: red, green or blue
+  double a = 0, b = 0;            ///< its two values
+};
+
+/// Finds the difference of two pictures with linear colours, which are not clamped. Throws BadInput
+/// as rmse() does.
+PictureDifference find_difference(const Picture& a, const Picture& b);
 
 /// Structural similarity (Z. Wang et al., IEEE Transactions on Image Processing 13(4), 2004). The
 /// result is from -1 to 1, and is 1 only for equal pictures; swapping the pictures does not change

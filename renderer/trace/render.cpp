@@ -92,7 +92,8 @@ void check_threads(int threads) {
   require(threads >= 1 && threads <= MOST, "threads", threads, fmt::format("1 to {}", MOST));
 }
 
-Rendering render(const Scene& scene, const Params& params, int threads, const Progress& progress) {
+Rendering render(const Scene& scene, const Params& params, int threads, const Progress& progress,
+                 const IsStopped& is_stopped) {
   check(params);
   check_threads(threads);
   const Area area = get_area(params);
@@ -104,19 +105,25 @@ Rendering render(const Scene& scene, const Params& params, int threads, const Pr
     result.rays += tracer.rays;
     result.work += tracer.work;
   };
+  std::atomic<bool> is_ended = false;
+  const auto ends = [&] {
+    if (is_stopped && is_stopped()) is_ended = true;
+    return is_ended.load();
+  };
   CornerObjects corners(params, area);
   base::share(corners.rows(), threads, [&](int row) {
+    if (ends()) return;
     SampleTracer tracer(scene, params);
     corners.find_row(row, tracer);
     add_counts(tracer);
   });
   int done = 0;
-  std::atomic<bool> is_ended = false;
   base::share(area.height, threads, [&](int row) {
     if (is_ended) return;
     SampleTracer tracer(scene, params);
     PixelTracer pixels(params, area, corners, tracer);
     for (int column = 0; column < area.width; ++column) {
+      if (is_stopped && ends()) return;
       const auto [sums, count] = pixels.trace(column, row);
       const auto at =
           static_cast<std::size_t>(area.y + row) * static_cast<std::size_t>(params.width) +

@@ -79,13 +79,18 @@ void add_block(Samples& image, const Block& block, Work& work);
 /// rendering by returning false.
 using Progress = std::function<bool(int done, int rows)>;
 
+/// A function that ends the rendering by returning true. It is called before every pixel, by any
+/// thread, possibly by several at once.
+using IsStopped = std::function<bool()>;
+
 /// Throws BadInput unless there are 1 to 1024 host threads.
 void check_threads(int threads);
 
-/// Renders `params.area`. If `progress` ends the rendering, the remaining rows have no samples. The
-/// image, the counts and the work of a complete rendering do not depend on `threads`. Throws
-/// BadInput as check() and check_threads() do. Exceptions of `progress` end the rendering.
+/// Renders `params.area`. If `progress` ends the rendering, the remaining rows have no samples; if
+/// `is_stopped` does, any pixels may lack samples. The image, the counts and the work of a complete
+/// rendering do not depend on `threads`. Throws BadInput as check() and check_threads() do.
+/// Exceptions of `progress` end the rendering.
 Rendering render(const Scene& scene, const Params& params, int threads = 1,
-                 const Progress& progress = {});
+                 const Progress& progress = {}, const IsStopped& is_stopped = {});
 
 }  // namespace renderer

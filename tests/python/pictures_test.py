@@ -1,7 +1,12 @@
 """Pictures: the command's files are the oracle of render(), and matplotlib of read_image()."""
 
+import os
 import pathlib
+import signal
+import subprocess
+import sys
 import tempfile
+import time
 import unittest
 
 import matplotlib.image
@@ -40,6 +45,27 @@ class PicturesTest(unittest.TestCase):
                 numpy.testing.assert_array_equal(picture, tlab.read_image(path))
                 png = matplotlib.image.imread(path)
                 numpy.testing.assert_array_equal(picture, numpy.rint(255 * png[..., :3]))
+
+    def test_an_interrupt_ends_a_rendering_and_the_next_call_works(self):
+        # A single row of pixels takes minutes. The signal comes from another process.
+        code = ("import threading, time, tlab\n"
+                "print('ready', flush=True)\n"
+                "try: tlab.render('spheres:800', size=(4000, 3), pixel_samples=4096, threads=2)\n"
+                "except KeyboardInterrupt: ended = time.monotonic()\n"
+                "print(ended, threading.active_count(), tlab.render('spheres:9', size=(2, 2)).shape, flush=True)\n")
+        child = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE, text=True,
+                                 env={**os.environ, "PYTHONPATH": os.pathsep.join(sys.path)})
+        self.addCleanup(child.kill)
+        self.assertEqual(child.stdout.readline(), "ready\n")
+        time.sleep(0.5)
+        threads = pathlib.Path(f"/proc/{child.pid}/task")
+        self.assertGreaterEqual(len(list(threads.iterdir())), 3)
+        asked = time.monotonic()
+        child.send_signal(signal.SIGINT)
+        output, _ = child.communicate(timeout=60)
+        ended, rest = output.split(" ", 1)
+        self.assertLess(float(ended) - asked, 1)
+        self.assertEqual(rest, "1 (2, 2, 3)\n")
 
     def test_sums_of_light_round_to_the_picture(self):
         light = tlab.render("spheres:200", size=(50, 40), linear=True)

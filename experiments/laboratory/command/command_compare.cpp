@@ -1,11 +1,13 @@
-// tlab compare: compares two or more runs, point by point.
-#include <fmt/format.h>
+// tlab compare: compares two or more runs, point by point, or two pictures.
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/command/commands.hpp"
+#include "experiments/laboratory/compare/compare_images.hpp"
 #include "experiments/laboratory/compare/comparison.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/streams.hpp"
@@ -34,7 +36,25 @@ void check_target(const CompareOptions& o) {
   }
 }
 
+void compare_pictures(const CompareOptions& o) {
+  base::require(o.folders.size() == 2 && std::ranges::all_of(o.folders, is_image), "compare",
+                "found {}, expected two .png or .exr files, or folders of results",
+                fmt::join(o.folders, ", "));
+  base::require(o.columns.empty(), "--columns", "found pictures, expected folders of results");
+  if (!o.output.empty()) {
+    base::require(o.output.ends_with(".png") || o.output.ends_with(".exr"), "--output",
+                  "found {}, expected a name that ends with .png or .exr", o.output);
+    base::check_can_save(o.output);
+  }
+  const auto pair = compare_images(o.folders[0], o.folders[1]);
+  print_out("{}", to_text(pair));
+  if (o.output.empty()) return;
+  const double factor = save_difference(o.output, pair);
+  print_out("picture  {}: differences multiplied by {:.4g}\n", o.output, factor);
+}
+
 void compare(const CompareOptions& o) {
+  if (std::ranges::any_of(o.folders, is_image)) return compare_pictures(o);
   if (!o.output.empty()) check_target(o);
   const auto comparison = compare_runs(o.folders, o.columns);
   print_out("{}", to_text(comparison));
@@ -56,12 +76,12 @@ void compare(const CompareOptions& o) {
 
 void add_compare_command(CLI::App& app) {
   auto* command = app.add_subcommand(
-      "compare", "compare the results of runs: settings, models and every point");
+      "compare", "compare the results of runs: settings, models and every point; or two pictures");
   auto o = std::make_shared<CompareOptions>();
   command
       ->add_option("DIR", o->folders,
                    "two or more results folders, each compared with the first; rows that differ "
-                   "only in the seed are samples")
+                   "only in the seed are samples; or two pictures, .png or .exr")
       ->required()
       ->expected(1, 1000)
       ->option_text("... REQUIRED");
@@ -70,10 +90,12 @@ void add_compare_command(CLI::App& app) {
                    "results to compare [those in the table of the first folder]")
       ->delimiter(',')
       ->allow_extra_args(false);
-  command->add_option("-o,--output", o->output, "write a page (.html) or all ratios (.csv)");
+  command->add_option("-o,--output", o->output,
+                      "write a page (.html) or all ratios (.csv); of pictures, a picture of the "
+                      "differences (.png, .exr)");
   command->footer(
       "Examples:\n  tlab compare results/tree results/mesh\n  tlab compare a b -o a-b.html "
-      "--columns time_s,speedup");
+      "--columns time_s,speedup\n  tlab compare a.png b.png -o difference.png");
   command->callback([o] { compare(*o); });
 }
 

@@ -224,12 +224,13 @@ bool is_broken_pipe(const std::exception& error) {
 
 }  // namespace
 
-int run_tlab(int argc, char** argv) try {
+int run_tlab(int argc, char** argv, const std::function<void()>& prepare) try {
   secure_streams();
   secure_memory();
   const InterruptWatch watch;
   const base::InputGuard inputs;
   try {
+    if (prepare) prepare();
     CLI::App app("tlab, the transputer laboratory: simulates transputer machines that ray trace");
     app.formatter(std::make_shared<Help>());
     add_commands(app);

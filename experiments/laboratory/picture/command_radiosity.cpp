@@ -7,6 +7,7 @@
 #include "experiments/laboratory/host/progress.hpp"
 #include "experiments/laboratory/host/streams.hpp"
 #include "experiments/laboratory/options/options.hpp"
+#include "experiments/laboratory/picture/image_encoding.hpp"
 #include "experiments/laboratory/picture/picture_commands.hpp"
 #include "experiments/laboratory/setup/open_scene.hpp"
 #include "renderer/radiosity/creases/creases.hpp"
@@ -40,11 +41,7 @@ bool is_exr(const RadiosityOptions& o) {
 
 void check_files(const RadiosityOptions& o) {
   check_output(o.output, {".png", ".exr"}, o.stats);
-  if (is_exr(o) && o.asks_display)
-    throw CLI::ValidationError(
-        "--output", fmt::format("found \"{}\" with --exposure or --gamma, expected a .png file, "
-                                "because an .exr file contains linear radiosity",
-                                o.output));
+  check_exr(o.output, o.asks_display);
 }
 
 // Parses the value of --exposure. 0 means automatic.
@@ -205,7 +202,7 @@ void run(RadiosityOptions& o) {
   radiosity::check(o.picture);
   const Outcome made = light(o);
   if (is_exr(o))
-    radiosity::save_exr(o.output, made.picture);
+    renderer::save_exr(o.output, made.picture);
   else
     radiosity::save_png(o.output, made.picture, o.display);
   if (!o.stats.empty()) save_stats(o, made);

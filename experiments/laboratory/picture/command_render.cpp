@@ -43,8 +43,8 @@ void save_stats(const RenderOptions& o, const renderer::Rendering& image, std::u
   base::save_whole(o.stats, stats.dump(2) + "\n");
 }
 
-void save_image(const RenderOptions& o, const renderer::Rendering& image) {
-  renderer::save_png(o.output, image.samples);
+void save_files(const RenderOptions& o, const renderer::Rendering& image) {
+  save_image(o.output, image.samples, o.encoding);
   if (!o.samples_map.empty())
     renderer::save_png(o.samples_map, o.params.width, o.params.height,
                        renderer::make_count_map(image.counts));
@@ -76,7 +76,7 @@ void render_at_once(const RenderOptions& o) {
   const bool is_whole = rows_done == all_rows;
   auto more = nlohmann::ordered_json::object();
   if (!is_whole) more = {{"rows", all_rows}, {"rows_done", rows_done}};
-  save_image(o, image);
+  save_files(o, image);
   if (!o.stats.empty()) save_stats(o, image, image.rays.total(), seconds, more);
   if (!is_whole)
     throw Failure(fmt::format("interrupted; {} has the picture after {} of {} rows", o.output,
@@ -91,7 +91,7 @@ void render_in_order(const RenderOptions& o) {
   Clock clock;
   const auto refined = render_refined(o.refined, o, scene);
   const double seconds = clock.lap();
-  save_image(o, refined.image);
+  save_files(o, refined.image);
   if (!o.stats.empty())
     save_stats(o, refined.image, refined.rays, seconds,
                {{"samples", refined.all},
@@ -110,13 +110,14 @@ void render_scene(RenderOptions& o) {
           "--area", fmt::format("found \"{}\", expected a width and a height above 0", o.area));
   }
   const bool has_frames = !o.frames.frames.empty();
-  check_output(o.output, has_frames ? Endings{".png", ".webp"} : Endings{".png"}, o.stats);
+  check_output(o.output, has_frames ? Endings{".png", ".exr", ".webp"} : Endings{".png", ".exr"},
+               o.stats);
   if (!o.samples_map.empty()) check_samples_map(o);
   check_apart("--state", o.refined.state, {o.output, o.stats, o.samples_map});
   check_apart("--resume", o.refined.resume, {o.output, o.stats, o.samples_map});
 
   renderer::check(o.params);
-  if (o.preview) return save_preview(o.scene, o.params, *o.preview, o.output, o.stats);
+  if (o.preview) return save_preview(o, *o.preview);
   if (o.progressive.is_wanted) return render_progressively(o.progressive, o);
   if (has_frames) return render_frames(o.frames, o);
   if (o.refined.are_wanted()) return render_in_order(o);
@@ -139,7 +140,8 @@ void add_render_command(CLI::App& app) {
       ->add_option("SCENE", o->scene,
                    "an .nff or .obj file, spheres:N, hills:N (triangles) or room:L (lights)")
       ->required();
-  command->add_option("-o,--output", o->output, "the PNG image to write")->required();
+  command->add_option("-o,--output", o->output, "the image to write, .png or .exr")->required();
+  add_encoding_options(*command, o->encoding);
   command->add_option("--size", o->size, "WxH in pixels [100x100]");
   bind_options(*command,
                base::select(renderer::param_fields(),
@@ -168,7 +170,10 @@ void add_render_command(CLI::App& app) {
   command->footer(
       "Examples:\n  tlab render spheres:800 -o spheres.png --size 640x480\n  tlab render "
       "experiments/scenes/still-life.nff -o still-life.png");
-  command->callback([o] { render_scene(*o); });
+  command->callback([o, command] {
+    fit_encoding(*command, o->output, o->encoding);
+    render_scene(*o);
+  });
 }
 
 }  // namespace laboratory

@@ -48,8 +48,8 @@ void save_stats(const RenderTask& task, const TreeRays& all, Json steps, double 
 }
 
 std::string name_of(StepKind kind, const Step& step) {
-  return kind == StepKind::cells ? fmt::format("cell-{}.png", step.min_cell)
-                                 : fmt::format("depth-{}.png", step.depth);
+  return kind == StepKind::cells ? fmt::format("cell-{}", step.min_cell)
+                                 : fmt::format("depth-{}", step.depth);
 }
 
 }  // namespace
@@ -101,13 +101,15 @@ void render_progressively(const ProgressiveOptions& o, const RenderTask& task) {
     rows.push_back(make_step_json(step, *counts));
     picture = image.make_picture();
     if (!task.key_images.empty())
-      renderer::save_png((fs::path(task.key_images) / name_of(o.kind, step)).string(), *picture);
+      save_image((fs::path(task.key_images) / (name_of(o.kind, step) + extension_of(task.encoding)))
+                     .string(),
+                 *picture, task.encoding);
     clock.lap();
     bar.show(rows.size(), steps.size());
   }
   if (!picture) throw Interrupted();
   const auto done = rows.size();
-  renderer::save_png(task.output, *picture);
+  save_image(task.output, *picture, task.encoding);
   if (!task.stats.empty()) save_stats(task, all, std::move(rows), seconds);
   if (is_stopped)
     throw Failure(fmt::format("interrupted; {} has the picture after {} of {} steps", task.output,

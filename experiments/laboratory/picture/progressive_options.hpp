@@ -2,6 +2,7 @@
 // The options of tlab render --progressive, and their execution.
 #include <string>
 
+#include "experiments/laboratory/picture/image_encoding.hpp"
 #include "renderer/progressive/params.hpp"
 
 namespace CLI {
@@ -21,6 +22,7 @@ struct ProgressiveOptions {
 struct RenderTask {
   std::string scene, output, stats;
   std::string key_images;  ///< folder for intermediate pictures; "": write none
+  ImageEncoding encoding;
   renderer::Params params;
   int threads = 1;
 };

@@ -84,7 +84,8 @@ void render_frames(const FramesOptions& o, const RenderTask& task) {
   const std::filesystem::path output = task.output;
   const bool is_animation = output.extension() == ".webp";
   const auto name_of = [&](int frame) {
-    return (output.parent_path() / fmt::format("{}-{:04}.png", output.stem().string(), frame))
+    return (output.parent_path() /
+            fmt::format("{}-{:04}{}", output.stem().string(), frame, extension_of(task.encoding)))
         .string();
   };
   if (is_animation) {
@@ -112,10 +113,10 @@ void render_frames(const FramesOptions& o, const RenderTask& task) {
   for (int frame = range.first; frame <= range.last; ++frame) {
     if (frame > range.first) image = render_frame(renderer::load_scene(task.scene, frame));
     if (was_interrupted()) break;
-    renderer::save_png(name_of(frame), image.samples);
+    save_image(name_of(frame), image.samples, task.encoding);
     if (is_animation)
       animation.push_back(
-          {make_bitmap(image.samples), get_duration_ms(frame - range.first, o.rate)});
+          {encode(image.samples, task.encoding), get_duration_ms(frame - range.first, o.rate)});
     bar.show(++frames_done, range.count());
   }
   if (!animation.empty()) renderer::save_webp(task.output, animation);

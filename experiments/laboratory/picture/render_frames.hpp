@@ -17,9 +17,9 @@ struct FramesOptions {
 /// added.
 void add_frames_options(CLI::App& command, FramesOptions& options);
 
-/// Renders an image of each frame. The output name of the task must end in .png or .webp. Writes
-/// nothing if the scene cannot be read for some frame. Estimates the total time from the first
-/// frame (see announce_cost() in host/progress.hpp).
+/// Renders an image of each frame. The output name of the task must end in .png, .exr or .webp.
+/// Writes nothing if the scene cannot be read for some frame. Estimates the total time from the
+/// first frame (see announce_cost() in host/progress.hpp).
 void render_frames(const FramesOptions& options, const RenderTask& task);
 
 }  // namespace laboratory

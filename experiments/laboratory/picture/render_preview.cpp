@@ -26,19 +26,18 @@ void add_preview_option(CLI::App& command, std::optional<renderer::PreviewStep>&
     option->excludes(command.get_option(name));
 }
 
-void save_preview(const std::string& scene, const renderer::Params& params,
-                  renderer::PreviewStep step, const std::string& output, const std::string& stats) {
-  const auto loaded = open_scene(scene);
-  check_can_save_all({output, stats});
+void save_preview(const RenderTask& task, renderer::PreviewStep step) {
+  const auto scene = open_scene(task.scene);
+  check_can_save_all({task.output, task.stats});
   Clock clock;
-  const auto preview = renderer::make_preview(loaded, params, step);
+  const auto preview = renderer::make_preview(scene, task.params, step);
   const double seconds = clock.lap();
-  renderer::save_png(output, preview.samples);
-  if (stats.empty()) return;
+  save_image(task.output, preview.samples, task.encoding);
+  if (task.stats.empty()) return;
   const auto& counts = preview.counts;
-  const nlohmann::ordered_json text = {{"scene", scene},
-                                       {"width", params.width},
-                                       {"height", params.height},
+  const nlohmann::ordered_json text = {{"scene", task.scene},
+                                       {"width", task.params.width},
+                                       {"height", task.params.height},
                                        {"preview",
                                         {{"vertices", counts.vertices},
                                          {"facets", counts.facets},
@@ -46,7 +45,7 @@ void save_preview(const std::string& scene, const renderer::Params& params,
                                          {"pixels_drawn", counts.pixels_drawn}}},
                                        {"work", make_json(preview.work)},
                                        {"seconds", seconds}};
-  base::save_whole(stats, text.dump(2) + "\n");
+  base::save_whole(task.stats, text.dump(2) + "\n");
 }
 
 }  // namespace laboratory

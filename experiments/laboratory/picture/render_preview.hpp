@@ -3,11 +3,8 @@
 #include <optional>
 #include <string>
 
+#include "experiments/laboratory/picture/progressive_options.hpp"
 #include "renderer/preview/preview.hpp"
-
-namespace CLI {
-class App;
-}
 
 namespace laboratory {
 
@@ -15,8 +12,7 @@ namespace laboratory {
 /// effect on previews. `step` must outlive `command`.
 void add_preview_option(CLI::App& command, std::optional<renderer::PreviewStep>& step);
 
-/// Writes the preview as a PNG image and, unless `stats` is "", the counts of work as JSON.
-void save_preview(const std::string& scene, const renderer::Params& params,
-                  renderer::PreviewStep step, const std::string& output, const std::string& stats);
+/// Writes the preview and, unless `stats` is "", the counts of work as JSON.
+void save_preview(const RenderTask& task, renderer::PreviewStep step);
 
 }  // namespace laboratory

@@ -87,11 +87,13 @@ class StateFile {
 // Writes the intermediate pictures of a rendering.
 class KeyImages {
  public:
-  KeyImages(std::string folder, const Refinement& image) : folder_(std::move(folder)) {
+  KeyImages(const RenderTask& task, const Refinement& image)
+      : folder_(task.key_images), encoding_(task.encoding) {
     if (folder_.empty()) return;
     make_folder("--key-images", folder_);
     for (const double percent : KEY_PERCENTS)
-      names_[samples_at(percent, image.total())] = fmt::format("percent-{}.png", percent);
+      names_[samples_at(percent, image.total())] =
+          fmt::format("percent-{}{}", percent, extension_of(encoding_));
   }
   void add_stops(std::set<std::uint64_t>& stops) const {
     for (const auto& [samples, name] : names_) stops.insert(samples);
@@ -101,11 +103,12 @@ class KeyImages {
   void save(const Refinement& image, std::uint64_t before) {
     for (const auto& [samples, name] : names_)
       if (before < samples && image.done() >= samples)
-        renderer::save_png((fs::path(folder_) / name).string(), image.make_rendering().samples);
+        save_image((fs::path(folder_) / name).string(), image.make_rendering().samples, encoding_);
   }
 
  private:
   const std::string folder_;
+  const ImageEncoding encoding_;
   // file names of the intermediate pictures, by sample count
   std::map<std::uint64_t, std::string> names_;
 };
@@ -159,7 +162,7 @@ Refined render_refined(const RefinedOptions& o, const RenderTask& task,
   const Budget budget = o.budget.value_or(Budget{});
   const std::uint64_t goal = samples_at(budget.percent, image.total());
   StateFile states(o.state.empty() ? o.resume : o.state, identity);
-  KeyImages keys(task.key_images, image);
+  KeyImages keys(task, image);
   std::set<std::uint64_t> stops = {goal};
   keys.add_stops(stops);
   if (states.is_wanted())

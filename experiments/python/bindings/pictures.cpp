@@ -1,6 +1,10 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <atomic>
+#include <chrono>
+#include <future>
+
 #include "base/errors.hpp"
 #include "base/message.hpp"
 #include "experiments/python/bindings/bindings.hpp"
@@ -50,16 +54,40 @@ renderer::Params read_params(const py::dict& options) {
   return params;
 }
 
+// Calls `work` in another thread, and lets Python handle its signals meanwhile. After an interrupt
+// (Ctrl-C), sets `is_stopped`, waits for the end of `work`, and throws KeyboardInterrupt. Signals
+// reach Python only in its main thread.
+template <class Work>
+auto run_interruptible(std::atomic<bool>& is_stopped, const Work& work) {
+  constexpr std::chrono::milliseconds PERIOD{50};
+  auto result = std::async(std::launch::async, work);
+  while (true) {
+    {
+      const py::gil_scoped_release others_may_run;
+      if (result.wait_for(PERIOD) == std::future_status::ready) break;
+    }
+    if (PyErr_CheckSignals() == 0) continue;
+    is_stopped = true;
+    const py::error_already_set interrupt;  // takes the exception from Python
+    {
+      const py::gil_scoped_release others_may_run;
+      result.wait();
+    }
+    throw interrupt;
+  }
+  return result.get();
+}
+
 // Renders the picture, with 8 bits per colour, or as linear light if `is_linear`: 1 is white, and
 // values may exceed 1.
 py::array render(const std::string& source, const py::dict& options, int threads, bool is_linear) {
   const auto params = read_params(options);
-  renderer::Rendering image;
   renderer::LeftOut left_out;
-  {
-    const py::gil_scoped_release others_may_run;
-    image = renderer::render(renderer::load_scene(source, 0, &left_out), params, threads);
-  }
+  std::atomic<bool> is_stopped = false;
+  const auto image = run_interruptible(is_stopped, [&] {
+    return renderer::render(renderer::load_scene(source, 0, &left_out), params, threads, {},
+                            [&] { return is_stopped.load(); });
+  });
   for (const auto& sentence : left_out.describe_all(source))
     if (PyErr_WarnEx(PyExc_UserWarning, sentence.c_str(), 1) != 0) throw py::error_already_set();
   if (!is_linear) return to_array(params.width, params.height, make_rgb8(image.samples));

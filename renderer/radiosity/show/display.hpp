@@ -27,18 +27,11 @@ double find_exposure(const Picture& picture, const std::vector<bool>& left_out =
 /// `left_out`.
 Display fit(Display display, const Picture& picture, const std::vector<bool>& left_out);
 
-/// Returns the absolute difference of a and b, for each colour of each pixel, multiplied by
-/// `factor`. Throws BadInput if the sizes differ.
-Picture make_difference(const Picture& a, const Picture& b, double factor = 1);
-
 /// Converts the picture to bytes: rows from the top, 3 bytes per pixel. Negative values and NaN
 /// become 0.
 std::vector<std::uint8_t> make_rgb8(const Picture& picture, const Display& display);
 /// Writes a PNG. Throws BadInput unless exposure and gamma are positive, and as renderer::save_png
 /// does.
 void save_png(const std::string& path, const Picture& picture, const Display& display);
-/// Writes an uncompressed OpenEXR file with linear R, G and B as 32-bit floats, rows from the top.
-/// The bytes depend only on the picture. Throws as save_png() does.
-void save_exr(const std::string& path, const Picture& picture);
 
 }  // namespace radiosity

@@ -2,17 +2,13 @@
 // The second pass of radiosity: makes a picture of a room with computed light (thesis, 1.2.3 and
 // 3.2.4).
 
+#include "renderer/image/picture.hpp"
 #include "renderer/radiosity/light/solve.hpp"
 #include "renderer/radiosity/show/reconstruct.hpp"
 
 namespace radiosity {
 
-/// A picture with linear colours, not limited to a range; rows run from the top.
-struct Picture {
-  int width = 0, height = 0;
-  std::vector<Rgb> pixels;  ///< at y * width + x
-  bool operator==(const Picture&) const = default;
-};
+using renderer::Picture;
 
 struct PictureParams {
   /// Size in pixels, 1..65536 each, product at most 2^28; 0: the size of the view.

@@ -208,14 +208,15 @@ Program make_program(const Declaration<P, R>& d) {
   constexpr base::AnyAs<P> params;
   program.parameters = base::lift_all<std::any>(d.fields, params);
   for (const auto& c : d.columns) program.columns.push_back({c.name, c.help});
-  program.run = [run = d.run, columns = d.columns, params](const Setup& setup,
-                                                           const std::any& any) {
-    auto found = run(setup, params(any));
-    Outcome<Row> outcome;
-    for (const auto& row : found.rows) outcome.rows.push_back(base::make_row(columns, row));
-    static_cast<Extras&>(outcome) = std::move(found);
-    return outcome;
-  };
+  if (d.run)
+    program.run = [run = d.run, columns = d.columns, params](const Setup& setup,
+                                                             const std::any& any) {
+      auto found = run(setup, params(any));
+      Outcome<Row> outcome;
+      for (const auto& row : found.rows) outcome.rows.push_back(base::make_row(columns, row));
+      static_cast<Extras&>(outcome) = std::move(found);
+      return outcome;
+    };
   if (d.check)
     program.check = [check = d.check, params](const Setup& setup, const std::any& any) {
       check(setup, params(any));

@@ -111,7 +111,7 @@ TEST(DistributedCommand, WrongFramesAreRefusedBeforeAnythingIsWritten) {
   expect({"-o", "a.webp", "--frames", "0-1", "--frame-rate", "0"}, "--frame-rate");
   expect({"-o", "a.webp", "--frames", "0-1", "--frame-rate", "nan"}, "--frame-rate: found nan");
   expect({"-o", "a.webp"}, "expected a name that ends in .png");
-  expect({"-o", "a.gif", "--frames", "0-1"}, "expected a name that ends in .png or .webp");
+  expect({"-o", "a.gif", "--frames", "0-1"}, "expected a name that ends in .png or .exr or .webp");
   expect({"-o", "a.png", "--frames", "0-1", "--progressive"}, "--progressive excludes --frames");
   expect({"-o", "a.png", "--pixel-samples", "4", "--progressive"},
          "--pixel-samples excludes --progressive");

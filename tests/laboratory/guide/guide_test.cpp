@@ -245,7 +245,8 @@ TEST_P(InitFrom, MakesAnExperimentThatRuns) {
     const auto text = read_file(folder.path / file);
     EXPECT_FALSE(contains(text, "MINE")) << file;
   }
-  if (GetParam() == "program") return;  // tests/consumer/run builds the template "program"
+  // tests/consumer/run builds these templates
+  if (GetParam() == "program" || GetParam() == "laboratory") return;
   const auto outcome = tlab(folder.path, {"run", "my-own/my-own.toml"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
   EXPECT_TRUE(std::filesystem::exists(folder.path / "results/my-own/report.html"));

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+
 #include "renderer/scene/generators.hpp"
 #include "tests/renderer/support.hpp"
 
@@ -135,6 +137,25 @@ TEST(Render, ParamsAreChecked) {
   rejects([](Params& p) { p.area = {0, 0, 5, 0}; }, "area");
   rejects([](Params& p) { p.area = {2000000000, 0, 2000000000, 1}; }, "area");
   EXPECT_THROW(render(make_spheres(1), Params{}, 0), base::BadInput);
+}
+
+// A row has 40 pixels; the rendering ends within it.
+TEST(Render, EndsAtAPixel) {
+  const Scene scene = make_spheres(9);
+  const Params params = make_params(40, 2, 3);
+  const auto whole = render(scene, params);
+  for (const int threads : {1, 3}) {
+    std::atomic<int> asked = 0;
+    const auto part = render(scene, params, threads, {}, [&] { return ++asked > 50; });
+    int traced = 0;
+    for (std::size_t i = 0; i < whole.samples.sums.size(); ++i) {
+      traced += part.samples.sums[i] == whole.samples.sums[i];
+      EXPECT_TRUE(part.samples.sums[i] == Samples::Sums{} ||
+                  part.samples.sums[i] == whole.samples.sums[i]);
+    }
+    EXPECT_LE(traced, 50);
+    EXPECT_GT(traced, 40);
+  }
 }
 
 TEST(Render, ProgressIsToldAndMayStopIt) {

@@ -11,6 +11,7 @@
 #include "simulator/programs/network/traffic.hpp"
 #include "simulator/shared_memory/data_manager.hpp"
 #include "tests/simulator/programs/run_program.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/lab.hpp"
 #include "topologies/make/generators.hpp"
 
@@ -56,6 +57,59 @@ TEST(Programs, MeasureTheColumnsThatTheyDeclare) {
     for (const auto& part : program.parts)
       EXPECT_NE((" " + declared).find(" " + part + " "), std::string::npos) << program.name;
   }
+}
+
+struct OwnParams {
+  int size = 3;
+};
+struct OwnMeasured {
+  double time_s = 0;
+};
+
+Declaration<OwnParams, OwnMeasured> declare_own() {
+  using D = base::Declare<OwnParams>;
+  return {
+      .name = "own",
+      .help = "a program of a user",
+      .fields = {D::whole("size", &OwnParams::size, 0, 9, "", "size")},
+      .columns = {column("time_s", &OwnMeasured::time_s, "time")},
+      .run = [](const Setup&, const OwnParams& params) { return OwnMeasured{1.0 * params.size}; }};
+}
+
+TEST(OwnPrograms, AreAddedBehindTheOthers) {
+  EXPECT_EQ(occam::isolated([] {
+              const auto before = all_programs().size();
+              add_programs({make_program(declare_own())});
+              const auto* own = find_program("own");
+              const bool is_last =
+                  all_programs().size() == before + 1 && own == &all_programs().back();
+              return fmt::format("{} {}", is_last, own->parameters.at(0).name);
+            }),
+            "true size");
+}
+
+TEST(OwnPrograms, BadDeclarationsAreRefusedAndNothingIsAdded) {
+  using D = base::Declare<OwnParams>;
+  const auto before = all_programs().size();
+  const auto refuse = [&](const auto& change, const std::string& expected) {
+    auto bad = declare_own();
+    bad.name = "bad";
+    change(bad);
+    const auto message = ::test::message_of<base::BadInput>([&] {
+      add_programs({make_program(declare_own()), make_program(bad)});
+    });
+    EXPECT_NE(message.find(expected), std::string::npos) << message;
+    EXPECT_EQ(all_programs().size(), before);
+  };
+  refuse([](auto& d) { d.name = "own"; }, "two programs of the name \"own\"");
+  refuse([](auto& d) { d.name = "farm"; }, "two programs of the name \"farm\"");
+  refuse([](auto& d) { d.name = "My own"; }, "found the name \"My own\"");
+  refuse([](auto& d) { d.run = nullptr; }, "program bad: found no function run");
+  refuse([](auto& d) { d.columns.push_back(d.columns[0]); }, "found the column \"time_s\"");
+  refuse([](auto& d) { d.columns[0].name = "size"; }, "found the column \"size\"");
+  refuse([](auto& d) { d.fields[0].name = "workers"; }, "found the parameter \"workers\"");
+  refuse([](auto& d) { d.fields = {D::whole("size", &OwnParams::size, 5, 9, "", "")}; },
+         "found 3 as the default of size, expected");
 }
 
 TEST(Programs, OneAdditionIsEnoughForFlops) {

@@ -3,6 +3,7 @@
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfOutputFile.h>
 #include <gtest/gtest.h>
 #include <png.h>
 #include <stdlib.h>
@@ -116,6 +117,61 @@ TEST(Exr, ReadsBackEqual) {
   EXPECT_EQ(floats[15], MOST);
   EXPECT_EQ(floats[16], -MOST);
   EXPECT_EQ(floats[17], 0);
+  Picture expected{31, 17, {}};
+  for (std::size_t i = 0; i < floats.size(); i += 3)
+    expected.pixels.push_back({floats[i], floats[i + 1], floats[i + 2]});
+  EXPECT_EQ(renderer::load_exr(path), expected);
+}
+
+// The rectangle of stored pixels need not begin at (0, 0), and channels may have 16 bits.
+TEST(Exr, ReadsAWindowOfHalfFloats) {
+  const TemporaryFolder folder;
+  const auto path = (folder.path / "a.exr").string();
+  Imf::Header header({{0, 0}, {99, 99}}, {{7, -3}, {8, -2}});
+  std::vector<Imath::half> values = {1, 2, 3, 4};
+  Imf::FrameBuffer frame;
+  for (const char* name : {"R", "G", "B"}) {
+    header.channels().insert(name, Imf::Channel(Imf::HALF));
+    const auto first = reinterpret_cast<std::uintptr_t>(values.data()) - 2u * (7 - 3 * 2);
+    frame.insert(name, Imf::Slice(Imf::HALF, reinterpret_cast<char*>(first), 2, 4));
+  }
+  {
+    Imf::OutputFile file(path.c_str(), header);
+    file.setFrameBuffer(frame);
+    file.writePixels(2);
+  }
+  EXPECT_EQ(renderer::load_exr(path),
+            (Picture{2, 2, {{1, 1, 1}, {2, 2, 2}, {3, 3, 3}, {4, 4, 4}}}));
+}
+
+TEST(Exr, RefusesWhatIsNoPicture) {
+  const TemporaryFolder folder;
+  const auto path = (folder.path / "a.exr").string();
+  const auto problem = [&]() -> std::string {
+    try {
+      renderer::load_exr(path);
+      return "none";
+    } catch (const base::BadInput& bad) {
+      return bad.what();
+    }
+  };
+  EXPECT_NE(problem().find("cannot be read"), std::string::npos);
+  std::ofstream(path) << "no picture";
+  EXPECT_NE(problem().find("not a complete OpenEXR picture"), std::string::npos);
+  renderer::save_exr(path, make_random_picture());
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) - 100);
+  EXPECT_NE(problem().find("not a complete OpenEXR picture"), std::string::npos);
+  Imf::Header grey(1, 1);
+  grey.channels().insert("Y", Imf::Channel(Imf::FLOAT));
+  float value = 1;
+  Imf::FrameBuffer frame;
+  frame.insert("Y", Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(&value), 4, 4));
+  {
+    Imf::OutputFile file(path.c_str(), grey);
+    file.setFrameBuffer(frame);
+    file.writePixels(1);
+  }
+  EXPECT_NE(problem().find("found no channel R"), std::string::npos);
 }
 
 TEST(RadiosityPng, ReadsBackEqual) {
@@ -174,7 +230,7 @@ TEST_P(PictureFiles, WhatCannotBeWrittenIsAnError) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, PictureFiles,
-                         testing::Values(Save(save_exr),
+                         testing::Values(Save(renderer::save_exr),
                                          Save([](const std::string& path, const Picture& picture) {
                                            save_png(path, picture, {1, 2.2});
                                          })));
