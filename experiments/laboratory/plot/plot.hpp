@@ -19,6 +19,7 @@ enum class SeriesKind {
   reference,  ///< published values: points without a line
   law,        ///< thin line of a fitted law, without symbols
   mark,       ///< rings around points of a curve
+  saturated,  ///< points of a curve beyond saturation: its symbol, hollow
 };
 
 struct Series {

@@ -20,6 +20,8 @@ const char* name_kind(SeriesKind kind) {
       return "reference";
     case SeriesKind::law:
       return "law";
+    case SeriesKind::saturated:
+      return "saturated";
     case SeriesKind::mark:
       break;
   }

@@ -268,4 +268,12 @@ std::vector<programs::UsualPlot> find_common_plots(const ExperimentFile& file) {
   return plots;
 }
 
+std::optional<programs::SaturationColumns> find_common_saturation(const ExperimentFile& file) {
+  const auto all = programs_of(file);
+  const auto& first = all[0]->shows.saturation;
+  const bool is_common = std::ranges::all_of(
+      all, [&](const auto* program) { return program->shows.saturation == first; });
+  return is_common ? first : std::nullopt;
+}
+
 }  // namespace laboratory

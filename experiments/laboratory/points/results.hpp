@@ -49,6 +49,9 @@ std::vector<std::string> first_result(const ExperimentFile& file, const Table& t
 /// The default plots that all programs of the file share.
 std::vector<programs::UsualPlot> find_common_plots(const ExperimentFile& file);
 
+/// The columns of saturation that all programs of the file share; no value if they differ.
+std::optional<programs::SaturationColumns> find_common_saturation(const ExperimentFile& file);
+
 /// What the program of the points shows of its results. If there are several programs, the default.
 const programs::Shows& shows_of(const ExperimentFile& file);
 Value to_value(const Coordinate& at);

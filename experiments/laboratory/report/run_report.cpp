@@ -31,6 +31,7 @@
 #include "experiments/laboratory/report/findings.hpp"
 #include "experiments/laboratory/report/network_drawings.hpp"
 #include "experiments/laboratory/report/report.hpp"
+#include "experiments/laboratory/report/saturation.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
 #include "experiments/laboratory/table/samples.hpp"
 #include "experiments/laboratory/uncertain/confidence.hpp"
@@ -361,6 +362,10 @@ Texts write_report(const fs::path& folder, const RunOptions& options, const Simu
   if (const auto confidence = load_confidence(folder))
     for (auto& exhibit : exhibits) add_bands(exhibit.plot, s.table, *confidence);
   add_findings(report, exhibits, !s.file.plots.empty());
+  if (const auto saturation = find_common_saturation(s.file)) {
+    for (auto& exhibit : exhibits) mark_saturated(exhibit.plot, s.table, *saturation);
+    append(report.findings, tell_saturation(s.table, *saturation));
+  }
   for (auto& exhibit : exhibits) exhibit.plot.figure = choose_figure(s.file, exhibit.plot.name);
   const Table growth = make_growth_table(s.file, s.results);
   save_unless_empty(folder / "growth.csv", growth);

@@ -135,6 +135,16 @@ struct NetworkDrawing {
   std::vector<Outsider> outsiders = {};
 };
 
+/// The columns of a program whose queues grow without bound if its load is too high.
+struct SaturationColumns {
+  std::string mark;        ///< result: not 0 for a point beyond saturation
+  std::string load;        ///< parameter: the offered load
+  std::string bound;       ///< result: upper bound of the load; may be empty
+  std::string bound_name;  ///< meaning of the bound: "bound by the busiest link"
+
+  bool operator==(const SaturationColumns&) const = default;
+};
+
 /// The results of a program that tables and reports show. The defaults also apply to experiments
 /// that run several programs.
 struct Shows {
@@ -143,7 +153,8 @@ struct Shows {
   std::vector<std::string> summary = {};  ///< results shown in short tables; if empty, all
   std::vector<std::string> loads = {};    ///< columns of a second table; if empty, there is none
   std::vector<UsualPlot> plots = {};      ///< if empty, a plot of the first result
-  std::optional<NetworkDrawing> network = {};  ///< if absent, the network is not drawn
+  std::optional<NetworkDrawing> network = {};        ///< if absent, the network is not drawn
+  std::optional<SaturationColumns> saturation = {};  ///< if absent, no point is beyond saturation
 };
 
 /// A program. Its parameters are stored in a std::any, because their type differs between programs.

@@ -81,6 +81,13 @@ base::Field<P> whole_seed_field(Access access, const std::string& help) {
   return field;
 }
 
+/// What a program shows that offers a load to a network: it has the parameter "load" and the
+/// columns "saturated" and "saturation_load".
+inline Shows make_load_shows() {
+  return {.saturation = SaturationColumns{"saturated", "load", "saturation_load",
+                                          "bound by the busiest link"}};
+}
+
 /// The value that names a processor in a table: its label, or its number if the topology has no
 /// labels.
 inline base::Cell processor_cell(const topologies::Topology& topology, int id) {

@@ -208,6 +208,7 @@ Program make_traffic() {
                                          .fields = make_fields(),
                                          .columns = make_columns(),
                                          .run = &run,
+                                         .shows = make_load_shows(),
                                          .voids = [](const Params& params, const std::string& key) {
                                            return find_void(params.pattern, key);
                                          }});

@@ -215,6 +215,7 @@ Program make_router_load() {
        .fields = make_fields(),
        .columns = make_columns(),
        .run = &run,
+       .shows = make_load_shows(),
        .voids = [](const Params& params, const std::string& key) {
          return find_void(params.pattern, key);
        }});
