@@ -37,6 +37,7 @@ struct Series {
   /// either contains 90 % of the results on randomly drawn machines, or is the confidence interval
   /// of a mean over seeds.
   std::vector<double> low = {}, high = {};
+  bool is_stepped = false;  ///< for a curve: steps of a histogram, without symbols
   /// how intervals are drawn: true: as error bars; false: as a band along the curve
   bool has_bars = false;
   /// for a curve of means over seeds: the samples of each point; else empty

@@ -88,6 +88,14 @@ std::string make_style(SeriesKind kind, std::size_t look, const PlotSize& size) 
                      make_width(size, 1.5));
 }
 
+// The style of a series, in the look of the curve that it belongs to.
+std::string make_style(const Series& s, std::size_t look, const PlotSize& size) {
+  if (!s.is_stepped) return make_style(s.kind, look, size);
+  const auto [colour, gaps, shape] = look_of(look);
+  return fmt::format("with steps linecolor rgb '{}' {} {}", colour, make_width(size, 2),
+                     make_dashes(gaps));
+}
+
 // The parts of gnuplot's command `plot` for one panel, and the data blocks that they use.
 struct Panel {
   std::vector<std::string> curves;
@@ -168,7 +176,7 @@ Panel make_upper(const Plot& plot, const PlotSize& size) {
     if (s.kind == SeriesKind::saturated)
       add_cover(panel, fmt::format("cover{}", i), points, look, size,
                 std::exchange(title, "notitle"));
-    panel.add(fmt::format("data{}", i), points, make_style(s.kind, look, size), title);
+    panel.add(fmt::format("data{}", i), points, make_style(s, look, size), title);
   }
   return panel;
 }

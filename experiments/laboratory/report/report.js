@@ -83,8 +83,9 @@
   }
 
   // Paints the filled symbol of a curve, or an open one. Beyond saturation, the symbol is hollow,
-  // and covers the filled one; a disc replaces symbols without an area.
-  function paintSymbol(context, {kind, colour, symbol}, x, y) {
+  // and covers the filled one; a disc replaces symbols without an area. Steps have no symbols.
+  function paintSymbol(context, {kind, colour, symbol, steps}, x, y) {
+    if (steps) return;
     const isHollow = kind === "saturated", isOpen = kind !== "curve" || symbol > 5;
     const path = new Path2D(SYMBOLS[isHollow && symbol > 5 ? 0 : symbol]);
     context.save();
@@ -286,6 +287,7 @@
         axisLabelFontSize: 13, gridLineColor: "#d8d8d8", gridLineWidth: 0.8,
         series: Object.fromEntries(panel.series.map((s, k) => [k, {
           color: s.colour, strokeWidth: WIDTHS[s.kind], strokePattern: split(s.dashes),
+          stepPlot: Boolean(s.steps),
           fillAlpha: s.bars ? 0 : 0.15,
           drawPointCallback: (graph, name, context, x, y) => paintSymbol(context, s, x, y)}])),
         plugins: [{activate: () => ({didDrawChart: event => this.paintOver(panel, event)})}],

@@ -212,12 +212,14 @@ void save_unless_empty(const fs::path& file, const Table& table) {
 // declares.
 std::vector<Exhibit> add_figures(Report& report, const fs::path& folder, const Simulation& s) {
   const auto plan = plan_checks(s.file);
+  const Table histograms = make_table_of(&PointResult::histogram, s.file, s.results);
+  save_unless_empty(folder / "histogram.csv", histograms);
   if (std::ranges::none_of(s.table.rows,
                            [&](const auto& row) { return is_complete_row(s.table, row); }))
     return {};
   const Rows rows = make_rows(plan, s.file, s.table);
   append(report.notes, note_unknown_texts(plan, s.table));
-  auto exhibits = make_exhibits(plan, rows, report.notes);
+  auto exhibits = make_exhibits(plan, rows, histograms, report.notes);
   auto answers = find_best(plan, rows);
   const auto best = make_best_csv(answers);
   if (const auto rankings = load_rankings(folder)) {
@@ -367,7 +369,7 @@ Texts write_report(const fs::path& folder, const RunOptions& options, const Simu
     append(report.findings, tell_saturation(s.table, *saturation));
   }
   for (auto& exhibit : exhibits) exhibit.plot.figure = choose_figure(s.file, exhibit.plot.name);
-  const Table growth = make_growth_table(s.file, s.results);
+  const Table growth = make_table_of(&PointResult::growth, s.file, s.results);
   save_unless_empty(folder / "growth.csv", growth);
   save_unless_empty(folder / "means.csv", make_means_csv(s.file, s.table));
   add_plots(report, undrawn, folder / "plots", s.table, std::move(exhibits));

@@ -79,7 +79,7 @@ void mark_saturated(Plot& plot, const Table& table, const Columns& columns) {
       beyond.x.push_back(curve.x[k]);
       beyond.y.push_back(curve.y[k]);
     }
-    if (!beyond.x.empty()) marked.push_back(std::move(beyond));
+    if (!beyond.x.empty() && !curve.is_stepped) marked.push_back(std::move(beyond));
   }
   if (!marked.empty()) marked[0].name = "beyond saturation";
   plot.series.insert(plot.series.end(), marked.begin(), marked.end());

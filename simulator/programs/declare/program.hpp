@@ -63,7 +63,8 @@ struct Load {
 struct Extras {
   std::vector<std::string> notes = {};  ///< sentences about the run
   std::vector<Image> images = {};
-  std::vector<Row> growth = {};  ///< rows of growth.csv: quality of the picture over time
+  std::vector<Row> growth = {};     ///< rows of growth.csv: quality of the picture over time
+  std::vector<Row> histogram = {};  ///< rows of histogram.csv (observe::make_rows)
   /// If not `done`, the rows describe the time up to this end.
   machine::End end = machine::End::done;
   bool is_saturated = false;             ///< true if queues grow without bound
@@ -154,6 +155,7 @@ struct Shows {
   std::vector<std::string> loads = {};    ///< columns of a second table; if empty, there is none
   std::vector<UsualPlot> plots = {};      ///< if empty, a plot of the first result
   std::optional<NetworkDrawing> network = {};        ///< if absent, the network is not drawn
+  std::vector<std::string> histograms = {};          ///< quantities in histogram.csv
   std::optional<SaturationColumns> saturation = {};  ///< if absent, no point is beyond saturation
 };
 
