@@ -37,6 +37,7 @@ struct Lettering {
   double size;
   std::string colour = "#000000";
   bool has_halo = false;  ///< true: with a white outline that keeps it readable on lines
+  bool is_left = false;   ///< true: begins at its place, instead of being centred there
 };
 
 /// Collects elements in points. Layout places have y upwards; points have y downwards.
@@ -52,9 +53,12 @@ class Sheet {
 
   /// Draws a Bezier curve with control points of the layout.
   void curve(const std::array<Place, 4>& points, const std::string& colour, double width);
-  void circle(const Place& middle, double diameter, const std::string& fill, double line);
+  /// Draws such a curve with a head at its end.
+  void arrow(std::array<Place, 4> points, const std::string& colour, double width);
+  void circle(const Place& middle, double diameter, const std::string& fill, double line,
+              const std::string& colour = "#000000");
   void box(const Place& middle, double width, double height, const std::string& fill, double line);
-  /// Draws a centred text whose letters have their middle at `middle`.
+  /// Draws a text whose letters have their middle at `middle`.
   void text(const Place& middle, const std::string& words, const Lettering& lettering);
   /// Groups the elements until close() under a class, with a tool tip unless it is "".
   void open(const std::string& of_class, const std::string& tip);

@@ -249,7 +249,7 @@ void run_chosen_points(const RunOptions& options) {
   const CheckPlan checks = plan_checks(file);
   const StoreGuard guard(folder);
   const PointsPlan plan(options, file, inspect_names(checks, file), record_points(file),
-                        draw_fault);
+                        draw_faults(file.report.figure.make_style({})));
   Results results = find_points(plan, numbers);
   std::vector<std::size_t> missing;
   for (const auto i : numbers)

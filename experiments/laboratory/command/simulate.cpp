@@ -109,7 +109,8 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
   // The points of the file come first, then copies of them for each machine drawn from [uncertain].
   const ExperimentFile all = spread(s.file);
   s.asked = all.points.size();
-  PointsPlan plan(options, all, inspect_names(checks, s.file), record_points(s.file), draw_fault);
+  PointsPlan plan(options, all, inspect_names(checks, s.file), record_points(s.file),
+                  draw_faults(s.file.report.figure.make_style({})));
   check_results_folder(results);  // all inputs are known now
   plan.lone = folder.working() / lone_records_folder();
   folder.fill([&] {
