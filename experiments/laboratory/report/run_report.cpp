@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
+#include "experiments/laboratory/figure/pdf.hpp"
 #include "experiments/laboratory/file/values.hpp"
 #include "experiments/laboratory/host/error_text.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
@@ -308,7 +309,8 @@ Table choose_rows(Table table, const Texts& columns) {
 
 // Adds the uncertainty of the results, from randomly drawn machines, and a tornado chart of what
 // influences the first result.
-void add_confidence(Report& report, Texts& undrawn, const fs::path& folder) {
+void add_confidence(Report& report, Texts& undrawn, const fs::path& folder,
+                    const base::FigureStyle& style) {
   const auto found = load_confidence(folder);
   if (!found) return;
   const auto& columns = report.shown_columns;
@@ -328,6 +330,11 @@ void add_confidence(Report& report, Texts& undrawn, const fs::path& folder) {
       base::save_whole(folder / "plots/tornado.svg", drawing.svg);
       base::save_whole(folder / "plots/tornado.png", drawing.png);
       report.plots.push_back({"Influence of assumptions on " + column, drawing.svg});
+      if (!style.is_figure()) return;
+      make_folders(folder / "figures");
+      save_figure(folder / "figures", "tornado",
+                  draw_figure(make_tornado_script(column, weights, style), "tornado", style,
+                              tornado_height(weights, style)));
     } catch (const std::runtime_error& error) {
       undrawn.push_back(fmt::format("tornado: {}", describe_error(error)));
     }
@@ -379,7 +386,7 @@ Texts write_report(const fs::path& folder, const RunOptions& options, const Simu
     growths.push_back({.plot = std::move(plot)});
   }
   add_plots(report, undrawn, folder / "plots", growth, std::move(growths));
-  add_confidence(report, undrawn, folder);
+  add_confidence(report, undrawn, folder, s.file.report.figure.make_style({}));
   append(report.notes, notes_of(s.file, s.results));
   add_images(report, folder, s);
   auto networks = draw_networks(folder, options, s);
