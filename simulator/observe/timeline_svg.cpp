@@ -317,11 +317,6 @@ class Chart {
     print("<path d=\"M{} {}V{}\" stroke=\"{}\" stroke-width=\"{}\"/>\n",
           to_hundredths(size_.left + size_.width), to_hundredths(top_ - scale(4)),
           to_hundredths(bottom_ + scale(2)), FAULT, scale(2));
-    print(
-        "<defs><marker id=\"tip\" viewBox=\"0 0 8 8\" refX=\"7\" refY=\"4\" markerWidth=\"7\" "
-        "markerHeight=\"7\" orient=\"auto\"><path d=\"M0 0L8 4L0 8z\" "
-        "fill=\"{}\"/></marker></defs>\n",
-        FAULT);
     for (std::size_t i = 0; i < trace_.cycle; ++i)
       draw_wait(middles, trace_.waiting[i].processor,
                 trace_.waiting[(i + 1) % trace_.cycle].processor);
@@ -353,9 +348,10 @@ class Chart {
                  b = to_hundredths(middles[to] + scale(4));
     const double bend = std::min(scale(ARROWS - 10), scale(20) + std::abs(b - a) / 4);
     print(
-        "<path class=\"wait\" d=\"M{0} {1}C{2} {1} {2} {3} {0} {3}\" fill=\"none\" stroke=\"{4}\" "
-        "stroke-width=\"{5}\" marker-end=\"url(#tip)\"/>\n",
-        x, a, to_hundredths(x + bend), b, FAULT, scale(1.6));
+        "<path class=\"wait\" d=\"M{0} {1}C{2} {1} {2} {3} {4} {3}\" fill=\"none\" stroke=\"{5}\" "
+        "stroke-width=\"{6}\"/><path d=\"M{0} {3}L{4} {7}L{4} {8}Z\" fill=\"{5}\"/>\n",
+        x, a, to_hundredths(x + bend), b, to_hundredths(x + scale(8)), FAULT, scale(1.6),
+        to_hundredths(b - scale(4)), to_hundredths(b + scale(4)));
   }
 
   const Trace& trace_;

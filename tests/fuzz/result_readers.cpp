@@ -123,7 +123,7 @@ void read_reference(const std::string& text) {
   for (const auto& check : checks) summarize(check, table), make_check_table(check, table, 5);
   make_checks_csv(checks, table);
   std::vector<std::string> notes;
-  make_exhibits(plan, make_rows(plan, file, table), notes);
+  make_exhibits(plan, make_rows(plan, file, table), {}, notes);
 }
 
 }  // namespace

@@ -92,12 +92,30 @@ void Sheet::curve(const std::array<Place, 4>& points, const std::string& colour,
       width, p(a), p(b), p(c), p(d));
 }
 
-void Sheet::circle(const Place& middle, double diameter, const std::string& fill, double line) {
+void Sheet::arrow(std::array<Place, 4> points, const std::string& colour, double width) {
+  const double length = 4 * width / unit_;  // of the head
+  const auto tip = points[3];
+  const double x = tip.x - points[2].x, y = tip.y - points[2].y, scale = length / std::hypot(x, y);
+  const Place foot{tip.x - scale * x, tip.y - scale * y};
+  const auto at = [&](double share) {
+    const auto corner = to_points({foot.x - share * scale * y, foot.y + share * scale * x});
+    return fmt::format("{:.2f},{:.2f}", corner.x, corner.y);
+  };
+  const auto end = to_points(tip);
+  points[3] = foot;
+  curve(points, colour, width);
+  include(end, width, width);
+  text_ += fmt::format("<path fill=\"{}\" d=\"M{:.2f},{:.2f}L{} {}Z\"/>\n", colour, end.x, end.y,
+                       at(0.5), at(-0.5));
+}
+
+void Sheet::circle(const Place& middle, double diameter, const std::string& fill, double line,
+                   const std::string& colour) {
   include(middle, diameter + line, diameter + line);
   text_ += fmt::format(
-      "<circle fill=\"{}\" stroke=\"#000000\" stroke-width=\"{:.2f}\" cx=\"{:.2f}\" cy=\"{:.2f}\" "
+      "<circle fill=\"{}\" stroke=\"{}\" stroke-width=\"{:.2f}\" cx=\"{:.2f}\" cy=\"{:.2f}\" "
       "r=\"{:.2f}\"/>\n",
-      fill, line, middle.x, middle.y, diameter / 2);
+      fill, colour, line, middle.x, middle.y, diameter / 2);
 }
 
 void Sheet::box(const Place& middle, double width, double height, const std::string& fill,
@@ -113,17 +131,18 @@ void Sheet::box(const Place& middle, double width, double height, const std::str
 void Sheet::text(const Place& middle, const std::string& words, const Lettering& lettering) {
   // From the middle of letters down to their baseline, for a font size of 1.
   constexpr double BASELINE = 0.36;
-  const auto& [size, colour, has_halo] = lettering;
-  include(middle, width_of(words, size), size);
+  const auto& [size, colour, has_halo, is_left] = lettering;
+  const double width = width_of(words, size);
+  include({middle.x + (is_left ? width / 2 : 0), middle.y}, width, size);
   const auto halo = has_halo ? fmt::format(
                                    " stroke=\"#ffffff\" stroke-width=\"{:.2f}\" "
                                    "stroke-linejoin=\"round\" paint-order=\"stroke\"",
                                    0.3 * size)
                              : "";
   text_ += fmt::format(
-      "<text text-anchor=\"middle\" x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.2f}\" fill=\"{}\"{}>"
+      "<text text-anchor=\"{}\" x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.2f}\" fill=\"{}\"{}>"
       "{}</text>\n",
-      middle.x, middle.y + BASELINE * size, size, colour, halo,
+      is_left ? "start" : "middle", middle.x, middle.y + BASELINE * size, size, colour, halo,
       base::escape_xml(base::blank_controls(words)));
 }
 

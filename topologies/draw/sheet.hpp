@@ -37,6 +37,7 @@ struct Lettering {
   double size;
   std::string colour = "#000000";
   bool has_halo = false;  ///< true for a white outline that keeps the text readable on lines
+  bool is_left = false;   ///< true for a text that begins at its place; otherwise it is centred
 };
 
 /// Collects the elements of an SVG, in points. The y axis points upwards in layouts, and downwards
@@ -53,9 +54,12 @@ class Sheet {
 
   /// Draws a Bezier curve with control points of the layout.
   void curve(const std::array<Place, 4>& points, const std::string& colour, double width);
-  void circle(const Place& middle, double diameter, const std::string& fill, double line);
+  /// Draws such a curve with a head at its end.
+  void arrow(std::array<Place, 4> points, const std::string& colour, double width);
+  void circle(const Place& middle, double diameter, const std::string& fill, double line,
+              const std::string& colour = "#000000");
   void box(const Place& middle, double width, double height, const std::string& fill, double line);
-  /// Draws a centred text whose letters have their middle at `middle`.
+  /// Draws a text whose letters have their middle at `middle`.
   void text(const Place& middle, const std::string& words, const Lettering& lettering);
   /// Opens a group with the class `of_class` for all elements until close(). `tip` is the group's
   /// tool tip; "" means none.

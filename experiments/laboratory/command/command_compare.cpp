@@ -10,7 +10,9 @@
 #include "experiments/laboratory/compare/compare_images.hpp"
 #include "experiments/laboratory/compare/comparison.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
+#include "experiments/laboratory/host/link_files.hpp"
 #include "experiments/laboratory/host/streams.hpp"
+#include "experiments/laboratory/options/options.hpp"
 
 namespace laboratory {
 namespace {
@@ -20,6 +22,10 @@ namespace fs = std::filesystem;
 struct CompareOptions {
   std::vector<std::string> folders, columns;
   std::string output;
+  FigureSpec figure;
+
+  // Folder of figures for papers: a-b-figures for the page a-b.html.
+  fs::path figures() const { return fs::path(output).replace_extension().string() + "-figures"; }
 };
 
 // Throws unless the output has the extension .html or .csv, can be written, and lies outside the
@@ -53,18 +59,32 @@ void compare_pictures(const CompareOptions& o) {
   print_out("picture  {}: differences multiplied by {:.4g}\n", o.output, factor);
 }
 
+// Writes the page, and the figures if they are asked for.
+void write_page(const CompareOptions& o, const Comparison& comparison,
+                std::vector<std::string>& undrawn) {
+  const PaperFigures figures{o.figure.make_style({}), o.figures()};
+  if (figures.style.is_figure()) make_folders(figures.folder);
+  base::save_whole(o.output, to_page(comparison, figures, undrawn));
+}
+
 void compare(const CompareOptions& o) {
+  base::require(!o.figure.make_style({}).is_figure() || o.output.ends_with(".html"), "--width",
+                "found no page, expected --output with a name that ends with .html");
   if (std::ranges::any_of(o.folders, is_image)) return compare_pictures(o);
   if (!o.output.empty()) check_target(o);
   const auto comparison = compare_runs(o.folders, o.columns);
   print_out("{}", to_text(comparison));
   if (o.output.empty()) return;
   std::vector<std::string> undrawn;
-  base::save_whole(
-      o.output, o.output.ends_with(".html")
-                    ? to_page(comparison, undrawn)
-                    : to_csv(guard_formulas(list_ratios(comparison.matched, comparison.columns))));
-  print_out("\n{}    {}\n", o.output.ends_with(".html") ? "page " : "table", o.output);
+  const bool is_page = o.output.ends_with(".html");
+  if (is_page)
+    write_page(o, comparison, undrawn);
+  else
+    base::save_whole(o.output,
+                     to_csv(guard_formulas(list_ratios(comparison.matched, comparison.columns))));
+  print_out("\n{}    {}\n", is_page ? "page " : "table", o.output);
+  if (fs::is_directory(o.figures()) && o.figure.make_style({}).is_figure())
+    print_out("figures  {}\n", o.figures().string());
   for (const auto& failure : undrawn) complain(failure);
   if (!undrawn.empty())
     throw Failure(
@@ -93,6 +113,7 @@ void add_compare_command(CLI::App& app) {
   command->add_option("-o,--output", o->output,
                       "write a page (.html) or all ratios (.csv); of pictures, a picture of the "
                       "differences (.png, .exr)");
+  add_figure_options(*command, o->figure);
   command->footer(
       "Examples:\n  tlab compare results/tree results/mesh\n  tlab compare a b -o a-b.html "
       "--columns time_s,speedup\n  tlab compare a.png b.png -o difference.png");

@@ -24,6 +24,7 @@
 #include "experiments/laboratory/points/single_worker.hpp"
 #include "experiments/laboratory/points/view.hpp"
 #include "experiments/laboratory/report/run_report.hpp"
+#include "experiments/laboratory/report/saturation.hpp"
 #include "experiments/laboratory/uncertain/confidence.hpp"
 #include "experiments/laboratory/uncertain/draw.hpp"
 
@@ -126,9 +127,12 @@ void print_verdict(const CheckResult& check, const Table& table) {
 
 namespace {
 
-// Answers the questions of [[best]], in sentences. Empty if no point was completed.
+// States the saturation, and answers the questions of [[best]], in sentences. Empty if no point was
+// completed.
 std::vector<std::string> answer_questions(const CheckPlan& plan, const Simulation& s) {
   std::vector<std::string> sentences;
+  if (const auto saturation = find_common_saturation(s.file))
+    sentences = tell_saturation(s.table, *saturation);
   const auto is_done = [&](const auto& row) { return is_complete_row(s.table, row); };
   if (plan.questions.empty() || std::ranges::none_of(s.table.rows, is_done)) return sentences;
   for (const auto& answer : find_best(plan, make_rows(plan, s.file, s.table)))
@@ -145,9 +149,10 @@ void judge(const RunOptions& options, const CheckPlan& plan, const Simulation& s
     throw Failure(
         fmt::format("interrupted; the results so far are in {}, marked incomplete", output),
         EXIT_INTERRUPTED);
-  if (!s.checks.empty() || !plan.questions.empty()) print_out("\n");
+  const auto answers = answer_questions(plan, s);
+  if (!s.checks.empty() || !answers.empty()) print_out("\n");
   for (const auto& note : note_unknown_texts(plan, s.table)) print_note(note);
-  for (const auto& sentence : answer_questions(plan, s)) print_out("{}\n", sentence);
+  for (const auto& sentence : answers) print_out("{}\n", sentence);
   for (const auto& check : s.checks) print_verdict(check, s.table);
   throw_failures(s.file, s.results,
                  fmt::format("the other results are in {}, marked incomplete", output));
@@ -244,7 +249,7 @@ void run_chosen_points(const RunOptions& options) {
   const CheckPlan checks = plan_checks(file);
   const StoreGuard guard(folder);
   const PointsPlan plan(options, file, inspect_names(checks, file), record_points(file),
-                        draw_fault);
+                        draw_faults(file.report.figure.make_style({})));
   Results results = find_points(plan, numbers);
   std::vector<std::size_t> missing;
   for (const auto i : numbers)

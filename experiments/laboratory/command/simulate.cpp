@@ -110,7 +110,8 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
   // random, as the section [uncertain] requests.
   const ExperimentFile all = spread(s.file);
   s.asked = all.points.size();
-  PointsPlan plan(options, all, inspect_names(checks, s.file), record_points(s.file), draw_fault);
+  PointsPlan plan(options, all, inspect_names(checks, s.file), record_points(s.file),
+                  draw_faults(s.file.report.figure.make_style({})));
   check_results_folder(results);  // not earlier: the check needs all inputs
   plan.lone = folder.working() / lone_records_folder();
   folder.fill([&] {

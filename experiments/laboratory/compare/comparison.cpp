@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/message.hpp"
+#include "experiments/laboratory/figure/pdf.hpp"
 #include "experiments/laboratory/host/error_text.hpp"
 #include "experiments/laboratory/plot/gnuplot.hpp"
 #include "experiments/laboratory/plot/plot.hpp"
@@ -156,7 +157,8 @@ std::vector<Plot> plot_ratio(const MatchedRuns& matched, const std::string& colu
   return plots;
 }
 
-void draw(Report& page, Texts& undrawn, const Plot& plot, const std::string& data) {
+void draw(Report& page, Texts& undrawn, const PaperFigures& figures, Plot plot,
+          const std::string& data) {
   if (!has_points(plot)) return;
   try {
     const auto script = make_gnuplot_script(plot);
@@ -164,6 +166,8 @@ void draw(Report& page, Texts& undrawn, const Plot& plot, const std::string& dat
                           run_gnuplot(script, plot.name, choose_height(plot)).svg,
                           {},
                           data});
+    plot.figure = figures.style;
+    if (plot.figure.is_figure()) save_figure(figures.folder, plot.name, draw_figure(plot));
   } catch (const std::runtime_error& error) {
     undrawn.push_back(fmt::format("{}: {}", plot.name, describe_error(error)));
     page.notes.push_back("not drawn: " + undrawn.back());
@@ -218,7 +222,7 @@ std::string to_text(const Comparison& c) {
   return text;
 }
 
-std::string to_page(const Comparison& c, Texts& undrawn) {
+std::string to_page(const Comparison& c, const PaperFigures& figures, Texts& undrawn) {
   Report page;
   Texts names;
   for (const auto& run : c.runs) names.push_back(run.name);
@@ -233,10 +237,11 @@ std::string to_page(const Comparison& c, Texts& undrawn) {
   for (const auto& column : found.differing)
     page.answers.push_back({column, {}, {compare_column(c.matched, column)}});
   page.table = stack_runs(c.matched, c.columns);
-  for (const auto& plot : plot_ratio(c.matched, found.differing[0])) draw(page, undrawn, plot, {});
+  for (const auto& plot : plot_ratio(c.matched, found.differing[0]))
+    draw(page, undrawn, figures, plot, {});
   for (auto& plot : make_plots(page.table, found.differing)) {
     add_bars(plot, c.matched);
-    draw(page, undrawn, plot, make_plot_data(plot, page.table));
+    draw(page, undrawn, figures, plot, make_plot_data(plot, page.table));
   }
   page.command = join_texts(name_runs(c), "\n");
   return make_report(page);

@@ -1,8 +1,10 @@
 #pragma once
 // Comparison of two or more runs, as text for a terminal and as an HTML page.
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "base/figure/figure_style.hpp"
 #include "experiments/laboratory/compare/ratios.hpp"
 #include "experiments/laboratory/compare/runs.hpp"
 
@@ -27,8 +29,16 @@ Comparison compare_runs(const std::vector<std::string>& folders,
 /// the results, and a table of the first result that differs.
 std::string to_text(const Comparison& comparison);
 
-/// Formats the comparison as an HTML page in the layout of reports. The page names the plots that
-/// could not be drawn, which are also appended to `undrawn`.
-std::string to_page(const Comparison& comparison, std::vector<std::string>& undrawn);
+/// Figures of the plots for papers: their style, and the existing folder for their files.
+struct PaperFigures {
+  base::FigureStyle style = {};
+  std::filesystem::path folder = {};
+};
+
+/// Formats the comparison as an HTML page in the layout of reports, and writes the figures unless
+/// their style has no width. The page names the plots that could not be drawn, which are also
+/// appended to `undrawn`.
+std::string to_page(const Comparison& comparison, const PaperFigures& figures,
+                    std::vector<std::string>& undrawn);
 
 }  // namespace laboratory

@@ -278,9 +278,9 @@ std::string svg_to_pdf(const std::string& svg, const std::string& name) {
   return pdf;
 }
 
-void save_figure(const std::filesystem::path& results, const std::string& name,
+void save_figure(const std::filesystem::path& folder, const std::string& name,
                  const std::string& svg) {
-  const auto file = results / "figures" / name;
+  const auto file = folder / name;
   base::save_whole(file.string() + ".svg", svg);
   base::save_whole(file.string() + ".pdf", svg_to_pdf(svg, name));
 }

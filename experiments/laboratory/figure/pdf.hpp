@@ -12,8 +12,8 @@ namespace laboratory {
 /// and base::BadInput for malformed XML.
 std::string svg_to_pdf(const std::string& svg, const std::string& name);
 
-/// Writes NAME.svg and NAME.pdf into the folder "figures" of `results`, which must exist.
-void save_figure(const std::filesystem::path& results, const std::string& name,
+/// Writes NAME.svg and NAME.pdf into an existing folder.
+void save_figure(const std::filesystem::path& folder, const std::string& name,
                  const std::string& svg);
 
 }  // namespace laboratory

@@ -76,15 +76,21 @@ struct FigureSpec {
 /// The fields of a FigureSpec, as options.
 const base::Fields<FigureSpec>& figure_fields();
 
+enum class PlotKind {
+  curves,     ///< y over x
+  histogram,  ///< shares of the values of x in bins
+};
+
 enum class Law { none, amdahl, gustafson, sun_ni, log };
 
 /// One [[plot]]. Its columns may also be names from [let], or expressions.
 struct PlotSpec {
   std::string name;   ///< file name of the plot, without extension
   std::string place;  ///< position for errors, "e.toml:12: plot \"NAME\""
+  PlotKind kind = PlotKind::curves;
   std::string title;
-  std::string x;
-  std::vector<std::string> y;  ///< columns on the y axis, at least one
+  std::string x;               ///< for a histogram: a quantity of histogram.csv
+  std::vector<std::string> y;  ///< columns on the y axis, at least one; none for a histogram
   /// axes whose values distinguish curves; no value: all axes that vary, except x
   std::optional<std::vector<std::string>> series;
   std::string where;   ///< expression; only points where it is not 0 are plotted; "": all points

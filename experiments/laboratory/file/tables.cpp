@@ -198,10 +198,16 @@ const base::Fields<PlotSpec>& plot_fields() {
                                         {"sun-ni", Law::sun_ni},
                                         {"log", Law::log},
                                         {"none", Law::none}};
+  static const base::Names<PlotKind> KINDS = {{"curves", PlotKind::curves},
+                                              {"histogram", PlotKind::histogram}};
   static const auto all = add_figure_fields<S>({
       D::text("name", &S::name, "name of the plot's files, without ending"),
+      D::choice("kind", &S::kind, KINDS,
+                "curves: y over x; histogram: how often each x occurs within a point"),
       D::text("title", &S::title, "above it"),
-      D::text("x", &S::x, "column, name of [let] or expression of the x axis, as in checks"),
+      D::text("x", &S::x,
+              "column, name of [let] or expression of the x axis, as in checks; for a histogram, "
+              "one of its quantities, such as latency_s"),
       D::texts("y", &S::y, "the same for the y axis; or a list, each with its own curves"),
       D::texts("series", &S::series,
                "axes with a curve for each value; default: all varying axes except x"),
@@ -281,7 +287,12 @@ const base::Fields<Uncertain>& uncertain_fields() {
   return all;
 }
 
-void check_complete(const PlotSpec& s, const toml::table&) {
+void check_histogram(const PlotSpec& s, const toml::table& table) {
+  const auto others = join_given(table, {"y", "ideal", "reference", "fit", "growth", "optimum"});
+  require(others.empty(), s.place, "found {}, expected none with kind = \"histogram\"", others);
+}
+
+void check_complete(const PlotSpec& s, const toml::table& table) {
   require(!s.name.starts_with('.') && s.name.find('/') == std::string::npos, s.place,
           "expected a name without / and without a leading point, because files get this name");
   // In bytes. File systems allow 255 bytes, which must also hold the extensions that tlab appends.
@@ -290,6 +301,7 @@ void check_complete(const PlotSpec& s, const toml::table&) {
           "found a name of {} bytes, expected at most {}, because files get this name",
           s.name.size(), LONGEST);
   require(!s.x.empty(), s.place, "\"x\" is missing, expected a column of the results");
+  if (s.kind == PlotKind::histogram) return check_histogram(s, table);
   require(!s.y.empty(), s.place,
           "\"y\" is missing, expected a column of the results or an expression");
   require(s.reference.path.empty() || s.y.size() == 1, s.place, "expected one y with a reference");
@@ -412,7 +424,7 @@ void read_judgement(const toml::table& file, ExperimentFile& into) {
   for (auto& check : into.checks)
     if (check.column.empty()) check.column = check.of;
   for (auto& plot : into.plots) {
-    if (plot.column.empty()) plot.column = plot.y[0];
+    if (plot.column.empty() && !plot.y.empty()) plot.column = plot.y[0];
     if (plot.reference_name.empty()) plot.reference_name = "reference";
   }
 }

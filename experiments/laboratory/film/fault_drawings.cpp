@@ -3,17 +3,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "base/errors.hpp"
-#include "base/figure/figure_style.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
+#include "experiments/laboratory/figure/pdf.hpp"
 #include "experiments/laboratory/host/results_folder.hpp"
 #include "experiments/laboratory/host/temporary_folder.hpp"
 #include "experiments/laboratory/places/places.hpp"
 #include "experiments/laboratory/points/run_point.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
+#include "simulator/observe/timeline.hpp"
+#include "topologies/draw/sheet.hpp"
 #include "topologies/make/generators.hpp"
 
 namespace laboratory {
@@ -108,128 +112,127 @@ void repeat(const Point& point, const RunOptions& options, const PointResult& fa
   }
 }
 
-// A position in the drawing, in pixels from its upper left corner.
-struct Screen {
-  double x, y;
-};
+constexpr auto RED = "#b40000";
 
-// Draws the machine: grey links, processors with names, and red arrows for the cycle.
-class WaitDrawing {
- public:
-  WaitDrawing(const observe::Trace& trace, const topologies::Places& places)
-      : trace_(trace), places_(places) {
-    for (const auto& place : places) {
-      left_ = std::min(left_, place.x);
-      top_ = std::max(top_, place.y);
-      right_ = std::max(right_, place.x);
-      low_ = std::min(low_, place.y);
+// Breaks a text into lines of at most so many letters, at blanks if possible.
+std::vector<std::string> wrap(const std::string& text, std::size_t most) {
+  std::vector<std::string> lines;
+  std::string line;
+  for (const auto& word : base::split(text, ' ')) {
+    if (!line.empty() && line.size() + 1 + word.size() > most)
+      lines.push_back(std::exchange(line, ""));
+    if (!line.empty()) line += " ";
+    line += word;
+  }
+  lines.push_back(line);
+  return lines;
+}
+
+void draw_links(topologies::Sheet& sheet, const observe::Trace& trace,
+                const topologies::Places& places, const topologies::Measures& m) {
+  for (const auto& [from, to] : trace.links)
+    if (from < to)
+      sheet.curve(topologies::make_curve(places[from], places[to], {}), "#bbbbbb",
+                  0.055 * m.processor);
+}
+
+// The curve of an arrow between two circles. It leaves and arrives aside of the straight line, so
+// that opposite arrows are apart, and long arrows go around the circles between their ends.
+std::array<topologies::Place, 4> make_arrow(const topologies::Place& from,
+                                            const topologies::Place& to, double radius) {
+  constexpr double ANGLE = 0.7;
+  const double x = to.x - from.x, y = to.y - from.y, length = std::hypot(x, y);
+  const double cosine = std::cos(ANGLE) / length, sine = std::sin(ANGLE) / length;
+  const topologies::Place out{cosine * x + sine * y, cosine * y - sine * x};
+  const topologies::Place in{-cosine * x + sine * y, -cosine * y - sine * x};
+  const auto at = [](const topologies::Place& origin, const topologies::Place& way, double far) {
+    return topologies::Place{origin.x + far * way.x, origin.y + far * way.y};
+  };
+  const double bend = radius + 0.3 * (length - radius);
+  return {at(from, out, radius), at(from, out, bend), at(to, in, bend), at(to, in, radius)};
+}
+
+// Describes a wait: "p0.station on p0 waits for out on p1.in".
+std::string describe_wait(const observe::Trace& trace, std::size_t i) {
+  const auto& [process, what, processor] = trace.waiting[i];
+  return fmt::format("{} on {} waits for {}", process, trace.processors[processor], what);
+}
+
+void draw_cycle(topologies::Sheet& sheet, const observe::Trace& trace,
+                const topologies::Places& places, const topologies::Measures& m) {
+  for (std::size_t i = 0; i < trace.cycle; ++i) {
+    const auto from = trace.waiting[i].processor;
+    const auto to = trace.waiting[(i + 1) % trace.cycle].processor;
+    if (from == to) continue;
+    sheet.open("wait", describe_wait(trace, i));
+    sheet.arrow(make_arrow(places[from], places[to], 0.5 * m.processor / m.unit), RED,
+                0.06 * m.processor);
+    sheet.close();
+  }
+}
+
+void draw_processors(topologies::Sheet& sheet, const observe::Trace& trace,
+                     const topologies::Places& places, const topologies::Measures& m) {
+  std::vector<bool> waits(places.size()), is_in_cycle(places.size());
+  for (std::size_t i = 0; i < trace.waiting.size(); ++i)
+    (i < trace.cycle ? is_in_cycle : waits)[trace.waiting[i].processor] = true;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const auto at = sheet.to_points(places[i]);
+    sheet.open("processor", trace.processors[i]);
+    sheet.circle(at, m.processor, is_in_cycle[i] ? "#fbe3e0" : "#f4f4f2",
+                 (is_in_cycle[i] ? 0.06 : 0.03) * m.processor,
+                 is_in_cycle[i] ? RED
+                 : waits[i]     ? "#777777"
+                                : "#bbbbbb");
+    const auto [shown, size] = topologies::fit_name(m, trace.processors[i]);
+    if (!shown.empty()) sheet.text(at, shown, {size});
+    sheet.close();
+  }
+}
+
+// Writes the fault and the waits of its cycle below the machine, whose middle is at x = `middle`.
+void write_waits(topologies::Sheet& sheet, const observe::Trace& trace, double middle,
+                 double font) {
+  constexpr double NARROWEST = 460, MARGIN = 8;
+  const auto& style = sheet.style();
+  const double used = sheet.high().x - sheet.low().x;
+  const double width = style.is_figure() ? style.width_pt() - MARGIN : std::max(NARROWEST, used);
+  const double left = middle - width / 2;
+  const auto most = static_cast<std::size_t>(width / topologies::Sheet::width_of("x", font));
+  double y = sheet.high().y + 2 * font;
+  sheet.include({middle, y}, width, font);
+  const auto say = [&](const std::string& text, const char* colour) {
+    for (const auto& line : wrap(text, most)) {
+      sheet.text({left, y}, line, {font, colour, false, true});
+      y += 1.4 * font;
     }
-  }
-
-  std::string draw() {
-    const double width = std::max(620., 2 * MARGIN + UNIT * (right_ - left_));
-    const double drawn = 2 * MARGIN + UNIT * (top_ - low_) + 24;
-    print(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
-        "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"sans-serif\" font-size=\"12\" "
-        "fill=\"#222\" class=\"drawing\">\n<title>{2}</title>\n{4}\n<rect width=\"{0:.0f}\" "
-        "height=\"{1:.0f}\" "
-        "fill=\"white\"/>\n<defs><marker id=\"tip\" viewBox=\"0 0 8 8\" refX=\"7\" refY=\"4\" "
-        "markerWidth=\"5\" markerHeight=\"5\" orient=\"auto\"><path d=\"M0 0L8 4L0 8z\" "
-        "fill=\"{3}\"/></marker></defs>\n<text x=\"20\" y=\"26\" font-size=\"15\">{2}</text>\n",
-        width, drawn + LINE * static_cast<double>(trace_.cycle + 1), base::escape_xml(trace_.title),
-        RED, base::DARK_MODE);
-    draw_links();
-    draw_cycle();
-    draw_processors();
-    say(drawn, trace_.fault, "#222");
-    for (std::size_t i = 0; i < trace_.cycle; ++i) {
-      const auto& [process, what, processor] = trace_.waiting[i];
-      say(drawn + LINE * static_cast<double>(i + 1),
-          fmt::format("{} on {} waits for {}", process, trace_.processors[processor], what), RED);
-    }
-    return text_ + "</svg>\n";
-  }
-
- private:
-  static constexpr double UNIT = 90, MARGIN = 60, RADIUS = 22, LINE = 17;
-  static constexpr auto RED = "#b40000";
-
-  template <class... Args>
-  void print(fmt::format_string<Args...> format, Args&&... args) {
-    text_ += fmt::format(format, std::forward<Args>(args)...);
-  }
-
-  void say(double y, const std::string& text, const char* colour) {
-    print("<text x=\"20\" y=\"{:.0f}\" fill=\"{}\">{}</text>\n", y, colour, base::escape_xml(text));
-  }
-
-  Screen at(std::uint32_t processor) const {
-    const auto& place = places_[processor];
-    return {MARGIN + UNIT * (place.x - left_), MARGIN + 20 + UNIT * (top_ - place.y)};
-  }
-
-  void draw_links() {
-    for (const auto& [from, to] : trace_.links) {
-      const auto a = at(from), b = at(to);
-      if (from < to)
-        print("<path d=\"M{:.1f} {:.1f}L{:.1f} {:.1f}\" stroke=\"#bbb\" stroke-width=\"2\"/>\n",
-              a.x, a.y, b.x, b.y);
-    }
-  }
-
-  // Draws an arrow for each wait, bent to its right so that opposite arrows are apart.
-  void draw_cycle() {
-    for (std::size_t i = 0; i < trace_.cycle; ++i) {
-      const auto a = at(trace_.waiting[i].processor);
-      const auto b = at(trace_.waiting[(i + 1) % trace_.cycle].processor);
-      const double length = std::hypot(b.x - a.x, b.y - a.y);
-      if (length == 0) continue;  // both processes run on one processor
-      const double ux = (b.x - a.x) / length, uy = (b.y - a.y) / length;
-      // long arrows go around the processors between their ends
-      const double bend = std::clamp(0.3 * length, 28., 100.);
-      const double ex = RADIUS * ux, ey = RADIUS * uy;
-      print(
-          "<path class=\"wait\" d=\"M{:.1f} {:.1f}Q{:.1f} {:.1f} {:.1f} {:.1f}\" fill=\"none\" "
-          "stroke=\"{}\" stroke-width=\"2.4\" marker-end=\"url(#tip)\"/>\n",
-          a.x + ex, a.y + ey, (a.x + b.x) / 2 - bend * uy, (a.y + b.y) / 2 + bend * ux, b.x - ex,
-          b.y - ey, RED);
-    }
-  }
-
-  void draw_processors() {
-    std::vector<bool> waits(places_.size()), is_in_cycle(places_.size());
-    for (std::size_t i = 0; i < trace_.waiting.size(); ++i)
-      (i < trace_.cycle ? is_in_cycle : waits)[trace_.waiting[i].processor] = true;
-    for (std::uint32_t i = 0; i < places_.size(); ++i) {
-      const auto [x, y] = at(i);
-      print(
-          "<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{}\" fill=\"{}\" stroke=\"{}\" "
-          "stroke-width=\"{}\"/><text x=\"{:.1f}\" y=\"{:.1f}\" text-anchor=\"middle\" "
-          "font-size=\"{:.0f}\">{}</text>\n",
-          x, y, RADIUS, is_in_cycle[i] ? "#fbe3e0" : "#f4f4f2",
-          is_in_cycle[i] ? RED
-          : waits[i]     ? "#777"
-                         : "#bbb",
-          is_in_cycle[i] ? 2 : 1, x, y + 4,
-          std::clamp(3.4 * RADIUS / static_cast<double>(trace_.processors[i].size()), 7., 12.),
-          base::escape_xml(trace_.processors[i]));
-    }
-  }
-
-  const observe::Trace& trace_;
-  const topologies::Places& places_;
-  double left_ = 1e9, low_ = 1e9, right_ = -1e9, top_ = -1e9;
-  std::string text_;
-};
+  };
+  say(trace.fault, "#000000");
+  for (std::size_t i = 0; i < trace.cycle; ++i) say(describe_wait(trace, i), RED);
+}
 
 }  // namespace
 
-std::string draw_waits(const observe::Trace& trace, const topologies::Places& places) {
-  return WaitDrawing(trace, places).draw();
+std::string draw_waits(const observe::Trace& trace, const topologies::Places& places,
+                       const base::FigureStyle& style) {
+  constexpr double TITLE = 14;      // font size in points
+  constexpr double DISTANCE = 1.8;  // of two processors on the screen, in diameters
+  std::size_t longest = 0;
+  for (const auto& name : trace.processors) longest = std::max(longest, name.size());
+  auto m = topologies::choose_measures(places, longest, 0, style);
+  if (!style.is_figure()) m.unit = DISTANCE * m.processor;
+  topologies::Sheet sheet(style, m.unit);
+  draw_links(sheet, trace, places, m);
+  draw_cycle(sheet, trace, places, m);
+  draw_processors(sheet, trace, places, m);
+  const double middle = (sheet.low().x + sheet.high().x) / 2;
+  if (!style.is_figure()) sheet.text({middle, sheet.low().y - TITLE}, trace.title, {TITLE});
+  write_waits(sheet, trace, middle, m.font);
+  return sheet.finish(trace.title);
 }
 
-std::string draw_fault(const Point& point, const RunOptions& options, const PointResult& failure) {
+std::string draw_fault(const Point& point, const RunOptions& options, const PointResult& failure,
+                       const base::FigureStyle& style) {
   if (!failure.fault_s || point.experiment.is_timed || failure.host.total_s > MOST_REPEATED_S)
     return "";
   observe::Trace trace;
@@ -243,18 +246,27 @@ std::string draw_fault(const Point& point, const RunOptions& options, const Poin
   if (trace.fault.ends_with(':')) trace.fault.pop_back();
   const auto stem = choose_stem(point, options);
   std::string files;
-  const auto save = [&](const std::string& what, const std::string& file, const auto& write) {
-    base::save_whole(file, write);
-    files += fmt::format("\n  {} {}", what, file);
+  const auto save = [&](const std::string& what, const std::string& name, const auto& draw) {
+    base::save_whole(name + ".svg", draw(base::FigureStyle{}));
+    files += fmt::format("\n  {} {}.svg", what, name);
+    if (!style.is_figure()) return;
+    base::save_whole(name + ".pdf", svg_to_pdf(draw(style), name));
+    files += fmt::format(", {}.pdf", name);
   };
   if (const auto parent = fs::path(stem).parent_path(); !parent.empty())
     fs::create_directories(parent);
   if (!observer.places().empty())
-    save("who waits for whom:", stem + ".svg",
-         [&](std::ostream& out) { out << draw_waits(trace, observer.places()); });
-  save("the time line:     ", stem + "-timeline.svg",
-       [&](std::ostream& out) { observe::save_timeline(trace, out); });
+    save("who waits for whom:", stem,
+         [&](const base::FigureStyle& of) { return draw_waits(trace, observer.places(), of); });
+  save("the time line:     ", stem + "-timeline",
+       [&](const base::FigureStyle& of) { return observe::draw_timeline(trace, of); });
   return files;
+}
+
+Explain draw_faults(const base::FigureStyle& style) {
+  return [style](const Point& point, const RunOptions& options, const PointResult& failure) {
+    return draw_fault(point, options, failure, style);
+  };
 }
 
 }  // namespace laboratory

@@ -86,13 +86,10 @@ bool is_store(const fs::path& folder) {
 // True if `tlab` writes an entry of this name into results folders. Other entries belong to the
 // user.
 bool is_result(const fs::path& entry) {
-  static const std::vector<std::string> FILES{"results.csv",     "results.schema.json",
-                                              "checks.csv",      "fits.csv",
-                                              "best.csv",        "pays.csv",
-                                              "growth.csv",      "intervals.csv",
-                                              "assumptions.csv", "rankings.csv",
-                                              "means.csv",       "run.json",
-                                              "report.html"};
+  static const std::vector<std::string> FILES{
+      "results.csv",  "results.schema.json", "checks.csv",    "fits.csv",      "best.csv",
+      "pays.csv",     "growth.csv",          "histogram.csv", "intervals.csv", "assumptions.csv",
+      "rankings.csv", "means.csv",           "run.json",      "report.html"};
   const auto name = entry.filename().string();
   if (fs::is_symlink(entry)) return false;
   if (is_of_desktop(entry)) return true;

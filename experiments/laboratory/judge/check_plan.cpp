@@ -239,6 +239,26 @@ std::vector<std::string> note_unknown_texts(const CheckPlan& plan, const Table& 
   return notes;
 }
 
+namespace {
+
+// Compiles a [[plot]]. The x of a histogram is no expression.
+CheckPlan::Figure plan_figure(const PlotSpec& plot, const ExperimentFile& file) {
+  const auto place = plot.place + ": x";
+  const bool is_histogram = plot.kind == PlotKind::histogram;
+  if (const auto known = find_histograms(file);
+      is_histogram && std::ranges::find(known, plot.x) == known.end())
+    base::refuse(place, "found {}, expected a quantity with a histogram{}", plot.x,
+                 base::suggest(plot.x, known));
+  return {plot,
+          Expression(is_histogram ? "0" : plot.x, place),
+          compile_all(plot.y, plot.place + ": y"),
+          compile(plot.where, plot.place, "where"),
+          compile(plot.growth, plot.place, "growth"),
+          read_reference(plot)};
+}
+
+}  // namespace
+
 CheckPlan plan_checks(const ExperimentFile& file) {
   CheckPlan plan;
   for (const auto& b : file.baselines) {
@@ -256,11 +276,7 @@ CheckPlan plan_checks(const ExperimentFile& file) {
                                 compile(c.where, c.place, "where"),
                                 compile(c.calibrated, c.place, "calibrated"), read_reference(c)});
   }
-  for (const auto& plot : file.plots)
-    plan.figures.push_back({plot, Expression(plot.x, plot.place + ": x"),
-                            compile_all(plot.y, plot.place + ": y"),
-                            compile(plot.where, plot.place, "where"),
-                            compile(plot.growth, plot.place, "growth"), read_reference(plot)});
+  for (const auto& plot : file.plots) plan.figures.push_back(plan_figure(plot, file));
   for (const auto& best : file.bests)
     plan.questions.push_back(
         {best, Expression(best.of, best.place + ": of"), compile(best.where, best.place, "where")});

@@ -86,27 +86,30 @@ Drawing run_gnuplot(const std::string& script, const std::string& name, int heig
   return drawing;
 }
 
-std::string draw_figure(const Plot& plot) {
-  const auto& style = plot.figure;
-  const auto size = choose_size(style);
-  const int height = choose_height(plot, size);
+std::string draw_figure(const std::string& script, const std::string& name,
+                        const base::FigureStyle& style, int height) {
   auto svg = escape_ends_of_cdata(run_script(
       fmt::format(
           "set terminal svg noenhanced size {:.0f},{} fixed font {} linewidth 1 name '{}'\n",
-          std::ceil(size.width), height,
-          quote_for_gnuplot(fmt::format("{},{:g}", style.font, style.font_pt)),
-          make_id(plot.name)) +
-          make_gnuplot_script(plot, size),
-      plot.name));
-  if (!is_whole_svg(svg)) refuse_incomplete(plot.name);
+          std::ceil(style.width_pt()), height,
+          quote_for_gnuplot(fmt::format("{},{:g}", style.font, style.font_pt)), make_id(name)) +
+          script,
+      name));
+  if (!is_whole_svg(svg)) refuse_incomplete(name);
   // replaces the size of the drawing by the exact one: gnuplot knows only whole numbers of pixels
   const auto start = svg.find("<svg"), end = svg.find('>', start);
   svg.replace(start, end - start,
               fmt::format("<svg width=\"{:.6g}mm\" height=\"{}pt\" viewBox=\"0 0 {:.4f} {}\" "
                           "xmlns=\"http://www.w3.org/2000/svg\" "
                           "xmlns:xlink=\"http://www.w3.org/1999/xlink\"",
-                          style.width_mm, height, size.width, height));
+                          style.width_mm, height, style.width_pt(), height));
   return svg;
+}
+
+std::string draw_figure(const Plot& plot) {
+  const auto size = choose_size(plot.figure);
+  return draw_figure(make_gnuplot_script(plot, size), plot.name, plot.figure,
+                     choose_height(plot, size));
 }
 
 void draw_plot(const Plot& plot, const fs::path& folder) {
@@ -118,7 +121,8 @@ void draw_plot(const Plot& plot, const fs::path& folder) {
   const auto drawing = run_gnuplot(make_gnuplot_script(plot), plot.name, choose_height(plot));
   base::save_whole(folder / (plot.name + ".svg"), drawing.svg);
   base::save_whole(folder / (plot.name + ".png"), drawing.png);
-  if (plot.figure.is_figure()) save_figure(folder.parent_path(), plot.name, draw_figure(plot));
+  if (plot.figure.is_figure())
+    save_figure(folder.parent_path() / "figures", plot.name, draw_figure(plot));
 }
 
 // Uses threads, not processes, since each thread only waits for its own gnuplot process.

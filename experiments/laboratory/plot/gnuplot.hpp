@@ -21,8 +21,11 @@ struct Drawing {
 /// leaves an incomplete file.
 Drawing run_gnuplot(const std::string& script, const std::string& name, int height = 500);
 
-/// Draws a plot as an SVG with the exact size of its Plot::figure. One user unit of the SVG is one
-/// point. The background is transparent. Throws as run_gnuplot does.
+/// Draws a script as an SVG with the exact width of the style and with the height in points. One
+/// user unit of the SVG is one point. The background is transparent. Throws as run_gnuplot does.
+std::string draw_figure(const std::string& script, const std::string& name,
+                        const base::FigureStyle& style, int height);
+/// Draws a plot in the style of its Plot::figure.
 std::string draw_figure(const Plot& plot);
 
 /// Writes NAME.svg and NAME.png into an existing folder. A plot with a figure also gets NAME.svg

@@ -19,6 +19,7 @@ enum class SeriesKind {
   reference,  ///< published values: points without a line
   law,        ///< thin line of a fitted law, without symbols
   mark,       ///< rings around points of a curve
+  saturated,  ///< points of a curve beyond saturation: its symbol, hollow
 };
 
 struct Series {
@@ -36,6 +37,7 @@ struct Series {
   /// either contains 90 % of the results on randomly drawn machines, or is the confidence interval
   /// of a mean over seeds.
   std::vector<double> low = {}, high = {};
+  bool is_stepped = false;  ///< for a curve: steps of a histogram, without symbols
   /// how intervals are drawn: true: as error bars; false: as a band along the curve
   bool has_bars = false;
   /// for a curve of means over seeds: the samples of each point; else empty

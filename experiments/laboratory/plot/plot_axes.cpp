@@ -47,7 +47,7 @@ Axes measure_axes(const Plot& plot) {
     for (const auto& point : upper_points(plot, series)) {
       axes.x.add(point.x);
       axes.y.add(point.y);
-      if (series.kind != SeriesKind::law) axes.marks.insert(point.x);
+      if (series.kind != SeriesKind::law && !series.is_stepped) axes.marks.insert(point.x);
     }
   for (const auto& series : plot.series)
     for (std::size_t i = 0; i < series.low.size(); ++i)
@@ -58,7 +58,8 @@ Axes measure_axes(const Plot& plot) {
       axes.x.add(point.x);
       axes.difference.add(point.y);
     }
-  axes.is_doubling = plot.log_x && std::ranges::all_of(axes.marks, is_power_of_two);
+  axes.is_doubling =
+      plot.log_x && !axes.marks.empty() && std::ranges::all_of(axes.marks, is_power_of_two);
   return axes;
 }
 
@@ -136,20 +137,35 @@ std::string make_x_range(const Plot& plot, const Extent& x) {
   return fmt::format("set xrange [{}:{}]\n", ends.low, ends.high);
 }
 
+// Lists 1, 2 and 5 times the powers of ten, for ranges of at most two and a half decades. Powers of
+// ten alone would be too few.
+std::vector<double> list_log_ticks(double low, double high) {
+  if (high > 300 * low) return {};
+  std::vector<double> ticks;
+  for (double power = std::pow(10, std::floor(std::log10(low))); power <= high; power *= 10)
+    for (const double factor : {1, 2, 5})
+      if (const double tick = factor * power; tick >= low && tick <= high) ticks.push_back(tick);
+  return ticks;
+}
+
 // Makes the ticks of x. A logarithmic scale with few points has a tick at each point; a short
 // linear scale of integers has a tick at each integer if there is room. `labelled` is false for an
 // upper panel, since the numbers are below the lower panel.
 std::string make_x_ticks(const Plot& plot, const Axes& axes, const PlotSize& size, bool labelled) {
   if (plot.log_x && axes.marks.size() <= 12) {
     const auto ends = find_x_ends(plot, axes.x);
+    std::vector<double> marks{axes.marks.begin(), axes.marks.end()};
+    if (marks.empty()) marks = list_log_ticks(ends.low, ends.high);
+    if (marks.empty()) return "";
     std::vector<std::string> ticks;
-    for (const auto& [at, text] : label_log_ticks({axes.marks.begin(), axes.marks.end()}, ends.low,
-                                                  ends.high, find_x_length(plot, axes, size), size))
+    for (const auto& [at, text] :
+         label_log_ticks(marks, ends.low, ends.high, find_x_length(plot, axes, size), size))
       ticks.push_back(fmt::format("'{}' {}", labelled ? text : "", at));
     return fmt::format("set xtics ({})\n", join_texts(ticks, ", "));
   }
-  const bool are_integers =
-      std::ranges::all_of(axes.marks, [](double mark) { return mark == std::floor(mark); });
+  const bool are_integers = !axes.marks.empty() && std::ranges::all_of(axes.marks, [](double mark) {
+    return mark == std::floor(mark);
+  });
   const double length = axes.x.high - axes.x.low;
   const auto letters = fmt::format("{:g}", axes.x.high).size();
   const double most = find_x_length(plot, axes, size) / (size.width_of(letters) + size.font);
@@ -173,15 +189,10 @@ std::string make_linear_y_range(const Plot& plot, const Axes& axes) {
   return fmt::format("set yrange [{}:{}]\n", low, high);
 }
 
-// Makes ticks at 1, 2 and 5 times the powers of ten, for ranges of at most two and a half decades.
-// Powers of ten alone would be too few.
-std::string make_log_ticks(double low, double high) {
-  if (high > 300 * low) return {};
+std::string make_log_y_ticks(double low, double high) {
   std::vector<std::string> ticks;
-  for (double power = std::pow(10, std::floor(std::log10(low))); power <= high; power *= 10)
-    for (const double factor : {1, 2, 5})
-      if (const double tick = factor * power; tick >= low && tick <= high)
-        ticks.push_back(fmt::format("'{0:.6g}' {0:.6g}", tick));
+  for (const double tick : list_log_ticks(low, high))
+    ticks.push_back(fmt::format("'{0:.6g}' {0:.6g}", tick));
   if (ticks.empty()) return {};
   return fmt::format("set ytics ({})\n", join_texts(ticks, ", "));
 }
@@ -196,7 +207,7 @@ std::string make_y_range(const Plot& plot, const Axes& axes) {
   double high = plot.y_max.value_or(y.high * margin);
   if (plot.ideal_line && !plot.y_max) high = std::max(high, std::min(x.high, 2 * y.high));
   return fmt::format("set yrange [{}:{}]\n", low, high) +
-         (axes.is_doubling && plot.ideal_line ? "" : make_log_ticks(low, high));
+         (axes.is_doubling && plot.ideal_line ? "" : make_log_y_ticks(low, high));
 }
 
 // The y range of the lower panel. It includes 0, and has a margin of at least half a percent.

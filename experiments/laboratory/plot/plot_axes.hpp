@@ -32,7 +32,8 @@ struct Extent {
 /// The ranges of the points, which determine the axes.
 struct Axes {
   Extent x, y, difference;
-  std::set<double> marks;    ///< x of all points of the upper panel, except those of laws
+  /// x of all points of the upper panel, except those of laws and histograms
+  std::set<double> marks;
   bool is_doubling = false;  ///< true if x is logarithmic with ticks at powers of two
 };
 

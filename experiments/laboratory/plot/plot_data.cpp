@@ -20,6 +20,8 @@ const char* name_kind(SeriesKind kind) {
       return "reference";
     case SeriesKind::law:
       return "law";
+    case SeriesKind::saturated:
+      return "saturated";
     case SeriesKind::mark:
       break;
   }
@@ -51,6 +53,7 @@ ordered_json make_series(const Series& s, std::size_t of, const Table& table) {
   if (s.name != s.short_name()) made["full"] = s.name;
   if (!band.empty()) made["band"] = std::move(band);
   if (s.has_bars) made["bars"] = true;
+  if (s.is_stepped) made["steps"] = true;
   return made;
 }
 

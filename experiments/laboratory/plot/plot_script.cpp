@@ -6,6 +6,7 @@
 #include <cmath>
 #include <kainjow/mustache.hpp>
 #include <stdexcept>
+#include <utility>
 
 #include "experiments/laboratory/plot/plot_axes.hpp"
 #include "experiments/laboratory/plot/plot_files.hpp"
@@ -51,6 +52,7 @@ constexpr const char* COLOURS[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
 // gnuplot's numbers for the symbols that Look::symbol lists.
 constexpr int FILLED[] = {7, 5, 9, 13, 11, 15, 2, 1, 3};
 constexpr int OPEN[] = {6, 4, 8, 12, 10, 14, 2, 1, 3};
+constexpr std::size_t DISC = 0, WITH_AREA = 6;  // the first symbols can be filled
 constexpr const char* DASHES[] = {"", "12,6", "3,5", "12,5,3,5", "12,4,3,4,3,4"};
 
 // Lengths of dashes for gnuplot: "(12,6)".
@@ -76,11 +78,22 @@ std::string make_style(SeriesKind kind, std::size_t look, const PlotSize& size) 
                          make_width(size, 2), OPEN[shape]);
     case SeriesKind::law:
       return fmt::format("with lines {} {} dashtype solid", colour, make_width(size, 1));
+    case SeriesKind::saturated:
+      return fmt::format("with points {} {} pointtype {} pointsize 1", colour, make_width(size, 2),
+                         OPEN[shape < WITH_AREA ? shape : DISC]);
     case SeriesKind::mark:
       break;
   }
   return fmt::format("with points linecolor rgb '#000000' {} pointtype 6 pointsize 2.4",
                      make_width(size, 1.5));
+}
+
+// The style of a series, in the look of the curve that it belongs to.
+std::string make_style(const Series& s, std::size_t look, const PlotSize& size) {
+  if (!s.is_stepped) return make_style(s.kind, look, size);
+  const auto [colour, gaps, shape] = look_of(look);
+  return fmt::format("with steps linecolor rgb '{}' {} {}", colour, make_width(size, 2),
+                     make_dashes(gaps));
 }
 
 // The parts of gnuplot's command `plot` for one panel, and the data blocks that they use.
@@ -106,6 +119,22 @@ void add_bars(Panel& panel, std::size_t series, const std::string& bars, const L
       fmt::format("$bars{} with yerrorbars linecolor rgb '{}' {} dashtype solid pointtype 0 "
                   "pointsize 0 notitle",
                   series, look.colour, make_width(size, 1.5)));
+}
+
+// Covers the symbols of a curve in white, before hollow symbols are drawn over them. The entry of
+// the legend stands for all curves.
+void add_cover(Panel& panel, const std::string& name, const std::vector<Dot>& points,
+               std::size_t look, const PlotSize& size, const std::string& title) {
+  if (points.empty()) return;
+  const auto shape = look_of(look).symbol;
+  panel.add(name, points,
+            fmt::format("with points linecolor rgb '#ffffff' {} pointtype {} pointsize 1.2",
+                        make_width(size, 2), FILLED[shape < WITH_AREA ? shape : DISC]),
+            "notitle");
+  if (title != "notitle")
+    panel.curves.push_back(
+        fmt::format("keyentry with points linecolor rgb '#404040' {} pointtype {} pointsize 1 {}",
+                    make_width(size, 2), OPEN[DISC], title));
 }
 
 // Adds the ideal line and the level, dashed.
@@ -141,9 +170,13 @@ Panel make_upper(const Plot& plot, const PlotSize& size) {
   for (std::size_t i = 0; i < plot.series.size(); ++i) {
     const Series& s = plot.series[i];
     const auto look = s.kind == SeriesKind::curve ? curve++ : s.of;
-    panel.add(fmt::format("data{}", i), upper_points(plot, s), make_style(s.kind, look, size),
-              s.name.empty() ? "notitle"
-                             : "title " + quote_for_gnuplot(shorten_middle(s.key(), longest)));
+    const auto points = upper_points(plot, s);
+    auto title =
+        s.name.empty() ? "notitle" : "title " + quote_for_gnuplot(shorten_middle(s.key(), longest));
+    if (s.kind == SeriesKind::saturated)
+      add_cover(panel, fmt::format("cover{}", i), points, look, size,
+                std::exchange(title, "notitle"));
+    panel.add(fmt::format("data{}", i), points, make_style(s, look, size), title);
   }
   return panel;
 }

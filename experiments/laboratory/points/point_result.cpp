@@ -44,6 +44,12 @@ ordered_json to_json(const std::vector<base::Row>& rows) {
   return json;
 }
 
+std::vector<base::Row> to_rows(const ordered_json& json) {
+  std::vector<base::Row> rows;
+  for (const auto& row : json) rows.push_back(to_row(row));
+  return rows;
+}
+
 ordered_json to_json(const std::optional<double>& number) {
   return number ? ordered_json(*number) : ordered_json();
 }
@@ -95,6 +101,7 @@ ordered_json to_json(const PointResult& r) {
                          {"kernel_s", to_json(r.host.kernel_s)},
                          {"events", r.host.events}}}};
   if (r.is_failed()) json.update({{"message", r.message}, {"exit_code", r.exit_code}});
+  if (!r.histogram.empty()) json["histogram"] = to_json(r.histogram);
   if (!r.use.is_null()) json["use"] = r.use;
   if (!r.kernels.is_null()) json["kernels"] = r.kernels;
   return json;
@@ -109,9 +116,9 @@ PointResult to_result(const ordered_json& json) {
   r.topology = json.at("topology").get<std::string>();
   r.processors = json.at("processors").get<int>();
   r.described = to_row(json.at("described"));
-  for (const auto& row : json.at("rows")) r.rows.push_back(to_row(row));
-  for (const auto& row : json.value("growth", ordered_json::array()))
-    r.growth.push_back(to_row(row));
+  r.rows = to_rows(json.at("rows"));
+  r.growth = to_rows(json.value("growth", ordered_json::array()));
+  r.histogram = to_rows(json.value("histogram", ordered_json::array()));
   r.notes = json.at("notes").get<std::vector<std::string>>();
   for (const auto& image : json.at("images"))
     r.images.push_back({image.at("name").get<std::string>(), to_number(image.at("at_s")),

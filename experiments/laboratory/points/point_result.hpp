@@ -45,7 +45,8 @@ struct PointResult {
   std::vector<base::Row> rows;
   std::vector<std::string> notes;
   std::vector<SavedImage> images;
-  std::vector<base::Row> growth;  ///< rows of growth.csv
+  std::vector<base::Row> growth;     ///< rows of growth.csv
+  std::vector<base::Row> histogram;  ///< rows of histogram.csv
   /// loads of processors and links; only in records, null otherwise
   nlohmann::ordered_json use;
   /// counts and times of kernels (the numerical code); only if costs are timed

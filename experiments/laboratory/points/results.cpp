@@ -213,10 +213,11 @@ void add_row(Table& table, const ExperimentFile& file, const Results& results, s
 
 }  // namespace
 
-Table make_growth_table(const ExperimentFile& file, const Results& results) {
+Table make_table_of(std::vector<base::Row> PointResult::*rows, const ExperimentFile& file,
+                    const Results& results) {
   Table table = start_table(file);
   for (std::size_t i = 0; i < results.size(); ++i)
-    for (const auto& row : results[i].growth) add_row(table, file, results, i, row);
+    for (const auto& row : results[i].*rows) add_row(table, file, results, i, row);
   return table;
 }
 
@@ -266,6 +267,22 @@ std::vector<programs::UsualPlot> find_common_plots(const ExperimentFile& file) {
              program->shows.plots.end();
     });
   return plots;
+}
+
+std::vector<std::string> find_histograms(const ExperimentFile& file) {
+  std::vector<std::string> all;
+  for (const auto* program : programs_of(file))
+    for (const auto& quantity : program->shows.histograms)
+      if (std::ranges::find(all, quantity) == all.end()) all.push_back(quantity);
+  return all;
+}
+
+std::optional<programs::SaturationColumns> find_common_saturation(const ExperimentFile& file) {
+  const auto all = programs_of(file);
+  const auto& first = all[0]->shows.saturation;
+  const bool is_common = std::ranges::all_of(
+      all, [&](const auto* program) { return program->shows.saturation == first; });
+  return is_common ? first : std::nullopt;
 }
 
 }  // namespace laboratory

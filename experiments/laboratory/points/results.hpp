@@ -28,9 +28,10 @@ std::vector<std::string> find_coupled(const ExperimentFile& file, const std::str
 /// laws.hpp).
 Table make_table(const ExperimentFile& file, const Results& results);
 
-/// Makes growth.csv: the axes, and how the picture of each point grew with simulated time. Empty if
-/// this was not recorded.
-Table make_growth_table(const ExperimentFile& file, const Results& results);
+/// Makes a table of the axes and of further rows of each point: of growth.csv (how its picture grew
+/// with simulated time) or histogram.csv. Empty if no point has such rows.
+Table make_table_of(std::vector<base::Row> PointResult::*rows, const ExperimentFile& file,
+                    const Results& results);
 
 /// True if the point that the row belongs to was completed.
 bool is_complete_row(const Table& table, const std::vector<Value>& row);
@@ -49,6 +50,12 @@ std::set<std::string> input_names(const ExperimentFile& file, const Table& table
 std::vector<std::string> first_result(const ExperimentFile& file, const Table& table);
 /// The default plots that all programs of the file share.
 std::vector<programs::UsualPlot> find_common_plots(const ExperimentFile& file);
+
+/// The quantities of which programs of the file make histograms.
+std::vector<std::string> find_histograms(const ExperimentFile& file);
+
+/// The columns of saturation that all programs of the file share; no value if they differ.
+std::optional<programs::SaturationColumns> find_common_saturation(const ExperimentFile& file);
 
 /// The columns and plots that the program of all points shows; the defaults if the points run
 /// several programs.

@@ -150,6 +150,7 @@ PointResult run(const Experiment& experiment, const fs::path& images, const RunO
     result.ended = is_done && outcome.is_saturated ? "saturated" : machine::to_string(outcome.end);
     result.images = save_images(outcome.images, images);
     result.growth = std::move(outcome.growth);
+    result.histogram = std::move(outcome.histogram);
     result.use = make_use(outcome);
     result.kernels = make_kernels(outcome.kernels);
     result.host.kernel_s = outcome.kernel_host_s;

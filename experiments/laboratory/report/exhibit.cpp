@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 
+#include "experiments/laboratory/report/histogram_plot.hpp"
 #include "experiments/laboratory/table/laws.hpp"
 
 namespace laboratory {
@@ -367,6 +368,20 @@ Plot make_plot(const Figure& figure, const std::vector<Series>& curves) {
   return plot;
 }
 
+Plot make_histogram(const Figure& figure, const Rows& rows, const Table& histograms) {
+  const PlotSpec& spec = figure.spec;
+  const auto chosen = choose_rows(rows, figure.where);
+  Plot plot = plot_histogram(histograms, spec.x, rows.table(), chosen,
+                             choose_axes(figure, rows.table(), chosen));
+  plot.name = spec.name;
+  plot.title = spec.title.empty() ? title_of(plot.x_label, true) : spec.title;
+  if (!spec.x_label.empty()) plot.x_label = spec.x_label;
+  if (!spec.y_label.empty()) plot.y_label = spec.y_label;
+  plot.log_x = spec.log_x.value_or(plot.log_x);
+  plot.log_y = spec.log_y.value_or(false);
+  return plot;
+}
+
 std::optional<Exhibit> make_exhibit(const Figure& figure, const Rows& rows,
                                     std::vector<std::string>& nothing) {
   const PlotSpec& spec = figure.spec;
@@ -390,11 +405,18 @@ std::optional<Exhibit> make_exhibit(const Figure& figure, const Rows& rows,
 
 }  // namespace
 
-std::vector<Exhibit> make_exhibits(const CheckPlan& plan, const Rows& rows,
+std::vector<Exhibit> make_exhibits(const CheckPlan& plan, const Rows& rows, const Table& histograms,
                                    std::vector<std::string>& nothing) {
   std::vector<Exhibit> exhibits;
   for (const auto& figure : plan.figures)
-    if (auto exhibit = make_exhibit(figure, rows, nothing)) exhibits.push_back(std::move(*exhibit));
+    if (figure.spec.kind == PlotKind::histogram) {
+      auto plot = make_histogram(figure, rows, histograms);
+      if (plot.series.empty())
+        nothing.push_back(fmt::format("The plot {} has no points.", plot.name));
+      else
+        exhibits.push_back({.plot = std::move(plot)});
+    } else if (auto exhibit = make_exhibit(figure, rows, nothing))
+      exhibits.push_back(std::move(*exhibit));
   return exhibits;
 }
 

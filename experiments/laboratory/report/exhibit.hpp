@@ -24,8 +24,8 @@ struct Exhibit {
 };
 
 /// Makes the plots that have points, in the order of the file. Adds a note to `nothing` about each
-/// plot without points.
-std::vector<Exhibit> make_exhibits(const CheckPlan& plan, const Rows& rows,
+/// plot without points. `histograms` is the table of histogram.csv.
+std::vector<Exhibit> make_exhibits(const CheckPlan& plan, const Rows& rows, const Table& histograms,
                                    std::vector<std::string>& nothing);
 
 /// Makes fits.csv: the rows of all fits. The first cell of a row is the name of its plot.

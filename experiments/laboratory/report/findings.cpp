@@ -20,7 +20,7 @@ using Curves = std::vector<const Series*>;
 Curves curves_of(const Plot& plot) {
   Curves curves;
   for (const auto& s : plot.series)
-    if (s.kind == SeriesKind::curve && !s.x.empty()) curves.push_back(&s);
+    if (s.kind == SeriesKind::curve && !s.is_stepped && !s.x.empty()) curves.push_back(&s);
   return curves;
 }
 

@@ -165,7 +165,7 @@ void draw_point(const fs::path& folder, const Simulation& s, Drawn& drawn) try {
   const auto& point = s.file.points[drawn.point];
   base::save_whole(folder / drawing_of(point), drawn.svg);
   if (const auto style = s.file.report.figure.make_style({}); style.is_figure())
-    save_figure(folder, "network-" + file_name(point),
+    save_figure(folder / "figures", "network-" + file_name(point),
                 to_load_svg(network.topology, network.loads, style));
 } catch (const std::exception& error) {
   drawn.failure = describe_error(error);

@@ -64,7 +64,9 @@
     "M-4,-4L4,4M-4,4L4,-4M-5,0H5M0,-5V5", "M-9,0A9,9 0 1 1 9,0A9,9 0 1 1 -9,0Z",
   ];
   const MARK = {kind: "mark", colour: "#000", symbol: 9};
-  const WIDTHS = {curve: 2, law: 1, ideal: 1.5, reference: 0, mark: 0};  // of lines, in pixels
+  const NEUTRAL = {colour: "#404040", symbol: 0};  // for all curves
+  // widths of lines, in pixels
+  const WIDTHS = {curve: 2, law: 1, ideal: 1.5, reference: 0, mark: 0, saturated: 0};
   const IDEAL = {name: "ideal", kind: "ideal", colour: "#707070", dashes: "9,5", points: []};
   const LAWS = {
     "Amdahl's law": {dashes: "7,3,2,3", at: (serial, n) => 1 / (serial + (1 - serial) / n)},
@@ -80,14 +82,18 @@
     context.stroke();
   }
 
-  // Paints the filled symbol of a curve, or an open one.
-  function paintSymbol(context, {kind, colour, symbol}, x, y) {
-    const isOpen = kind !== "curve" || symbol > 5, path = new Path2D(SYMBOLS[symbol]);
+  // Paints the filled symbol of a curve, or an open one. Beyond saturation, the symbol is hollow,
+  // and covers the filled one; a disc replaces symbols without an area. Steps have no symbols.
+  function paintSymbol(context, {kind, colour, symbol, steps}, x, y) {
+    if (steps) return;
+    const isHollow = kind === "saturated", isOpen = kind !== "curve" || symbol > 5;
+    const path = new Path2D(SYMBOLS[isHollow && symbol > 5 ? 0 : symbol]);
     context.save();
     context.translate(x, y);
     context.setLineDash([]);
     Object.assign(context, {fillStyle: colour, strokeStyle: colour, lineWidth: isOpen ? 2 : 0.5});
-    if (!isOpen) context.fill(path);
+    if (isHollow) context.fillStyle = "#fff";
+    if (isHollow || !isOpen) context.fill(path);
     context.stroke(path);
     context.restore();
   }
@@ -98,7 +104,8 @@
     context.scale(2, 2);
     if (width)
       paintLine(context, [[1, 10], [33, 10]], s.colour, width, s.kind !== "law" && s.dashes);
-    if (s.kind !== "law" && s !== IDEAL) paintSymbol(context, s, 17, 10);
+    if (s.kind !== "law" && s !== IDEAL)
+      paintSymbol(context, s.kind === "saturated" ? {...s, ...NEUTRAL} : s, 17, 10);
     return swatch;
   }
 
@@ -202,6 +209,13 @@
       return !this.hidden.has(entry) && !this.hidden.has(this.curves[s.of]);
     }
 
+    // "beyond saturation" for a point of a curve that is, else "".
+    nameSaturation({s, x}) {
+      const isBeyond = this.series.some(t => t.kind === "saturated" && this.curves[t.of] === s &&
+          t.points.some(point => point[0] === x));
+      return isBeyond ? ", beyond saturation" : "";
+    }
+
     // ---- The chart ----
 
     update(isWhole) {
@@ -273,6 +287,7 @@
         axisLabelFontSize: 13, gridLineColor: "#d8d8d8", gridLineWidth: 0.8,
         series: Object.fromEntries(panel.series.map((s, k) => [k, {
           color: s.colour, strokeWidth: WIDTHS[s.kind], strokePattern: split(s.dashes),
+          stepPlot: Boolean(s.steps),
           fillAlpha: s.bars ? 0 : 0.15,
           drawPointCallback: (graph, name, context, x, y) => paintSymbol(context, s, x, y)}])),
         plugins: [{activate: () => ({didDrawChart: event => this.paintOver(panel, event)})}],
@@ -323,7 +338,7 @@
       for (const s of this.series.filter(t => this.isShown(t))) {
         if (s === IDEAL) line(xs.map(x => [x, x]), s.colour, WIDTHS.ideal, s.dashes);
         if (s.kind === "law") line(s.points, s.colour, WIDTHS.law);
-        if (s.kind === "mark")
+        if (s.kind === "mark" || s.kind === "saturated")
           for (const p of s.points) paintSymbol(context, s, ...place(p));
       }
     }
@@ -336,7 +351,8 @@
       for (const at of panel.rows.filter(({x}) => x === chosen.x).sort((a, b) => b.y - a.y))
         tip.append(make("div", {class: at === chosen ? "this" : undefined}, makeSwatch(at.s),
                         `${at.s.full || at.s.name || unitless(panel.label)} `, make("b", {}, tell(at.y)),
-                        at.s.bars && at.low < at.high ? ` ± ${tell((at.high - at.low) / 2)}` : ""));
+                        at.s.bars && at.low < at.high ? ` ± ${tell((at.high - at.low) / 2)}` : "",
+                        this.nameSaturation(at)));
       if (points[chosen.point]?.loads.length)
         tip.append(make("div", {class: "hint"}, "click: why"));
       return tip;
@@ -360,7 +376,8 @@
       const next = near[near.indexOf(now) + (chosen ? way : 0)] ?? now, {s, k, x, y} = next;
       graph.setSelection(rows.indexOf(next), String(k));
       this.said.textContent =
-          `${s.name ? (s.full || s.name) + ", " : ""}${this.x.label} ${tell(x)}: ${panel.label} ${tell(y)}`;
+          `${s.name ? (s.full || s.name) + ", " : ""}${this.x.label} ${tell(x)}: ${panel.label} ${tell(y)}` +
+          this.nameSaturation(next);
     }
 
     // Shows the details of the selected point. `goes` moves the focus there.

@@ -8,6 +8,7 @@
 
 #include "base/errors.hpp"
 #include "base/whole_file.hpp"
+#include "experiments/laboratory/figure/pdf.hpp"
 #include "experiments/laboratory/file/values.hpp"
 #include "experiments/laboratory/host/error_text.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
@@ -31,6 +32,7 @@
 #include "experiments/laboratory/report/findings.hpp"
 #include "experiments/laboratory/report/network_drawings.hpp"
 #include "experiments/laboratory/report/report.hpp"
+#include "experiments/laboratory/report/saturation.hpp"
 #include "experiments/laboratory/setup/setup.hpp"
 #include "experiments/laboratory/table/samples.hpp"
 #include "experiments/laboratory/uncertain/confidence.hpp"
@@ -211,12 +213,14 @@ void save_unless_empty(const fs::path& file, const Table& table) {
 // declares.
 std::vector<Exhibit> add_figures(Report& report, const fs::path& folder, const Simulation& s) {
   const auto plan = plan_checks(s.file);
+  const Table histograms = make_table_of(&PointResult::histogram, s.file, s.results);
+  save_unless_empty(folder / "histogram.csv", histograms);
   if (std::ranges::none_of(s.table.rows,
                            [&](const auto& row) { return is_complete_row(s.table, row); }))
     return {};
   const Rows rows = make_rows(plan, s.file, s.table);
   append(report.notes, note_unknown_texts(plan, s.table));
-  auto exhibits = make_exhibits(plan, rows, report.notes);
+  auto exhibits = make_exhibits(plan, rows, histograms, report.notes);
   auto answers = find_best(plan, rows);
   const auto best = make_best_csv(answers);
   if (const auto rankings = load_rankings(folder)) {
@@ -305,7 +309,8 @@ Table choose_rows(Table table, const Texts& columns) {
 
 // Adds the uncertainty of the results, from randomly drawn machines, and a tornado chart of what
 // influences the first result.
-void add_confidence(Report& report, Texts& undrawn, const fs::path& folder) {
+void add_confidence(Report& report, Texts& undrawn, const fs::path& folder,
+                    const base::FigureStyle& style) {
   const auto found = load_confidence(folder);
   if (!found) return;
   const auto& columns = report.shown_columns;
@@ -325,6 +330,11 @@ void add_confidence(Report& report, Texts& undrawn, const fs::path& folder) {
       base::save_whole(folder / "plots/tornado.svg", drawing.svg);
       base::save_whole(folder / "plots/tornado.png", drawing.png);
       report.plots.push_back({"Influence of assumptions on " + column, drawing.svg});
+      if (!style.is_figure()) return;
+      make_folders(folder / "figures");
+      save_figure(folder / "figures", "tornado",
+                  draw_figure(make_tornado_script(column, weights, style), "tornado", style,
+                              tornado_height(weights, style)));
     } catch (const std::runtime_error& error) {
       undrawn.push_back(fmt::format("tornado: {}", describe_error(error)));
     }
@@ -361,8 +371,12 @@ Texts write_report(const fs::path& folder, const RunOptions& options, const Simu
   if (const auto confidence = load_confidence(folder))
     for (auto& exhibit : exhibits) add_bands(exhibit.plot, s.table, *confidence);
   add_findings(report, exhibits, !s.file.plots.empty());
+  if (const auto saturation = find_common_saturation(s.file)) {
+    for (auto& exhibit : exhibits) mark_saturated(exhibit.plot, s.table, *saturation);
+    append(report.findings, tell_saturation(s.table, *saturation));
+  }
   for (auto& exhibit : exhibits) exhibit.plot.figure = choose_figure(s.file, exhibit.plot.name);
-  const Table growth = make_growth_table(s.file, s.results);
+  const Table growth = make_table_of(&PointResult::growth, s.file, s.results);
   save_unless_empty(folder / "growth.csv", growth);
   save_unless_empty(folder / "means.csv", make_means_csv(s.file, s.table));
   add_plots(report, undrawn, folder / "plots", s.table, std::move(exhibits));
@@ -372,7 +386,7 @@ Texts write_report(const fs::path& folder, const RunOptions& options, const Simu
     growths.push_back({.plot = std::move(plot)});
   }
   add_plots(report, undrawn, folder / "plots", growth, std::move(growths));
-  add_confidence(report, undrawn, folder);
+  add_confidence(report, undrawn, folder, s.file.report.figure.make_style({}));
   append(report.notes, notes_of(s.file, s.results));
   add_images(report, folder, s);
   auto networks = draw_networks(folder, options, s);

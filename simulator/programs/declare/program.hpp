@@ -64,7 +64,8 @@ struct Load {
 struct Extras {
   std::vector<std::string> notes = {};  ///< sentences about the run
   std::vector<Image> images = {};
-  std::vector<Row> growth = {};  ///< rows of growth.csv: quality of the picture over time
+  std::vector<Row> growth = {};     ///< rows of growth.csv: quality of the picture over time
+  std::vector<Row> histogram = {};  ///< rows of histogram.csv (observe::make_rows)
   /// Reason for the end of the run. Unless it is `done`, the rows describe the time up to this end.
   machine::End end = machine::End::done;
   bool is_saturated = false;             ///< true if queues grow without bound
@@ -137,6 +138,16 @@ struct NetworkDrawing {
   std::vector<Outsider> outsiders = {};
 };
 
+/// The columns of a program whose queues grow without bound if its load is too high.
+struct SaturationColumns {
+  std::string mark;        ///< result: not 0 for a point beyond saturation
+  std::string load;        ///< parameter: the offered load
+  std::string bound;       ///< result: upper bound of the load; may be empty
+  std::string bound_name;  ///< meaning of the bound: "bound by the busiest link"
+
+  bool operator==(const SaturationColumns&) const = default;
+};
+
 /// The results of a program that tables and reports show. The defaults also apply to experiments
 /// that run several programs.
 struct Shows {
@@ -145,7 +156,9 @@ struct Shows {
   std::vector<std::string> summary = {};  ///< results shown in short tables; if empty, all
   std::vector<std::string> loads = {};    ///< columns of a second table; if empty, there is none
   std::vector<UsualPlot> plots = {};      ///< if empty, a plot of the first result
-  std::optional<NetworkDrawing> network = {};  ///< if absent, the network is not drawn
+  std::optional<NetworkDrawing> network = {};        ///< if absent, the network is not drawn
+  std::vector<std::string> histograms = {};          ///< quantities in histogram.csv
+  std::optional<SaturationColumns> saturation = {};  ///< if absent, no point is beyond saturation
 };
 
 /// A program. Its parameters are stored in a std::any, because their type differs between programs.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <deque>
 
+#include "simulator/observe/histogram.hpp"
 #include "simulator/occam/alt.hpp"
 #include "simulator/occam/process.hpp"
 #include "simulator/programs/declare/program.hpp"
@@ -79,6 +80,22 @@ base::Field<P> whole_seed_field(Access access, const std::string& help) {
   field.domain.high = 0x1p63;
   field.domain.expected = fmt::format("a whole number from 0 to {}", INT64_MAX);
   return field;
+}
+
+/// What a program shows that offers a load to a network: it has the parameter "load", the columns
+/// "saturated" and "saturation_load", and histograms of latencies and loads of links.
+inline Shows make_load_shows() {
+  return {.histograms = {observe::LATENCY_HISTOGRAM, observe::LINK_HISTOGRAM},
+          .saturation = SaturationColumns{"saturated", "load", "saturation_load",
+                                          "bound by the busiest link"}};
+}
+
+/// Adds the rows of histogram.csv.
+inline void add_histograms(Extras& outcome, const std::vector<observe::Passage>& passages,
+                           const std::vector<double>& link_loads) {
+  for (const auto& histogram :
+       {observe::make_latency_histogram(passages), observe::make_link_histogram(link_loads)})
+    for (auto& row : observe::make_rows(histogram)) outcome.histogram.push_back(std::move(row));
 }
 
 /// The value that names a processor in a table: its label, or its number if the topology has no

@@ -75,7 +75,9 @@ TrafficResult run_traffic(const Setup& setup, const std::vector<Arrival>& arriva
   }
   run_machine(setup, machine);
   for (const auto& link : machine.links())
-    result.link_busy_max = std::max(result.link_busy_max, link->use().busy / machine.now());
+    result.link_loads.push_back(link->use().busy / machine.now());
+  for (const double load : result.link_loads)
+    result.link_busy_max = std::max(result.link_busy_max, load);
   result.longest_queue = network.longest_queue();
   return result;
 }
@@ -163,6 +165,7 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
   const auto drift = describe_drift(m.latencies);
   Outcome<Measured> outcome(m);
   outcome.is_saturated = m.is_saturated;
+  add_histograms(outcome, passages, result.link_loads);
   if (!drift.empty() && !m.is_saturated) outcome.notes.push_back(drift);
   return outcome;
 }
@@ -208,6 +211,7 @@ Program make_traffic() {
                                          .fields = make_fields(),
                                          .columns = make_columns(),
                                          .run = &run,
+                                         .shows = make_load_shows(),
                                          .voids = [](const Params& params, const std::string& key) {
                                            return find_void(params.pattern, key);
                                          }});

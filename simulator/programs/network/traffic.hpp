@@ -30,7 +30,8 @@ struct Delivery {
 
 struct TrafficResult {
   std::vector<Delivery> deliveries;  ///< one for each arrival, in the same order
-  double link_busy_max = 0;          ///< load of the busiest link direction, 0 to 1
+  std::vector<double> link_loads;    ///< load of each link direction, 0 to 1
+  double link_busy_max = 0;          ///< the largest of these
   std::size_t longest_queue = 0;     ///< maximum number of packets in a queue
   std::uint64_t links = 0;           ///< number of links passed by packets, summed over all packets
 };

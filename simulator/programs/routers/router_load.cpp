@@ -107,6 +107,7 @@ struct Measured {
   double links_mean = 0;
   std::size_t most_held = 0;
   double cpu_busy_max = 0, link_busy_max = 0;
+  std::vector<double> link_loads = {};  // load of each link direction
   std::optional<double> saturation_load = {};
   bool has_overflowed = false, is_saturated = false;
 };
@@ -130,12 +131,12 @@ Measured measure(const Offers& offers, const RouterMachine& on, const Seen& all,
     m.latency_s = all.sum_s / static_cast<double>(all.count);
     m.latencies = observe::eval_latencies(all.passages, params.warm_up_s, offers.end_s());
   }
-  double cpu_s = 0, link_s = 0;
+  double cpu_s = 0;
   for (const auto& processor : on.processors())
     cpu_s = std::max(cpu_s, processor->use().busy().value);
-  for (const auto& link : on.links()) link_s = std::max(link_s, link->use().busy.value);
+  for (const auto& link : on.links()) m.link_loads.push_back(link->use().busy.value / time_s);
   m.cpu_busy_max = cpu_s / time_s;
-  m.link_busy_max = link_s / time_s;
+  for (const double load : m.link_loads) m.link_busy_max = std::max(m.link_busy_max, load);
   const bool behind = static_cast<double>(all.in_window) < 0.9 * static_cast<double>(all.offered);
   const bool late = now_s - params.warm_up_s - params.window_s > 0.05 * params.window_s;
   m.is_saturated = has_overflowed || (behind && late);
@@ -164,6 +165,8 @@ Outcome<Measured> run(const Setup& setup, const Params& params) {
     outcome.notes.push_back("found no received message of the window, expected at least one");
   outcome.rows.push_back(measure(offers, on, all, has_overflowed));
   outcome.is_saturated = outcome.rows[0].is_saturated;
+  add_histograms(outcome, has_overflowed ? std::vector<observe::Passage>{} : all.passages,
+                 outcome.rows[0].link_loads);
   const auto drift = describe_drift(outcome.rows[0].latencies);
   if (!drift.empty() && !outcome.is_saturated) outcome.notes.push_back(drift);
   return outcome;
@@ -215,6 +218,7 @@ Program make_router_load() {
        .fields = make_fields(),
        .columns = make_columns(),
        .run = &run,
+       .shows = make_load_shows(),
        .voids = [](const Params& params, const std::string& key) {
          return find_void(params.pattern, key);
        }});

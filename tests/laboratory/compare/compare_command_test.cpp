@@ -30,7 +30,15 @@ TEST_F(Compare, NamesSettingsModelsAndRatios) {
   ASSERT_EQ(run({"-o", "y/fast", "--set", "machine.model=t805-30", "--set", "image.ambient=0.2"})
                 .exit_code,
             0);
-  const auto outcome = compare({"x/slow", "y/fast/", "-o", "c.html"});
+  const auto outcome = compare({"x/slow", "y/fast/", "-o", "c.html", "--width", "column"});
+  EXPECT_TRUE(contains(outcome.out, "figures  c-figures\n"));
+  for (const char* name : {"ratio", "time_s"}) {
+    const auto file = folder.path / "c-figures" / name;
+    EXPECT_TRUE(contains(read_file(file.string() + ".svg"), "<svg width=\"85mm\"")) << name;
+    EXPECT_TRUE(read_file(file.string() + ".pdf").starts_with("%PDF")) << name;
+  }
+  EXPECT_TRUE(contains(compare({"x/slow", "y/fast/", "--width", "column"}).err,
+                       "--width: found no page, expected --output"));
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   for (const auto* text :
        {"slow: tlab run e.toml\n", "machine.model  t805-25  t805-30", "image.ambient", "cpu.clock",

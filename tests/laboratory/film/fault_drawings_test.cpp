@@ -33,8 +33,52 @@ TEST(FaultDrawings, ADeadlockLeavesItsCycleAndATimeLine) {
     EXPECT_TRUE(contains(svg, "deadlock at 0.0001")) << file;
     EXPECT_TRUE(contains(svg, "p0.station on p0 waits for out on p1.in")) << file;
   }
+  EXPECT_FALSE(fs::exists(folder.path / "r-fault.pdf")) << "the experiment asks for no figures";
   // a second run replaces the files
   EXPECT_EQ(tlab(folder.path, {"run", "d.toml", "-o", "r"}).exit_code, 3);
+}
+
+TEST(FaultDrawings, ArePdfIfTheReportAsksForFigures) {
+  const TemporaryFolder folder;
+  write_file(folder.path / "d.toml",
+             "[program]\nname = \"deadlock\"\n[report]\nwidth = \"column\"\n");
+  const auto outcome = tlab(folder.path, {"run", "d.toml", "-o", "r"});
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_TRUE(contains(outcome.err, "who waits for whom: r-fault.svg, r-fault.pdf\n"));
+  EXPECT_TRUE(contains(read_file(folder.path / "r-fault.svg"), "class=\"paper\""))
+      << "the SVG stays a drawing for the screen";
+  for (const char* file : {"r-fault.pdf", "r-fault-timeline.pdf"}) {
+    const auto pdf = read_file(folder.path / file);
+    EXPECT_TRUE(pdf.starts_with("%PDF")) << file;
+    EXPECT_TRUE(contains(pdf, "/MediaBox [ 0 0 240.94")) << file << ": 85 mm are 240.94 points";
+  }
+}
+
+// Two processors that wait for each other: each arrow has a head and is apart from the other.
+TEST(FaultDrawings, AFigureHasItsSizeAndWrapsItsTexts) {
+  observe::Trace trace;
+  trace.title = "Two";
+  trace.processors = {"a", "b"};
+  trace.links = {{0, 1}, {1, 0}};
+  trace.fault = "deadlock at 1 s";
+  const std::string what = "a text that needs more letters than a line has";
+  trace.waiting = {{"p", what, 0}, {"q", what, 1}};
+  trace.cycle = 2;
+  const topologies::Places places = {{0, 0}, {1, 0}};
+  const auto figure = draw_waits(trace, places, {.width_mm = 85}),
+             screen = draw_waits(trace, places);
+  EXPECT_TRUE(contains(figure, "<svg xmlns=\"http://www.w3.org/2000/svg\""));
+  EXPECT_TRUE(contains(figure, "width=\"85mm\""));
+  EXPECT_FALSE(contains(figure, "class=\"paper\"")) << "transparent";
+  const auto sentence = "p on a waits for " + what;
+  EXPECT_TRUE(contains(screen, ">" + sentence + "<")) << screen;
+  EXPECT_FALSE(contains(figure, ">" + sentence + "<")) << "broken into lines";
+  EXPECT_EQ(count_waits(figure), 2);
+  std::size_t heads = 0;
+  for (auto at = figure.find("<path fill=\"#b40000\""); at != figure.npos;
+       at = figure.find("<path fill=\"#b40000\"", at + 1))
+    ++heads;
+  EXPECT_EQ(heads, 2u);
 }
 
 // The naive router deadlocks, Chalmers's does not.
@@ -73,10 +117,10 @@ TEST(FaultDrawings, NothingIsDrawnOfRunsThatAreNotRepeated) {
   PointResult failure;
   failure.fault_s = 1;
   failure.host.total_s = 120;
-  EXPECT_EQ(draw_fault(point, {}, failure), "");
+  EXPECT_EQ(draw_fault(point, {}, failure, {}), "");
   failure.host.total_s = 1;
   point.experiment.is_timed = true;
-  EXPECT_EQ(draw_fault(point, {}, failure), "");
+  EXPECT_EQ(draw_fault(point, {}, failure, {}), "");
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ struct LawsCase {
     const auto plan = plan_checks(file);
     const auto rows = make_rows(plan, file, table);
     check_names(plan, rows, 0);
-    return make_exhibits(plan, rows, nothing);
+    return make_exhibits(plan, rows, {}, nothing);
   }
   std::string message() {
     return message_of<base::BadInput>([&] { make(); });

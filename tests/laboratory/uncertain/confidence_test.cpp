@@ -33,6 +33,10 @@ TEST(Confidence, TellsTheStrongestFirstAndAllThatFollow) {
 TEST(Tornado, ShowsTheTwelveStrongest) {
   std::vector<Weight> weights;
   for (int i = 0; i < 15; ++i) weights.push_back({"e" + std::to_string(i), 0.01 * (i + 1), 1});
+  const base::FigureStyle paper{.width_mm = 85};
+  EXPECT_EQ(make_tornado_script("s", weights, paper).find("set title"), std::string::npos);
+  // a legend of two lines, axis, 12 bars, gap: 8 (3.2 + 5 + 12 * 1.75 + 0.6) points
+  EXPECT_EQ(tornado_height(weights, paper), 239);
   const auto script = make_tornado_script("s", weights);
   const auto shown = bars(script);
   ASSERT_EQ(shown.size(), 12u) << script;
@@ -40,6 +44,8 @@ TEST(Tornado, ShowsTheTwelveStrongest) {
   EXPECT_EQ(shown.back(), "1 4");
   EXPECT_EQ(script.find("\"e2\""), std::string::npos);
   EXPECT_NE(script.find("\"e3\" 1)"), std::string::npos);
+  // a step of the ticks that is round, and at most the largest influence of 15 %
+  EXPECT_NE(script.find("set xtics 10\n"), std::string::npos) << script;
   EXPECT_EQ(tornado_height(weights), tornado_height({weights.begin(), weights.begin() + 12}));
   EXPECT_GT(tornado_height(weights), tornado_height({weights.begin(), weights.begin() + 11}));
 }
