@@ -10,20 +10,26 @@ namespace {
 // Waking a sleeping thread would take longer.
 constexpr int TRIES = 2000;
 
-// Waits until `value` differs from `old`: checks it repeatedly, then sleeps. If `may_spin` is
-// false, sleeps at once, as in a pool with more threads than the host has processors.
-template <class Value>
-void wait_while(const std::atomic<Value>& value, Value old, bool may_spin) {
+}  // namespace
+
+void WatchedNumber::add(std::int64_t difference) {
+  {
+    const std::lock_guard lock(lock_);
+    value_.fetch_add(difference, std::memory_order_acq_rel);
+  }
+  changed_.notify_one();
+}
+
+void WatchedNumber::wait_while(std::int64_t old, bool may_spin) {
   for (int i = 0; may_spin && i < TRIES; ++i) {
-    if (value.load(std::memory_order_acquire) != old) return;
+    if (load() != old) return;
 #ifdef __x86_64__
     __builtin_ia32_pause();
 #endif
   }
-  value.wait(old, std::memory_order_acquire);
+  std::unique_lock lock(lock_);
+  changed_.wait(lock, [&] { return load() != old; });
 }
-
-}  // namespace
 
 Crew::Crew(std::size_t size, Share share)
     : share_(std::move(share)),
@@ -40,10 +46,7 @@ Crew::Crew(std::size_t size, Share share)
 
 void Crew::end() {
   is_over_ = true;
-  for (Member& member : members_) {
-    ++member.called;
-    member.called.notify_one();
-  }
+  for (Member& member : members_) member.called.add(1);
 }
 
 void Crew::work(const std::vector<std::size_t>& members) {
@@ -52,25 +55,21 @@ void Crew::work(const std::vector<std::size_t>& members) {
     if (number == 0)
       is_first_called = true;
     else
-      at_work_.fetch_add(1, std::memory_order_relaxed);
+      at_work_.add(1);
   for (const std::size_t number : members)
-    if (number != 0) {
-      members_[number].called.fetch_add(1, std::memory_order_release);
-      members_[number].called.notify_one();
-    }
+    if (number != 0) members_[number].called.add(1);
   if (is_first_called) do_share(0);
-  for (std::size_t left = at_work_.load(std::memory_order_acquire); left != 0;
-       left = at_work_.load(std::memory_order_acquire))
-    wait_while(at_work_, left, may_spin_);
+  for (auto left = at_work_.load(); left != 0; left = at_work_.load())
+    at_work_.wait_while(left, may_spin_);
   if (failure_) std::rethrow_exception(std::exchange(failure_, nullptr));
 }
 
 void Crew::live(std::size_t number) {
-  for (std::uint64_t called = 0;; ++called) {
-    wait_while(members_[number].called, called, may_spin_);
+  for (std::int64_t called = 0;; ++called) {
+    members_[number].called.wait_while(called, may_spin_);
     if (is_over_) return;
     do_share(number);
-    if (at_work_.fetch_sub(1, std::memory_order_acq_rel) == 1) at_work_.notify_one();
+    at_work_.add(-1);
   }
 }
 

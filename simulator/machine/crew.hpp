@@ -2,6 +2,7 @@
 // Pool of threads that execute their shares of a task again and again. A barrier follows each
 // repetition.
 #include <atomic>
+#include <condition_variable>
 #include <cstdint>
 #include <deque>
 #include <exception>
@@ -11,6 +12,24 @@
 #include <vector>
 
 namespace machine {
+
+/// A number whose change threads can wait for. A waiting thread sleeps without using the CPU. A
+/// thread in std::atomic::wait() may first give up the CPU several times with sched_yield(), each
+/// time behind every other thread of a busy host.
+class WatchedNumber {
+ public:
+  /// Adds `difference` and wakes one waiting thread.
+  void add(std::int64_t difference);
+  [[nodiscard]] std::int64_t load() const { return value_.load(std::memory_order_acquire); }
+  /// Waits until the number differs from `old`. If `may_spin` is true, checks the number repeatedly
+  /// for some tens of microseconds before the thread sleeps.
+  void wait_while(std::int64_t old, bool may_spin);
+
+ private:
+  std::atomic<std::int64_t> value_{0};
+  std::mutex lock_;
+  std::condition_variable changed_;
+};
 
 class Crew {
  public:
@@ -26,7 +45,7 @@ class Crew {
 
  private:
   struct alignas(64) Member {
-    std::atomic<std::uint64_t> called{0};  // number of calls of work() for this member
+    WatchedNumber called;  // number of calls of work() for this member
     std::jthread thread;
   };
   void end();
@@ -36,7 +55,7 @@ class Crew {
   const Share share_;
   const bool may_spin_;
   // Number of members that are still working, not counting member 0.
-  std::atomic<std::size_t> at_work_{0};
+  WatchedNumber at_work_;
   std::atomic<bool> is_over_{false};
   std::mutex lock_;
   std::exception_ptr failure_;
