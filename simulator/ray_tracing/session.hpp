@@ -120,7 +120,7 @@ programs::RecordList make_list(const std::string& key, const std::string& help,
   return {key,
           help,
           base::lift_all<std::any>(fields, base::AnyAs<Record>{}),
-          [] { return std::any(Record{}); },
+          [] { return Record{}; },
           [find](std::any& params) { find(params).clear(); },
           [find, append](std::any& params, const std::any& any) {
             find(params).push_back(append(std::any_cast<const Record&>(any)));
