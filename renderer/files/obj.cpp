@@ -96,6 +96,36 @@ ObjFace drop_repeated(ObjFace face) {
   return kept.size() == count ? std::move(face) : pick(face, kept);
 }
 
+// Statements without a counterpart in a scene. The last three have no effect with the value "off".
+struct LeftOutStatement {
+  std::string_view name;
+  const char* what;  // name under which LeftOut counts the statement
+  bool may_be_off = false;
+};
+constexpr const char* CURVES = "curves and curved surfaces";
+constexpr LeftOutStatement LEFT_OUT[] = {{"p", "points"},
+                                         {"l", "lines"},
+                                         {"curv", CURVES},
+                                         {"curv2", CURVES},
+                                         {"surf", CURVES},
+                                         {"bsp", CURVES},
+                                         {"bzp", CURVES},
+                                         {"cdc", CURVES},
+                                         {"cdp", CURVES},
+                                         {"call", "calls to other files"},
+                                         {"csh", "shell commands"},
+                                         {"shadow_obj", "objects for shadows"},
+                                         {"trace_obj", "objects for reflections"},
+                                         {"usemap", "texture maps of faces", true},
+                                         {"lod", "levels of detail", true},
+                                         {"bevel", "bevels", true}};
+
+// Statements without effect on the scene. ObjMaterials has already read the libraries ("mtllib").
+constexpr std::string_view SKIPPED[] = {"mtllib",   "g",        "o",     "s",     "mg",    "vp",
+                                        "cstype",   "deg",      "bmat",  "step",  "parm",  "trim",
+                                        "hole",     "scrv",     "sp",    "end",   "con",   "res",
+                                        "c_interp", "d_interp", "ctech", "stech", "maplib"};
+
 class ObjReader {
  public:
   ObjReader(std::string_view text, const std::string& path, ObjTarget& target, LeftOut& left_out)
@@ -118,76 +148,24 @@ class ObjReader {
   }
 
  private:
-  struct Statement {
-    std::string_view name;
-    void (*read)(ObjReader&);
-    const char* left_out = nullptr;  // name under which LeftOut counts the statement
-  };
-
-  static std::span<const Statement> statements() {
-    constexpr auto skip = [](ObjReader& r) { r.tokens_.take_rest(); };
-    constexpr auto leave_out_if_on = [](ObjReader& r) {
-      const auto value = base::to_lower(cut_comment(r.tokens_.take_rest()));
-      if (value != "off" && value != "0") r.left_out_.add(r.statement_->left_out);
-    };
-    constexpr const char* CURVES = "curves and curved surfaces";
-    static constexpr Statement STATEMENTS[] = {
+  void read_statement() {
+    static constexpr std::pair<std::string_view, void (*)(ObjReader&)> STATEMENTS[] = {
         {"v", [](ObjReader& r) { r.count(r.points_.above); }},
         {"vt", [](ObjReader& r) { r.count(r.coordinates_.above); }},
         {"vn", [](ObjReader& r) { r.count(r.normals_.above); }},
         {"f", [](ObjReader& r) { r.read_face(); }},
         {"fo", [](ObjReader& r) { r.read_face(); }},  // old name of the statement 'f'
         {"usemtl", [](ObjReader& r) { r.use_material(); }},
-        {"#", [](ObjReader& r) { r.read_comment(); }},
-        {"p", &leave_out, "points"},
-        {"l", &leave_out, "lines"},
-        {"curv", &leave_out, CURVES},
-        {"curv2", &leave_out, CURVES},
-        {"surf", &leave_out, CURVES},
-        {"bsp", &leave_out, CURVES},
-        {"bzp", &leave_out, CURVES},
-        {"cdc", &leave_out, CURVES},
-        {"cdp", &leave_out, CURVES},
-        {"call", &leave_out, "calls to other files"},
-        {"csh", &leave_out, "shell commands"},
-        {"shadow_obj", &leave_out, "objects for shadows"},
-        {"trace_obj", &leave_out, "objects for reflections"},
-        {"usemap", leave_out_if_on, "texture maps of faces"},
-        {"lod", leave_out_if_on, "levels of detail"},
-        {"bevel", leave_out_if_on, "bevels"},
-        {"mtllib", skip},  // ObjMaterials has already read the libraries
-        {"g", skip},
-        {"o", skip},
-        {"s", skip},
-        {"mg", skip},
-        {"vp", skip},
-        {"cstype", skip},
-        {"deg", skip},
-        {"bmat", skip},
-        {"step", skip},
-        {"parm", skip},
-        {"trim", skip},
-        {"hole", skip},
-        {"scrv", skip},
-        {"sp", skip},
-        {"end", skip},
-        {"con", skip},
-        {"res", skip},
-        {"c_interp", skip},
-        {"d_interp", skip},
-        {"ctech", skip},
-        {"stech", skip},
-        {"maplib", skip}};
-    return STATEMENTS;
-  }
-
-  void read_statement() {
+        {"#", [](ObjReader& r) { r.read_comment(); }}};
     const auto word = tokens_.take();
     target_.line = tokens_.line();
-    const auto known = std::ranges::find(statements(), base::to_lower(word), &Statement::name);
-    if (known == statements().end()) return read_unknown(word);
-    statement_ = &*known;
-    statement_->read(*this);
+    const auto name = base::to_lower(word);
+    for (const auto& [known, read] : STATEMENTS)
+      if (known == name) return read(*this);
+    for (const auto& known : LEFT_OUT)
+      if (known.name == name) return leave_out(known);
+    if (std::ranges::find(SKIPPED, name) == std::end(SKIPPED)) return read_unknown(word);
+    tokens_.take_rest();
   }
 
   void read_unknown(std::string_view word) {
@@ -200,9 +178,10 @@ class ObjReader {
     tokens_.take_rest();
   }
 
-  static void leave_out(ObjReader& r) {
-    r.left_out_.add(r.statement_->left_out);
-    r.tokens_.skip_line();
+  void leave_out(const LeftOutStatement& statement) {
+    if (!statement.may_be_off) return left_out_.add(statement.what), tokens_.skip_line();
+    const auto value = base::to_lower(cut_comment(tokens_.take_rest()));
+    if (value != "off" && value != "0") left_out_.add(statement.what);
   }
 
   void count(std::size_t& items) {
@@ -335,7 +314,6 @@ class ObjReader {
   ObjMaterials materials_;
   Items<Vec> points_{items_.points, "vertex (v)"}, normals_{items_.normals, "normal (vn)"};
   Items<Corner> coordinates_{items_.coordinates, "coordinate (vt)"};
-  const Statement* statement_ = nullptr;
   // Material of the next faces; none for the light grey default.
   std::optional<std::size_t> material_;
   PictureMap map_;

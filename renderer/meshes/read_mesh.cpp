@@ -41,9 +41,7 @@ class Teller {
   void tell() {
     for (unsigned i = 0; i < scene_.mNumMaterials; ++i) tell_material(*scene_.mMaterials[i]);
     for (unsigned i = 0; i < scene_.mNumMeshes; ++i) tell_mesh(*scene_.mMeshes[i]);
-    if (told_ == 0)
-      throw base::BadInput(path_ +
-                           ": found no triangle with an area above 0, expected one or more");
+    base::require(told_ > 0, path_, "found no triangle with an area above 0, expected one or more");
     left_out_.add("lights", "", scene_.mNumLights);
     left_out_.add("cameras", "", scene_.mNumCameras);
     left_out_.add("animations", "", scene_.mNumAnimations);

@@ -262,6 +262,27 @@ Corner3 find_nearest(const Corner3& a, const Corner3& b) {
   return {{a.u + share * u, a.v + share * v}, a.w + share * (b.w - a.w)};
 }
 
+struct EdgeHits {
+  bool inside = false;      // the even-odd rule finds the ray inside the polygon
+  double on_edge = NO_HIT;  // distance along the ray to the nearest edge that it meets
+};
+
+// Tests a ray against the edges between the corners at(0), at(1) ... of a polygon. Of the faces at
+// a shared edge, the even-odd rule finds exactly one: it has an odd number of crossings. If the ray
+// meets the edge itself, within the tolerance, it meets all faces at this edge.
+EdgeHits meet_edges(std::size_t count, const auto& at, double tolerance, double epsilon) {
+  EdgeHits found;
+  Corner3 last = at(count - 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Corner3 corner = at(i), nearest = find_nearest(last, corner);
+    if (std::max(std::abs(nearest.u), std::abs(nearest.v)) <= tolerance && nearest.w > epsilon)
+      found.on_edge = std::min(found.on_edge, nearest.w);
+    found.inside ^= crosses(last, corner);
+    last = corner;
+  }
+  return found;
+}
+
 }  // namespace
 
 double intersect_closely(const Polygon& polygon, const PolygonCorner* pool, const Vec& origin,
@@ -284,19 +305,7 @@ double intersect_closely(const Polygon& polygon, const PolygonCorner* pool, cons
   }
   if (!(most > epsilon)) return NO_HIT;
 
-  // Of the faces at a shared edge, the even-odd rule finds exactly one: it has an odd number of
-  // crossings. If the ray meets the edge itself, within rounding, it meets all faces at this edge.
-  const double tolerance = ROUNDING * largest;
-  bool inside = false;
-  double on_edge = NO_HIT;
-  Corner3 last = at(polygon.count - 1);
-  for (std::size_t i = 0; i < polygon.count; ++i) {
-    const Corner3 corner = at(i), nearest = find_nearest(last, corner);
-    if (std::max(std::abs(nearest.u), std::abs(nearest.v)) <= tolerance && nearest.w > epsilon)
-      on_edge = std::min(on_edge, nearest.w);
-    inside ^= crosses(last, corner);
-    last = corner;
-  }
+  const auto [inside, on_edge] = meet_edges(polygon.count, at, ROUNDING * largest, epsilon);
   if (!inside && on_edge == NO_HIT) return NO_HIT;
   if (polygon.shape == Shape::bent || std::abs(along) <= EDGE_ON) {
     if (on_edge < NO_HIT) return on_edge;

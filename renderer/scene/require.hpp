@@ -1,9 +1,12 @@
 #pragma once
 // Checks of input. A failed check throws BadInput "found ..., expected ...".
 
+#include "base/at_place.hpp"
 #include "base/fields.hpp"
 
 namespace renderer {
+
+using base::at_place;
 
 /// Throws BadInput unless `holds` is true. The caller adds the position to the message.
 template <class Found>
@@ -24,16 +27,6 @@ void require_allowed(const base::Fields<P>& fields, const P& params) {
   for (const auto& field : fields) {
     const base::Scalar value = field.get(params);
     require(field.domain.allows(value), field.name, base::to_text(value), field.domain.describe());
-  }
-}
-
-/// Calls `action`. If it throws BadInput, puts `place` before the message.
-template <class Action>
-void at_place(std::string_view place, const Action& action) {
-  try {
-    action();
-  } catch (const base::BadInput& bad) {
-    throw base::BadInput(fmt::format("{}: {}", place, bad.what()));
   }
 }
 

@@ -50,6 +50,153 @@ void stop_all(CoordinationChannels to, bool sender_is_ready) {
   out(to.into_database, DatabaseRequest{});
 }
 
+// The coordination process's side of the ray database.
+class RaysDb {
+ public:
+  RaysDb(const CoordinationSetup& setup, CoordinationChannels channels)
+      : setup_(setup), to_(channels) {}
+
+  void deposit(const renderer::Ray& ray) {
+    this_process().charge(setup_.message.made);
+    out(to_.into_database, DatabaseRequest{ray, setup_.bytes.ray});
+    is_empty = false;
+  }
+
+  std::optional<renderer::Ray> withdraw(bool interactive) {
+    DatabaseRequest ask{AskAny{}};
+    if (interactive) ask.content = AskInteractive{};
+    this_process().charge(setup_.message.made + setup_.message.read);
+    out(to_.into_database, ask);
+    DatabaseReply reply;
+    in(to_.from_database, reply);
+    is_empty = !reply.ray;
+    return reply.ray;
+  }
+
+  void set_limits(const Limits& limits, std::uint8_t order) {
+    out(to_.into_database, DatabaseRequest{SetLimits{limits, order}, bytes_of(limits)});
+    is_empty = false;
+  }
+
+  bool is_empty = false;
+
+ private:
+  const CoordinationSetup& setup_;
+  CoordinationChannels to_;
+};
+
+struct Shaded {
+  renderer::Children rays;
+  renderer::Rgb contribution;
+};
+
+// Chooses further samples after the initial rays, and stores their rays.
+class Sampler {
+ public:
+  Sampler(const CoordinationSetup& setup, CoordinationChannels channels, RaysDb& rays_db)
+      : setup_(setup), into_visualisation_(channels.into_visualisation), rays_db_(rays_db) {
+    if (renderer::is_adaptive(setup.params.sampling)) ledger_.emplace(setup.params);
+  }
+
+  bool is_adaptive() const { return ledger_.has_value(); }
+
+  // Records a sample and stores the primary ray of the pixel's next sample. With adaptive sampling,
+  // the first sample of a pixel also requests probe rays at the pixel's corners.
+  void note_sample(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit,
+                   const Shaded& shaded) {
+    if (!ledger_) {
+      if (ray.level == 1 && ray.pass + 1 < setup_.params.sampling.pixel_samples)
+        deposit_sample(ray, ray.pass + 1);
+      return;
+    }
+    const std::size_t held = ledger_->samples_held();
+    ledger_->note(ray, hit, shaded.contribution, shaded.rays.size());
+    if (ray.level == 1 && ray.pass == 0)
+      for (const auto& [x, y] : ledger_->ask_corners(ray.sample)) {
+        auto probe = make_probe(setup_.scene.view, setup_.params, x, y);
+        probe.pass = 1;             // stored behind the first samples (pass 0) of all pixels
+        probe.sample = ray.sample;  // the pixel whose cell and limits apply to the probe
+        probe.order = ray.order;
+        rays_db_.deposit(probe);
+      }
+    if (const auto next = ledger_->next_sample(ray.sample)) deposit_sample(ray, *next);
+    account(held);
+    send_finished();
+  }
+
+  void take_probe(const renderer::Ray& probe, const std::optional<renderer::Hit>& hit) {
+    const std::size_t held = ledger_->samples_held();
+    const auto object = hit ? hit->object : renderer::NO_OBJECT;
+    for (const auto pixel : ledger_->note_corner(probe.path, object))
+      if (const auto next = ledger_->next_sample(pixel))
+        deposit_primary(pixel, *next, false, probe.order);
+    account(held);
+    send_finished();
+  }
+
+  // For CellOrder::adaptive: compares the object hit by a sample with the objects hit by the
+  // neighbouring samples one cell away. If they differ, the smaller cells within the sample's cell
+  // are urgent. Then stores the primary rays of these smaller cells.
+  void divide(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
+    const auto object = hit ? hit->object : renderer::NO_OBJECT;
+    seen_[ray.sample] = object;
+    const int width = setup_.cells.width, size = setup_.cells.size_of(ray.sample);
+    const int x = static_cast<int>(ray.sample) % width, y = static_cast<int>(ray.sample) / width;
+    bool is_urgent = false;
+    for (const auto& [dx, dy] : {std::pair{-size, 0}, {size, 0}, {0, -size}, {0, size}}) {
+      if (x + dx < 0 || x + dx >= width || y + dy < 0 || y + dy >= setup_.params.height) continue;
+      const auto other = seen_.find(static_cast<std::uint32_t>((y + dy) * width + x + dx));
+      is_urgent = is_urgent || (other != seen_.end() && other->second != object);
+      this_process().charge(setup_.cell_judged);
+    }
+    for (const auto sample : setup_.cells.divide(ray.sample, get_area(setup_.params)))
+      deposit_primary(sample, 0, is_urgent, ray.order);
+  }
+
+ private:
+  // Stores the primary ray of sample number `pass` of the pixel that `ray` belongs to.
+  void deposit_sample(const renderer::Ray& ray, int pass) {
+    deposit_primary(ray.sample, pass, ray.is_urgent, ray.order);
+  }
+
+  void deposit_primary(std::uint32_t pixel, int pass, bool is_urgent, std::uint8_t order) {
+    const auto width = static_cast<std::uint32_t>(setup_.params.width);
+    auto primary = make_primary(setup_.scene.view, setup_.params, static_cast<int>(pixel % width),
+                                static_cast<int>(pixel / width), pass);
+    primary.is_urgent = is_urgent;
+    primary.order = order;
+    rays_db_.deposit(primary);
+  }
+
+  // Sends the final sums of finished pixels with adaptive sampling to the display, which would
+  // otherwise give all samples of a pixel equal weights.
+  void send_finished() {
+    for (const FinishedPixel& finished : ledger_->take_finished()) {
+      this_process().charge(setup_.message.made);
+      out(into_visualisation_, Answer{finished, FINISHED_BYTES});
+    }
+  }
+
+  // Allocates or releases memory after a change of the ledger. `before` is the number of samples
+  // that the ledger held before the change.
+  void account(std::size_t before) {
+    auto& memory = this_process().processor().memory();
+    const std::size_t now = ledger_->samples_held();
+    if (now > before)
+      memory.allocate((now - before) * setup_.bytes.pixel, "samples of pixels",
+                      this_process().own_time());
+    else
+      memory.release((before - now) * setup_.bytes.pixel);
+  }
+
+  const CoordinationSetup& setup_;
+  Channel<Answer>& into_visualisation_;
+  RaysDb& rays_db_;
+  std::optional<Ledger> ledger_;  // only for adaptive sampling
+  // Number of the object hit, by sample number.
+  std::unordered_map<std::uint32_t, std::uint32_t> seen_;
+};
+
 enum class Mode { null, interactive, non_interactive, aborted, ended };
 
 // State and guards of the coordination process. Variables are named as in figure 4.15 of the
@@ -57,16 +204,18 @@ enum class Mode { null, interactive, non_interactive, aborted, ended };
 class Coordinator {
  public:
   Coordinator(const CoordinationSetup& setup, CoordinationChannels channels, Progress& progress)
-      : setup_(setup), to_(channels), progress_(progress) {
-    if (is_adaptive(setup.params.sampling)) ledger_.emplace(setup.params);
-  }
+      : setup_(setup),
+        to_(channels),
+        progress_(progress),
+        rays_db_(setup, channels),
+        sampler_(setup, channels, rays_db_) {}
 
   void run() {
     wait_for<Begin>(to_.from_interaction);
     send_scene(to_, setup_.load);
     for (const auto& ray :
          make_initial_rays(setup_.scene, setup_.params, setup_.cells, setup_.seed))
-      deposit(ray);
+      rays_db_.deposit(ray);
     progress_.begin();
     mode_ = Mode::interactive;
     while (mode_ != Mode::ended) serve(mode_);
@@ -84,7 +233,7 @@ class Coordinator {
   // are not in the figure. In null mode, no ray within the limits is left and the process waits for
   // an order of the user. In aborted mode, the process sends no further rays.
   void serve(Mode mode) {
-    rays_db_is_empty_ = mode == Mode::aborted;
+    rays_db_.is_empty = mode == Mode::aborted;
     Command user_message;
     Signal dummy;
     Answer intersection;
@@ -102,13 +251,13 @@ class Coordinator {
       in(to_.from_sender, dummy);
       sender_is_ready_ = true;
     }
-    if (rays_db_is_empty_ && rays_in_farm_ == 0) next_stage();
+    if (rays_db_.is_empty && rays_in_farm_ == 0) next_stage();
     while (turn(mode_ == mode)) {
       pri_alt(when(to_.from_interaction, user_message, [&] { obey(user_message); }),
               when(!sender_is_ready_, to_.from_sender, dummy, [&] { sender_is_ready_ = true; }),
-              otherwise(!rays_db_is_empty_ && sender_is_ready_, [&] { feed_sender(); }),
+              otherwise(!rays_db_.is_empty && sender_is_ready_, [&] { feed_sender(); }),
               when(to_.from_workers, intersection, [&] { take(intersection); }));
-      if (rays_db_is_empty_ && rays_in_farm_ == 0) next_stage();
+      if (rays_db_.is_empty && rays_in_farm_ == 0) next_stage();
     }
   }
 
@@ -135,13 +284,9 @@ class Coordinator {
         },
         [&](Abort) {
           heed("", [&] {
-            progress_.is_aborted = true;
-            progress_.notes.push_back(
-                fmt::format("order {} ended the run at {:.4g} s: the picture contains the results "
-                            "of all rays sent before then",
-                            progress_.orders, progress_.since_begun_s()));
+            progress_.note_abort();
             mode_ = Mode::aborted;
-            rays_db_is_empty_ = true;
+            rays_db_.is_empty = true;
           });
         },
         [&](const Save& save) {
@@ -173,16 +318,10 @@ class Coordinator {
   void keep(const std::string& name) { out(to_.into_visualisation, Answer{KeepImage{name}}); }
 
   void feed_sender() {
-    DatabaseRequest ask{AskAny{}};
-    if (mode_ == Mode::interactive) ask.content = AskInteractive{};
-    this_process().charge(setup_.message.made + setup_.message.read);
-    out(to_.into_database, ask);
-    DatabaseReply reply;
-    in(to_.from_database, reply);
-    rays_db_is_empty_ = !reply.ray;
-    if (!reply.ray) return;
+    const auto ray = rays_db_.withdraw(mode_ == Mode::interactive);
+    if (!ray) return;
     this_process().charge(setup_.message.made);
-    out(to_.into_sender, Task{*reply.ray, setup_.bytes.ray});
+    out(to_.into_sender, Task{*ray, setup_.bytes.ray});
     sender_is_ready_ = false;
     progress_.note_task(++rays_in_farm_);
   }
@@ -193,28 +332,25 @@ class Coordinator {
     progress_.rays.add(ray.kind, hit.has_value());
     this_process().charge(setup_.message.read);
     if (ray.kind == renderer::RayKind::probe) {
-      if (mode_ != Mode::aborted) take_probe(ray, hit);
+      if (mode_ != Mode::aborted) sampler_.take_probe(ray, hit);
       return;
     }
     this_process().charge(setup_.message.made);
     out(to_.into_visualisation, answer);
     if (mode_ == Mode::aborted) return;
-    const bool is_primary = ray.level == 1;
-    if (is_primary && ray.pass == 0 && setup_.cells.order == CellOrder::adaptive) divide(ray, hit);
-    if (hit || ledger_) shade(ray, hit);
-    if (ledger_)
-      note_sample(ray, hit);
-    else if (is_primary && ray.pass + 1 < setup_.params.sampling.pixel_samples)
-      deposit_sample(ray, ray.pass + 1);
+    if (ray.level == 1 && ray.pass == 0 && setup_.cells.order == CellOrder::adaptive)
+      sampler_.divide(ray, hit);
+    if (hit || sampler_.is_adaptive()) shade(ray, hit);
+    sampler_.note_sample(ray, hit, shaded_);
     if (hit)
-      for (const auto& child : shaded_.rays) deposit(child);
+      for (const auto& child : shaded_.rays) rays_db_.deposit(child);
   }
 
   // Makes the child rays at the hit point. With adaptive sampling, also evaluates the ray's
   // contribution to its pixel.
   void shade(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
     setup_.cost(shaded_, scratch_,
-                [&setup = setup_, is_adaptive = ledger_.has_value(), ray, hit](
+                [&setup = setup_, is_adaptive = sampler_.is_adaptive(), ray, hit](
                     Shaded& to, renderer::Work& work) {
                   to.rays.clear();
                   if (is_adaptive)
@@ -223,105 +359,9 @@ class Coordinator {
                 });
   }
 
-  // Stores the primary ray of sample number `pass` of the pixel that `ray` belongs to.
-  void deposit_sample(const renderer::Ray& ray, int pass) {
-    auto primary = make_primary_of(ray.sample, pass);
-    primary.is_urgent = ray.is_urgent;
-    primary.order = ray.order;
-    deposit(primary);
-  }
-
-  renderer::Ray make_primary_of(std::uint32_t pixel, int pass) const {
-    const auto width = static_cast<std::uint32_t>(setup_.params.width);
-    return make_primary(setup_.scene.view, setup_.params, static_cast<int>(pixel % width),
-                        static_cast<int>(pixel / width), pass);
-  }
-
-  // Only for adaptive sampling: records a sample. If it is the pixel's first, requests probe rays
-  // at the pixel's corners.
-  void note_sample(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
-    const std::size_t held = ledger_->samples_held();
-    ledger_->note(ray, hit, shaded_.contribution, shaded_.rays.size());
-    if (ray.level == 1 && ray.pass == 0)
-      for (const auto& [x, y] : ledger_->ask_corners(ray.sample)) {
-        auto probe = make_probe(setup_.scene.view, setup_.params, x, y);
-        probe.pass = 1;             // stored behind the first samples (pass 0) of all pixels
-        probe.sample = ray.sample;  // the pixel whose cell and limits apply to the probe
-        probe.order = ray.order;
-        deposit(probe);
-      }
-    if (const auto next = ledger_->next_sample(ray.sample)) deposit_sample(ray, *next);
-    account(held);
-    send_finished();
-  }
-
-  void take_probe(const renderer::Ray& probe, const std::optional<renderer::Hit>& hit) {
-    const std::size_t held = ledger_->samples_held();
-    const auto object = hit ? hit->object : renderer::NO_OBJECT;
-    for (const auto pixel : ledger_->note_corner(probe.path, object))
-      if (const auto next = ledger_->next_sample(pixel)) {
-        auto primary = make_primary_of(pixel, *next);
-        primary.order = probe.order;
-        deposit(primary);
-      }
-    account(held);
-    send_finished();
-  }
-
-  // Sends the final sums of finished pixels with adaptive sampling to the display, which would
-  // otherwise give all samples of a pixel equal weights.
-  void send_finished() {
-    for (const FinishedPixel& finished : ledger_->take_finished()) {
-      this_process().charge(setup_.message.made);
-      out(to_.into_visualisation, Answer{finished, FINISHED_BYTES});
-    }
-  }
-
-  // Allocates or releases memory after a change of the ledger. `before` is the number of samples
-  // that the ledger held before the change.
-  void account(std::size_t before) {
-    auto& memory = this_process().processor().memory();
-    const std::size_t now = ledger_->samples_held();
-    if (now > before)
-      memory.allocate((now - before) * setup_.bytes.pixel, "samples of pixels",
-                      this_process().own_time());
-    else
-      memory.release((before - now) * setup_.bytes.pixel);
-  }
-
-  void deposit(const renderer::Ray& ray) {
-    this_process().charge(setup_.message.made);
-    out(to_.into_database, DatabaseRequest{ray, setup_.bytes.ray});
-    rays_db_is_empty_ = false;
-  }
-
-  // For CellOrder::adaptive: compares the object hit by a sample with the objects hit by the
-  // neighbouring samples one cell away. If they differ, the smaller cells within the sample's cell
-  // are urgent. Then stores the primary rays of these smaller cells.
-  void divide(const renderer::Ray& ray, const std::optional<renderer::Hit>& hit) {
-    const auto object = hit ? hit->object : renderer::NO_OBJECT;
-    seen_[ray.sample] = object;
-    const int width = setup_.cells.width, size = setup_.cells.size_of(ray.sample);
-    const int x = static_cast<int>(ray.sample) % width, y = static_cast<int>(ray.sample) / width;
-    bool is_urgent = false;
-    for (const auto& [dx, dy] : {std::pair{-size, 0}, {size, 0}, {0, -size}, {0, size}}) {
-      if (x + dx < 0 || x + dx >= width || y + dy < 0 || y + dy >= setup_.params.height) continue;
-      const auto other = seen_.find(static_cast<std::uint32_t>((y + dy) * width + x + dx));
-      is_urgent = is_urgent || (other != seen_.end() && other->second != object);
-      this_process().charge(setup_.cell_judged);
-    }
-    for (const auto sample : setup_.cells.divide(ray.sample, get_area(setup_.params))) {
-      auto primary = make_primary_of(sample, 0);
-      primary.is_urgent = is_urgent;
-      primary.order = ray.order;
-      deposit(primary);
-    }
-  }
-
   void set_limits(const Limits& limits, std::uint8_t order = 0) {
     progress_.limits = limits;
-    out(to_.into_database, DatabaseRequest{SetLimits{limits, order}, bytes_of(limits)});
-    rays_db_is_empty_ = false;
+    rays_db_.set_limits(limits, order);
   }
 
   // Called when the present phase has no rays left. Sets the limits of the next stage or ends the
@@ -339,17 +379,12 @@ class Coordinator {
   const CoordinationSetup& setup_;
   CoordinationChannels to_;
   Mode mode_ = Mode::null;
-  bool rays_db_is_empty_ = false, sender_is_ready_ = false, quitting_ = false;
+  bool sender_is_ready_ = false, quitting_ = false;
   std::size_t rays_in_farm_ = 0, stage_ = 0;
-  struct Shaded {
-    renderer::Children rays;
-    renderer::Rgb contribution;
-  };
   Shaded shaded_, scratch_;
-  std::optional<Ledger> ledger_;  // only for adaptive sampling
   Progress& progress_;
-  // Number of the object hit, by sample number.
-  std::unordered_map<std::uint32_t, std::uint32_t> seen_;
+  RaysDb rays_db_;
+  Sampler sampler_;
 };
 
 }  // namespace

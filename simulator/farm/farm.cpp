@@ -265,7 +265,7 @@ observe::ControlPanel Centre::make_view() {
     return has_no_ray || progress_.phase == Progress::Phase::ended;
   };
   if (params_.block) return view;
-  view.limits = [this] { return std::any(progress_.limits); };
+  view.limits = [this] { return progress_.limits; };
   orders_.show(
       view, [this] { return progress_.is_null; },
       [this](const std::vector<Order>& script) {

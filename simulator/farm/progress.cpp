@@ -29,6 +29,14 @@ bool Progress::note_order(const std::string& why_without_effect) {
   return false;
 }
 
+void Progress::note_abort() {
+  is_aborted = true;
+  notes.push_back(
+      fmt::format("order {} ended the run at {:.4g} s: the picture contains the results of all "
+                  "rays sent before then",
+                  orders, since_begun_s()));
+}
+
 void Progress::note_changed(std::uint8_t order) {
   auto& shown = orders_shown.at(order - 1u).second;
   if (!shown) shown = this_process().now();

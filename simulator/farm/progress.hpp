@@ -48,6 +48,7 @@ struct Progress {
   bool note_order(const std::string& why_without_effect = {});
   /// Records that a ray admitted by order number `order` (from 1) changed the picture.
   void note_changed(std::uint8_t order);
+  void note_abort();
   void end_interactive();
   void begin_interactive();  ///< the user returned to the interactive phase
   void end();

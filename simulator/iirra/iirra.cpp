@@ -151,7 +151,7 @@ class Run {
          [&] { return static_cast<double>(record.counts.tasks_moved); }}};
     programs::show(view, *network_);
     if (memory_) shared_memory::show(view, *memory_);
-    view.limits = [this] { return std::any(coordinator_->limits()); };
+    view.limits = [this] { return coordinator_->limits(); };
     view.phase = [this] { return coordinator_->phase(); };
     view.is_complete = [&] { return record.ended_s > 0; };
     shared_.orders.show(

@@ -21,6 +21,19 @@ Moment just_after(Moment moment) {
   return moment;
 }
 
+// Finds the parts with events before the end of a window. `next` has the next event of each part,
+// and `first` is the earliest of these. Returns the end of the window, which is shrunk to the event
+// `first` if the window has no event.
+Moment choose_busy(const std::vector<Moment>& next, Moment first, Moment end,
+                   std::vector<std::size_t>& busy) {
+  busy.clear();
+  for (std::size_t part = 0; part < next.size(); ++part)
+    if (next[part] < end) busy.push_back(part);
+  if (!busy.empty()) return end;
+  busy.push_back(std::ranges::find(next, first) - next.begin());
+  return just_after(first);
+}
+
 }  // namespace
 
 Parts::Parts(EngineParams params) : part_of_(std::exchange(params.parts, {})) {
@@ -85,13 +98,7 @@ Engine::End Parts::run_windows(Seconds until, Seconds lookahead) {
       continue;
     }
     bound_ = std::min(end_of_window(first.date, lookahead.value), at_links);
-    busy.clear();
-    for (std::size_t part = 0; part < next.size(); ++part)
-      if (next[part] < bound_) busy.push_back(part);
-    if (busy.empty()) {  // no event lies in the window: run one event of one part
-      bound_ = just_after(first);
-      busy.push_back(std::ranges::find(next, first) - next.begin());
-    }
+    bound_ = choose_busy(next, first, bound_, busy);
     ++windows_.all;
     if (busy.size() > 1) ++windows_.shared;
     crew.work(busy);

@@ -47,14 +47,13 @@ void check_script(const std::vector<Order<Limits>>& script) {
     if (const auto* save = std::get_if<Save>(&order.what)) names.push_back(save->name);
   check_saved_names(names);
   for (std::size_t i = 1; i < script.size(); ++i)
-    if (script[i].at < script[i - 1].at)
-      throw base::BadInput(
-          fmt::format("order {}: found the time {} s, expected at least that of the previous order",
-                      i + 1, script[i].at.value));
+    base::require(script[i].at >= script[i - 1].at, fmt::format("order {}", i + 1),
+                  "found the time {} s, expected at least that of the previous order",
+                  script[i].at.value);
   for (std::size_t i = 1; i < script.size(); ++i)
-    if (std::holds_alternative<Leave>(script[i - 1].what))
-      throw base::BadInput(
-          fmt::format("order {}: found one after the user has left, expected none", i + 1));
+    base::require(!std::holds_alternative<Leave>(script[i - 1].what),
+                  fmt::format("order {}", i + 1),
+                  "found one after the user has left, expected none");
 }
 
 /// The fields of an [[order]]: at_s, non_interactive, interactive, abort, leave and save, and those
@@ -121,7 +120,7 @@ programs::RecordList make_list(const std::string& key, const std::string& help,
   return {key,
           help,
           base::lift_all<std::any>(fields, base::AnyAs<Record>{}),
-          [] { return std::any(Record{}); },
+          [] { return Record{}; },
           [find](std::any& params) { find(params).clear(); },
           [find, append](std::any& params, const std::any& any) {
             find(params).push_back(append(std::any_cast<const Record&>(any)));

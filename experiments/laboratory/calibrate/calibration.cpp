@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <optional>
-#include <tuple>
 
 #include "base/errors.hpp"
 #include "base/message.hpp"
@@ -77,44 +75,57 @@ bool is_key(const programs::Program& program, const std::string& column) {
   }
 }
 
-Measurements read_measurements(const CalibrationTask& task) {
-  const auto& file = task.measurements;
-  const auto table = parse_csv(base::read_text(file), file);
-  check_experiment(task, table.columns);
-  const auto& program = *read_task(task, {}).points[0].experiment.program;
-  Measurements read;
+// Columns of a file of measurements by number: the experiment keys, and the measured result.
+struct MeasuredColumns {
   std::vector<std::size_t> keys;
-  std::optional<std::size_t> measured;
+  std::size_t result = 0;
+};
+
+// Finds the columns. Fills the names in `read`.
+MeasuredColumns find_columns(const Table& table, const programs::Program& program,
+                             const std::string& file, Measurements& read) {
+  MeasuredColumns found;
   for (std::size_t c = 0; c < table.columns.size(); ++c) {
     const auto& name = table.columns[c];
     if (std::ranges::find(program.columns, name, &programs::ColumnHelp::name) !=
         program.columns.end()) {
-      require(!measured, file, "found the results {} and {}, expected one", read.column, name);
-      measured = c;
+      require(read.column.empty(), file, "found the results {} and {}, expected one", read.column,
+              name);
+      found.result = c;
       read.column = name;
     } else if (is_key(program, name)) {
-      keys.push_back(c);
+      found.keys.push_back(c);
       read.settings.columns.push_back(name);
     } else {
       read.unused.push_back(name);
     }
   }
   require(
-      measured.has_value(), file,
+      !read.column.empty(), file,
       "found the columns {}, expected one that is a result of the program {} (see tlab columns {})",
       join_texts(table.columns, ", "), program.name, program.name);
-  require(!keys.empty(), file,
+  require(!found.keys.empty(), file,
           "found the columns {}, expected at least one key of the experiment (see tlab help {})",
           join_texts(table.columns, ", "), program.name);
+  return found;
+}
+
+Measurements read_measurements(const CalibrationTask& task) {
+  const auto& file = task.measurements;
+  const auto table = parse_csv(base::read_text(file), file);
+  check_experiment(task, table.columns);
+  Measurements read;
+  const auto columns =
+      find_columns(table, *read_task(task, {}).points[0].experiment.program, file, read);
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     const auto& row = table.rows[r];
-    const auto value = as_number(unquote_number(row[*measured]));
+    const auto value = as_number(unquote_number(row[columns.result]));
     require(value && std::isfinite(*value) && *value > 0, file,
             "measurement {}: {}: found {}, expected a number above 0", r + 1, read.column,
-            to_string(row[*measured]));
+            to_string(row[columns.result]));
     read.values.push_back(*value);
     auto& setting = read.settings.rows.emplace_back();
-    for (const auto key : keys) setting.push_back(unquote_number(row[key]));
+    for (const auto key : columns.keys) setting.push_back(unquote_number(row[key]));
   }
   require(read.values.size() > task.entries.size(), file,
           "found {} measurement(s) for {} entries, expected more measurements than entries",
@@ -229,70 +240,89 @@ Table compare(const Measurements& measured, const std::vector<double>& given) {
   return table;
 }
 
-}  // namespace
+// The fit works on logarithms of the entries, because entries are positive and simulated results
+// are roughly proportional to them. An entry may change by at most this factor.
+constexpr double MOST_FACTOR = 1e4;
 
-Calibration calibrate(const CalibrationTask& task) {
-  const auto model = machine::load_model(task.model);
-  std::vector<const machine::Entry*> entries;
-  for (const auto& key : task.entries) {
-    require(std::ranges::count(task.entries, key) == 1, "--entries", "found {} twice", key);
+using Entries = std::vector<const machine::Entry*>;
+
+Entries find_entries(const machine::Model& model, const Texts& keys) {
+  Entries entries;
+  for (const auto& key : keys) {
+    require(std::ranges::count(keys, key) == 1, "--entries", "found {} twice", key);
     entries.push_back(&find_entry(model, key));
   }
   require(!entries.empty(), "--entries", "found none, expected the entries to fit");
-  const auto measured = read_measurements(task);
-  Runs runs(task, measured);
-  // The fit works on logarithms of the entries, because entries are positive and simulated results
-  // are roughly proportional to them. An entry may change by at most MOST_FACTOR. The step for its
-  // derivative is the fraction SHARE of its value, but at least CYCLES for entries in cycles.
-  constexpr double MOST_FACTOR = 1e4, SHARE = 0.02, CYCLES = 20;
-  std::vector<double> start;
-  for (const auto* entry : entries) start.push_back(std::log(entry->value));
-  const auto to_values = [&](const std::vector<double>& logarithms) {
-    std::vector<double> values;
-    for (std::size_t i = 0; i < start.size(); ++i)
-      values.push_back(std::exp(std::clamp(logarithms[i], start[i] - std::log(MOST_FACTOR),
-                                           start[i] + std::log(MOST_FACTOR))));
-    return values;
-  };
+  return entries;
+}
+
+// Values of the entries from their logarithms. `start` has the logarithms before the fit.
+std::vector<double> to_values(const std::vector<double>& logarithms,
+                              const std::vector<double>& start) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < start.size(); ++i)
+    values.push_back(std::exp(std::clamp(logarithms[i], start[i] - std::log(MOST_FACTOR),
+                                         start[i] + std::log(MOST_FACTOR))));
+  return values;
+}
+
+// Step of the numerical derivative, as a difference of logarithms: the fraction SHARE of the
+// entry's value, but at least CYCLES for an entry in cycles. The simulated machine rounds to whole
+// cycles, so a smaller change might have no effect.
+double eval_step(const machine::Entry& entry, double logarithm) {
+  constexpr double SHARE = 0.02, CYCLES = 20;
+  const double value = std::exp(logarithm);
+  return std::log1p(entry.unit == "cycles" ? std::max(SHARE, CYCLES / value) : SHARE);
+}
+
+LeastSquares fit_entries(const CalibrationTask& task, const Measurements& measured, Runs& runs,
+                         const Entries& entries, const std::vector<double>& start) {
   const auto residuals = [&](const std::vector<double>& logarithms) {
-    auto given = runs.eval(task.entries, to_values(logarithms));
+    auto given = runs.eval(task.entries, to_values(logarithms, start));
     for (std::size_t i = 0; i < given.size(); ++i)
       given[i] = std::log(given[i] / measured.values[i]);
     return given;
   };
-  // Step of the numerical derivative, as a difference of logarithms. The simulated machine rounds
-  // to whole cycles, so a smaller change of an entry in cycles might have no effect.
-  const auto step = [&](std::size_t i, double logarithm) {
-    const double value = std::exp(logarithm);
-    return std::log1p(entries[i]->unit == "cycles" ? std::max(SHARE, CYCLES / value) : SHARE);
-  };
   try {
-    const auto fit = fit_least_squares(residuals, start, step);
-    Calibration found;
-    found.column = measured.column;
-    found.unused = measured.unused;
-    const auto count = static_cast<double>(measured.values.size());
-    found.rms = std::sqrt(fit.squares / count);
-    const double t = student_t(0.975, count - static_cast<double>(entries.size()));
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      const auto& [key, unit, before] =
-          std::tie(entries[i]->key, entries[i]->unit, entries[i]->value);
-      const double value = std::exp(fit.parameters[i]), factor = std::exp(t * fit.errors[i]);
-      require(
-          std::isfinite(factor) && std::abs(fit.parameters[i] - start[i]) < std::log(MOST_FACTOR),
-          task.measurements,
-          "found no value of {} that fits the measurements, within a factor of {:g}", key,
-          MOST_FACTOR);
-      found.entries.push_back({key, unit, before, value, value / factor, value * factor});
-    }
-    found.compared = compare(measured, runs.eval(task.entries, to_values(fit.parameters)));
-    return found;
+    return fit_least_squares(residuals, start, [&](std::size_t i, double value) {
+      return eval_step(*entries[i], value);
+    });
   } catch (const Undetermined& error) {
     base::refuse(task.measurements, "{}", describe_undetermined(error, task));
   } catch (const Unsettled&) {
     base::refuse(task.measurements, "found no best values of {}: the fit does not converge",
                  join_texts(task.entries, ", "));
   }
+}
+
+}  // namespace
+
+Calibration calibrate(const CalibrationTask& task) {
+  const auto model = machine::load_model(task.model);
+  const auto entries = find_entries(model, task.entries);
+  const auto measured = read_measurements(task);
+  Runs runs(task, measured);
+  std::vector<double> start;
+  for (const auto* entry : entries) start.push_back(std::log(entry->value));
+  const auto fit = fit_entries(task, measured, runs, entries, start);
+  const auto count = static_cast<double>(measured.values.size());
+  Calibration found;
+  found.column = measured.column;
+  found.unused = measured.unused;
+  found.rms = std::sqrt(fit.squares / count);
+  const double t = student_t(0.975, count - static_cast<double>(entries.size()));
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    const auto& entry = *entries[i];
+    const double value = std::exp(fit.parameters[i]), factor = std::exp(t * fit.errors[i]);
+    require(std::isfinite(factor) && std::abs(fit.parameters[i] - start[i]) < std::log(MOST_FACTOR),
+            task.measurements,
+            "found no value of {} that fits the measurements, within a factor of {:g}", entry.key,
+            MOST_FACTOR);
+    found.entries.push_back(
+        {entry.key, entry.unit, entry.value, value, value / factor, value * factor});
+  }
+  found.compared = compare(measured, runs.eval(task.entries, to_values(fit.parameters, start)));
+  return found;
 }
 
 std::string to_text(const Calibration& c) {

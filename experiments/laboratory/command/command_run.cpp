@@ -36,13 +36,9 @@ void read_film(const std::string& text, RunOptions& options) {
   auto* file = kind == "picture"   ? &options.films.picture
                : kind == "network" ? &options.films.network
                                    : nullptr;
-  if (!file || text.ends_with('='))
-    throw CLI::ValidationError(
-        "--animate",
-        fmt::format("found {}, expected picture, network, picture=FILE or network=FILE", text));
-  if (!file->empty())
-    throw CLI::ValidationError("--animate",
-                               fmt::format("found {} twice, expected it at most once", kind));
+  require_option(file && !text.ends_with('='), "--animate",
+                 "found {}, expected picture, network, picture=FILE or network=FILE", text);
+  require_option(file->empty(), "--animate", "found {} twice, expected it at most once", kind);
   *file = kind == text ? choose_film(kind, options) : text.substr(kind.size() + 1);
 }
 
@@ -61,6 +57,64 @@ void note_threads(unsigned threads) {
                          processors));
 }
 
+// Adds the options that choose points, machines and columns.
+void add_choice_options(CLI::App& command, const std::shared_ptr<RunOptions>& o) {
+  auto* list = command.add_flag(
+      "--list", o->list, "only list the points: number, key, axes, and whether a record exists");
+  command
+      .add_option("--point", o->points,
+                  "K or A-B, repeatable: run only these points and record them in the folder, for "
+                  "tlab merge")
+      ->allow_extra_args(false)
+      ->excludes(list);
+  auto* machines = add_key_option(
+      command, "uncertain", "uncertain.machines", o->overrides,
+      "also run so many machines drawn from the ranges of the model's entries, and report "
+      "confidence intervals");
+  add_key_option(command, "seed", "uncertain.seed", o->overrides, "seed for the drawn machines")
+      ->needs(machines);
+  command
+      .add_option_function<std::vector<std::string>>(
+          "--columns",
+          [o](std::vector<std::string> names) {
+            for (auto& name : names) name = trim_name(name);
+            o->overrides.push_back({"report.columns", make_node(names)});
+          },
+          COLUMNS_HELP)
+      ->delimiter(',')
+      ->allow_extra_args(false);
+}
+
+// Adds the options for recording the single point of an experiment. Returns the values of
+// --animate, once they are parsed.
+std::shared_ptr<const std::vector<std::string>> add_recording_options(CLI::App& command,
+                                                                      RunOptions& o) {
+  command.add_option("--trace", o.trace,
+                     "file for a trace of all processors and links of the single point: .json for "
+                     "Perfetto and chrome://tracing, .paje for ViTE");
+  command.add_option("--timeline", o.timeline, "file for the same trace as a chart (.svg or .pdf)");
+  const auto films = std::make_shared<std::vector<std::string>>();
+  auto* animate =
+      command
+          .add_option(
+              "--animate", *films,
+              "picture or network, repeatable: a film of the single point, of its growing picture "
+              "or of the load of processors and links; .webp, or .png for one image per frame, "
+              "NAME-0001.png ... [RESULTS-KIND.webp beside the results folder]")
+          ->allow_extra_args(false)
+          ->option_text("KIND[=FILE]");
+  bind_options<RunOptions>(
+      command,
+      {base::Declare<RunOptions>::whole(
+          "frames", [](auto& options) -> auto& { return options.films.frames; }, MIN_FRAMES,
+          MAX_FRAMES, "", "number of frames of a film")},
+      o);
+  command.get_option("--frames")->needs(animate);
+  command.add_flag("--yes", o.films.is_confirmed, "draw films even if that takes minutes")
+      ->needs(animate);
+  return films;
+}
+
 }  // namespace
 
 void add_run_command(CLI::App& app) {
@@ -72,31 +126,7 @@ void add_run_command(CLI::App& app) {
       ->required();
   add_run_options(*command, *o, "results folder [results/EXPERIMENT's name]",
                   "key.path=value: replaces a key of the experiment");
-  auto* list = command->add_flag(
-      "--list", o->list, "only list the points: number, key, axes, and whether a record exists");
-  command
-      ->add_option("--point", o->points,
-                   "K or A-B, repeatable: run only these points and record them in the folder, for "
-                   "tlab merge")
-      ->allow_extra_args(false)
-      ->excludes(list);
-  auto* machines = add_key_option(
-      *command, "uncertain", "uncertain.machines", o->overrides,
-      "also run so many machines drawn from the ranges of the model's entries, and report "
-      "confidence intervals");
-  add_key_option(*command, "seed", "uncertain.seed", o->overrides, "seed for the drawn machines")
-      ->needs(machines);
-  command
-      ->add_option_function<std::vector<std::string>>(
-          "--columns",
-          [o](std::vector<std::string> names) {
-            for (auto& name : names) name = trim_name(name);
-            o->overrides.push_back({"report.columns", make_node(names)});
-          },
-          COLUMNS_HELP)
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  auto* jobs = command->get_option("--jobs");
+  add_choice_options(*command, o);
   using D = base::Declare<RunOptions>;
   bind_options<RunOptions>(
       *command,
@@ -108,36 +138,13 @@ void add_run_command(CLI::App& app) {
       *o);
   command->add_flag("--profile", o->profile,
                     "print the host time per simulated ray in addition to the kernel's");
-  command->add_option("--trace", o->trace,
-                      "file for a trace of all processors and links of the single point: .json for "
-                      "Perfetto and chrome://tracing, .paje for ViTE");
-  command->add_option("--timeline", o->timeline,
-                      "file for the same trace as a chart (.svg or .pdf)");
-  auto films = std::make_shared<std::vector<std::string>>();
-  auto* animate =
-      command
-          ->add_option(
-              "--animate", *films,
-              "picture or network, repeatable: a film of the single point, of its growing picture "
-              "or of the load of processors and links; .webp, or .png for one image per frame, "
-              "NAME-0001.png ... [RESULTS-KIND.webp beside the results folder]")
-          ->allow_extra_args(false)
-          ->option_text("KIND[=FILE]");
-  bind_options<RunOptions>(
-      *command,
-      {D::whole(
-          "frames", [](auto& options) -> auto& { return options.films.frames; }, MIN_FRAMES,
-          MAX_FRAMES, "", "number of frames of a film")},
-      *o);
-  command->get_option("--frames")->needs(animate);
-  command->add_flag("--yes", o->films.is_confirmed, "draw films even if that takes minutes")
-      ->needs(animate);
+  const auto films = add_recording_options(*command, *o);
   command->footer(
       "Examples:\n  tlab run experiments/farm.toml --jobs 2\n  tlab run e.toml --set "
       "network.topology=mesh --set 'sweep.workers=[4,9,16]' -o results/mesh\n  tlab run e.toml "
       "--uncertain 64      # with confidence intervals\n  tlab help farm                     # "
       "keys of a program; tlab help keys: of all programs");
-  command->callback([o, films, jobs] {
+  command->callback([o, films, jobs = command->get_option("--jobs")] {
     o->file = find_listed(o->file);
     note_threads(o->threads);
     if (jobs->count() == 0) o->jobs = std::max(1u, o->jobs / o->threads);

@@ -48,9 +48,8 @@ std::vector<Candidate> find_candidates(const std::string& path) {
     if (entry.is_regular_file() && entry.path().extension() == ".toml")
       candidates.push_back(
           {entry.path().string(), entry.path().lexically_relative(path).replace_extension()});
-  if (candidates.empty())
-    throw base::BadInput(fmt::format(
-        "{}: found no experiment file (*.toml) in this folder, expected at least one", path));
+  base::require(!candidates.empty(), path,
+                "found no experiment file (*.toml) in this folder, expected at least one");
   std::ranges::sort(candidates, {}, [](const Candidate& c) { return fs::path(c.file); });
   return candidates;
 }

@@ -58,24 +58,47 @@ std::string choose_format(const std::string& asked, const std::string& file) {
   return said->second;
 }
 
+using WriteTopology = std::string (*)(const topologies::Topology&, const base::FigureStyle&);
+const std::vector<std::pair<std::string, WriteTopology>> FORMATS = {
+    {"metrics", [](auto& topology, auto&) { return topologies::to_metrics(topology); }},
+    {"dot", [](auto& topology, auto&) { return topologies::to_dot(topology); }},
+    {"graphml", [](auto& topology, auto&) { return topologies::to_graphml(topology); }},
+    {"svg", topologies::to_svg},
+    {"pdf",
+     [](auto& topology, auto& style) {
+       return svg_to_pdf(topologies::to_svg(topology, style), topology.name);
+     }},
+    {"csv", [](auto& topology, auto&) { return topologies::to_csv(topology); }}};
+
+struct TopologyOptions {
+  std::string spec, format, routes, output;
+  FigureSpec figure;
+};
+
+void write_topology(const TopologyOptions& o) {
+  const auto format = choose_format(o.format, o.output);
+  base::require(o.routes.empty() || format == "metrics", "--routes",
+                "found --format {}, expected metrics: other formats contain no routes", format);
+  base::require(!o.figure.is_given() || format == "svg" || format == "pdf",
+                "--width, --font, --font-size", "found --format {}, expected svg or pdf", format);
+  const auto write =
+      std::ranges::find(FORMATS, format, &decltype(FORMATS)::value_type::first)->second;
+  const auto text = [&] {
+    const ElapsedTime elapsed_time(fmt::format("topology {}", o.spec));
+    const auto topology = topologies::make_topology(o.spec);
+    return o.routes.empty()
+               ? write(topology, o.figure.make_style({}))
+               : topologies::to_metrics(topology, topologies::find_routes(topology, o.routes));
+  }();
+  if (o.output.empty())
+    isatty(STDOUT_FILENO) == 1 ? print_out("{}", text) : fmt::print("{}", text);
+  else
+    base::save_whole(o.output, text);
+}
+
 void add_topology_command(CLI::App& app) {
-  using Write = std::string (*)(const topologies::Topology&, const base::FigureStyle&);
-  static const std::vector<std::pair<std::string, Write>> FORMATS = {
-      {"metrics", [](auto& topology, auto&) { return topologies::to_metrics(topology); }},
-      {"dot", [](auto& topology, auto&) { return topologies::to_dot(topology); }},
-      {"graphml", [](auto& topology, auto&) { return topologies::to_graphml(topology); }},
-      {"svg", topologies::to_svg},
-      {"pdf",
-       [](auto& topology, auto& style) {
-         return svg_to_pdf(topologies::to_svg(topology, style), topology.name);
-       }},
-      {"csv", [](auto& topology, auto&) { return topologies::to_csv(topology); }}};
-  struct Options {
-    std::string spec, format, routes, output;
-    FigureSpec figure;
-  };
   auto* command = app.add_subcommand("topology", "print the metrics of a topology, or export it");
-  auto o = std::make_shared<Options>();
+  auto o = std::make_shared<TopologyOptions>();
   std::string forms;
   for (const auto& g : topologies::generators()) forms += g.form + ", ";
   command->add_option("SPEC", o->spec, forms + "or a .dot, .gv or .graphml file")->required();
@@ -91,28 +114,7 @@ void add_topology_command(CLI::App& app) {
       "Examples:\n  tlab topology torus:4x4\n  tlab topology tree:13 --format svg -o tree.svg\n  "
       "tlab topology tree:13 -o tree.pdf --width column\n  "
       "tlab topology mesh:8x8 --routes xy");
-  command->callback([o] {
-    o->format = choose_format(o->format, o->output);
-    base::require(o->routes.empty() || o->format == "metrics", "--routes",
-                  "found --format {}, expected metrics: other formats contain no routes",
-                  o->format);
-    base::require(!o->figure.is_given() || o->format == "svg" || o->format == "pdf",
-                  "--width, --font, --font-size", "found --format {}, expected svg or pdf",
-                  o->format);
-    const auto format =
-        std::ranges::find(FORMATS, o->format, &decltype(FORMATS)::value_type::first);
-    const auto text = [&] {
-      const ElapsedTime elapsed_time(fmt::format("topology {}", o->spec));
-      const auto topology = topologies::make_topology(o->spec);
-      return o->routes.empty()
-                 ? format->second(topology, o->figure.make_style({}))
-                 : topologies::to_metrics(topology, topologies::find_routes(topology, o->routes));
-    }();
-    if (o->output.empty())
-      isatty(STDOUT_FILENO) == 1 ? print_out("{}", text) : fmt::print("{}", text);
-    else
-      base::save_whole(o->output, text);
-  });
+  command->callback([o] { write_topology(*o); });
 }
 
 void add_folder_command(CLI::App& app, const char* name, const char* help,

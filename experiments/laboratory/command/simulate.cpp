@@ -64,6 +64,14 @@ Results make_results(const PointsPlan& plan, Missing missing, std::size_t& there
   return results;
 }
 
+void check_inputs(const RunOptions& options, const ExperimentFile& file, const fs::path& results) {
+  check_recordings(options, file,
+                   (static_cast<std::size_t>(file.uncertain.machines) + 1) * file.points.size());
+  check_points(options, file);
+  warn_of_scenes(file);
+  check_same_experiment(results, file);
+}
+
 // Drops the points that were not simulated because the user interrupted the run.
 void keep_points_that_ran(Simulation& s, const PointsPlan& plan) {
   const auto all = std::move(s.file.points);
@@ -78,6 +86,18 @@ void keep_points_that_ran(Simulation& s, const PointsPlan& plan) {
     results.push_back(std::move(s.results[i]));
   }
   s.results = std::move(results);
+}
+
+// Writes the confidence intervals from the results of all drawn machines. Checks them against the
+// experiment's expectations.
+void write_confidence(const fs::path& folder, const ExperimentFile& file, const Results& drawn,
+                      Simulation& s) {
+  const auto confidence = find_confidence(file, s.table, drawn);
+  s.left_out = confidence.left_out;
+  if (confidence.machines < LEAST_MACHINES) return;
+  const auto tables = make_confidence_tables(s.table, confidence);
+  save_confidence(folder, tables);
+  check_cover(s.checks, s.table, tables);
 }
 
 void write_results(const fs::path& folder, const RunOptions& options, Simulation& s) {
@@ -95,12 +115,8 @@ void write_results(const fs::path& folder, const RunOptions& options, Simulation
 Simulation simulate(const RunOptions& options, const ExperimentFile& file, const CheckPlan& checks,
                     Missing missing) {
   Clock clock;
-  check_recordings(options, file,
-                   (static_cast<std::size_t>(file.uncertain.machines) + 1) * file.points.size());
-  check_points(options, file);
-  warn_of_scenes(file);
   const auto results = results_folder(options);
-  check_same_experiment(results, file);
+  check_inputs(options, file, results);
   ResultsFolder folder(results);
   const StoreGuard guard(results);
   Simulation s;
@@ -125,13 +141,7 @@ Simulation simulate(const RunOptions& options, const ExperimentFile& file, const
     s.table = make_table(checks, s.file, s.results);
     s.checks = eval_checks(checks, s.file, s.table);
     if (file.uncertain.machines > 0 && !was_interrupted()) {
-      const auto confidence = find_confidence(file, s.table, drawn);
-      s.left_out = confidence.left_out;
-      if (confidence.machines >= LEAST_MACHINES) {
-        const auto tables = make_confidence_tables(s.table, confidence);
-        save_confidence(folder.working(), tables);
-        check_cover(s.checks, s.table, tables);
-      }
+      write_confidence(folder.working(), file, drawn, s);
       save_rankings(folder.working(), find_rankings(checks, file, all, drawn));
     }
     s.complete = s.results.size() == file.points.size() &&

@@ -179,15 +179,14 @@ ExperimentFile load_experiment(const ExperimentSource& source, const Overrides& 
   experiment.path = path;
   experiment.folder = source.folder;
   experiment.content = content;
-  experiment.sweep = read_axes(content, order, path);
-  const auto in_play = programs_in_play(file, experiment.sweep, path);
-  name_axes(experiment.sweep, in_play, path);
-  experiment.keys = list_keys(content);
-  if (expand_repetitions(file, order, experiment, in_play)) {
+  const auto in_play = programs_in_play(file, read_axes(content, order, path), path);
+  const auto list_sweep = [&] {
     experiment.sweep = read_axes(content, order, path);
     name_axes(experiment.sweep, in_play, path);
     experiment.keys = list_keys(content);
-  }
+  };
+  list_sweep();
+  if (expand_repetitions(file, order, experiment, in_play)) list_sweep();
   for (const auto& override : overrides) check_not_shadowed(override, experiment.sweep);
   read_judgement(file, experiment);
   const auto points = count_points(experiment.sweep, path);

@@ -25,8 +25,8 @@ RowReference::Condition parse_condition(const std::string& text, const std::stri
   const auto equals = text.find('=');
   RowReference::Condition condition{std::string(trim(text.substr(0, equals))), {}};
   if (equals != std::string::npos) condition.text = trim(text.substr(equals + 1));
-  if (!base::Formula::is_name(condition.axis) || condition.text.empty())
-    throw BadInput(fmt::format("{}: found \"{}\", expected AXIS = VALUE", place, text));
+  base::require(base::Formula::is_name(condition.axis) && !condition.text.empty(), place,
+                "found \"{}\", expected AXIS = VALUE", text);
   try {
     condition.value.emplace(condition.text, place);
     // The condition is a string, not an expression. The class Rows refuses it if the axis is
@@ -40,9 +40,8 @@ RowReference::Condition parse_condition(const std::string& text, const std::stri
 // Parses a reference to another row, {COLUMN @ AXIS = VALUE, ...}, with its braces.
 RowReference parse_reference(const std::string& text, const std::string& place) {
   const auto parts = base::split(std::string_view(text).substr(1, text.size() - 2), '@');
-  if (parts.size() != 2 || !base::Formula::is_name(std::string(parts[0])))
-    throw BadInput(
-        fmt::format("{}: found {}, expected {{COLUMN @ AXIS = VALUE, ...}}", place, text));
+  base::require(parts.size() == 2 && base::Formula::is_name(std::string(parts[0])), place,
+                "found {}, expected {{COLUMN @ AXIS = VALUE, ...}}", text);
   RowReference reference{text, std::string(parts[0]), {}};
   for (const auto text_of_one : base::split(parts[1], ',')) {
     auto condition = parse_condition(std::string(text_of_one), place + ": " + text);
@@ -74,8 +73,8 @@ std::string Expression::replace_references(const std::string& text, const std::s
   std::size_t begin = 0;
   for (auto open = text.find('{'); open != std::string::npos; open = text.find('{', begin)) {
     const auto close = text.find('}', open);
-    if (close == std::string::npos)
-      throw BadInput(fmt::format("{}: found \"{}\", expected a }} for each {{", place, text));
+    base::require(close != std::string::npos, place, "found \"{}\", expected a }} for each {{",
+                  text);
     auto reference = parse_reference(text.substr(open, close + 1 - open), place);
     auto name = spell_as_name(reference.text);
     const auto is_taken = [&] {

@@ -4,6 +4,7 @@
 #include <boost/algorithm/string/trim.hpp>
 #include <filesystem>
 
+#include "base/at_place.hpp"
 #include "base/message.hpp"
 #include "experiments/laboratory/file/tables.hpp"
 #include "topologies/route/given_routes.hpp"
@@ -176,11 +177,7 @@ void bind_list(Experiment& experiment, const programs::RecordList& list, const P
   for (const auto& table : *at.node.as_array()) {
     auto record = list.make_record();
     assign_all(record, list.fields, *table.as_table(), at);
-    try {
-      list.append(experiment.params, record);
-    } catch (const BadInput& error) {
-      throw BadInput(fmt::format("{}: {}", at.where(), error.what()));
-    }
+    base::at_place(at.where(), [&] { list.append(experiment.params, record); });
   }
 }
 

@@ -1,6 +1,6 @@
 #include "experiments/laboratory/film/recorded_point.hpp"
 
-#include "base/errors.hpp"
+#include "base/at_place.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/figure/pdf.hpp"
 #include "experiments/laboratory/film/film.hpp"
@@ -117,11 +117,8 @@ void check_recordings(const RunOptions& options, const ExperimentFile& file, std
   }
   require(options.from_s == 0 || options.from_s < options.until_s, "--from",
           "found {}, expected a time before --until {}", options.from_s, options.until_s);
-  if (points == 1) try {
-      check_films(options.films, file.points[0].experiment);
-    } catch (const base::BadInput& error) {
-      throw base::BadInput(fmt::format("{}: {}", file.path, error.what()));
-    }
+  if (points == 1)
+    base::at_place(file.path, [&] { check_films(options.films, file.points[0].experiment); });
 }
 
 RunPoint record_points(const ExperimentFile& file) {

@@ -52,9 +52,9 @@ std::vector<CheckPlan::Let> sort_definitions(const std::vector<Definition>& defi
 
 void find_column(const Table& table, const std::string& column, const std::string& place,
                  const std::string& owner) {
-  if (table.find(column)) return;
-  throw BadInput(fmt::format("{}: unknown column \"{}\" of {}{}", place, column, owner,
-                             suggest_column(column, table.columns)));
+  if (!table.find(column))
+    base::refuse(place, "unknown column \"{}\" of {}{}", column, owner,
+                 suggest_column(column, table.columns));
 }
 
 Table parse_reference(const std::string& path, const std::string& place) {
@@ -76,10 +76,9 @@ std::optional<Table> read_reference(const Spec& spec) {
   const auto column = *table.find(spec.column);
   for (auto& row : table.rows) row[column] = unquote_number(row[column]);
   for (const auto& row : table.rows)
-    if (std::holds_alternative<std::string>(row[column]))
-      throw BadInput(fmt::format("{}: {}, column {}: found \"{}\", expected a number or nothing",
-                                 spec.place, spec.reference.path, spec.column,
-                                 to_string(row[column])));
+    base::require(!std::holds_alternative<std::string>(row[column]), spec.place,
+                  "{}, column {}: found \"{}\", expected a number or nothing", spec.reference.path,
+                  spec.column, to_string(row[column]));
   return table;
 }
 
@@ -167,9 +166,8 @@ void check_columns(const CheckPlan& plan, const Table& table, const std::vector<
   for (const auto& c : plan.comparisons) {
     const auto& [of, place] = std::tie(c.check.of, c.check.place);
     if (!c.of) find_column(table, of, place + ": of", "the results");
-    if (!c.of && std::holds_alternative<std::string>(row[*table.find(of)]))
-      throw BadInput(fmt::format("{}: of: found {}, which is a text, expected a column of numbers",
-                                 place, of));
+    base::require(c.of || !std::holds_alternative<std::string>(row[*table.find(of)]), place,
+                  "of: found {}, which is a text, expected a column of numbers", of);
     for (const auto& key : c.check.keys) find_column(table, key, place + ": keys", "the results");
   }
   for (const auto& f : plan.figures) {

@@ -285,8 +285,7 @@ std::vector<std::size_t> choose_rows(const Rows& rows, const std::optional<Expre
     if (!rows.is_complete(i)) continue;
     const double holds = where ? rows.eval(*where, i).value_or(0) : 1;
     if (std::isnan(holds))
-      throw BadInput(
-          fmt::format("{}: found nan at one of the points, expected a number", where->place()));
+      base::refuse(where->place(), "found nan at one of the points, expected a number");
     if (holds != 0) chosen.push_back(i);
   }
   return chosen;

@@ -25,88 +25,34 @@ constexpr auto LOOK_EVERY = 50ms;
 constexpr auto FRAMES_AT_FULL_SPEED = 95ms;
 // host time between samples of the growth curves while no frame is made
 constexpr auto SAMPLE_EVERY = 100ms;
-// host time by which a paced run may fall behind before its pace is reset
-constexpr double MOST_ARREARS_S = 0.25;
 // number of events between two checks for commands while the machine runs
 constexpr std::uint64_t CALLS_BETWEEN = 1024;
-// limit on commands of pages that are queued for execution
-constexpr std::size_t MOST_ASKED = 1024;
 // limit on processors that pages can still inspect after the end of the run
 constexpr std::size_t MOST_TOLD_AT_END = 256;
-
-// True if the experiment file has an [[order]] with which the simulated user leaves.
-bool has_leave(const ExperimentFile& file) {
-  const auto* orders = (*file.content)["order"].as_array();
-  return orders && std::any_of(orders->begin(), orders->end(), [](const toml::node& order) {
-           return order.is_table() && (*order.as_table())["leave"].value_or(false);
-         });
-}
 
 }  // namespace
 
 Session::Session(const ExperimentFile& file, double speed)
     : file_(file),
-      orders_(file.points.at(0).experiment.program->find_list("order")),
-      stages_(file.points[0].experiment.program->find_list("stage")),
-      faults_(file.points[0].experiment.faults),
-      speed_(speed),
-      pace_since_(HostClock::now()) {}
-
-// --- for pages --------------------------------------------------------------------------------
-
-std::shared_ptr<const ordered_json> Session::outline() const {
-  const std::lock_guard lock(mutex_);
-  return outline_;
-}
-
-std::shared_ptr<const Frame> Session::frame() const {
-  const std::lock_guard lock(mutex_);
-  return frame_;
-}
-
-void Session::ask(Command command, Reply reply) {
-  {
-    const std::lock_guard lock(mutex_);
-    if (reply && asked_.size() >= MOST_ASKED) return reply("too many commands are waiting");
-    asked_.push_back({std::move(command), std::move(reply)});
-    has_news_ = true;
-  }
-  asked_anything_.notify_one();
-}
-
-void Session::want_frame() {
-  {
-    const std::lock_guard lock(mutex_);
-    wants_frame_ = true;
-    has_news_ = true;
-  }
-  asked_anything_.notify_one();
-}
-
-void Session::on_frame(std::function<void()> told) {
-  const std::lock_guard lock(mutex_);
-  told_ = std::move(told);
-}
+      stages_(file.points.at(0).experiment.program->find_list("stage")),
+      actions_(file, history_),
+      pacer_(speed) {}
 
 // --- the run ----------------------------------------------------------------------------------
 
 void Session::begin(machine::Machine& machine, const observe::ControlPanel& view) {
   machine_ = &machine;
   view_ = view;
+  actions_.begin(machine, view);
   // a program may simulate several machines, one after the other
   if (phase_ == Phase::over) phase_ = Phase::running;
-  next_s_ = pace_from_s_ = spans_from_s_ = 0;
-  pace_since_ = HostClock::now();
+  next_s_ = spans_from_s_ = 0;
   loads_ = {};
   history_.clear_samples();
   selected_.clear();
   observe(true);
-  {
-    auto outline = make_outline(file_, machine, view_);
-    const std::lock_guard lock(mutex_);
-    outline_ = std::make_shared<const ordered_json>(std::move(outline));
-  }
-  set_pace(speed_);
+  publish_outline(make_outline(file_, machine, view_));
+  pacer_.start(machine.now().value, pacer_.speed());
   make_frame();
 }
 
@@ -114,34 +60,32 @@ bool Session::before(double date) {
   // stops observing processors' activity if there is more than pages can draw
   if (spans_.is_cut() && is_observing_) observe(false);
   // The simulated user leaves when the picture is complete, whether or not a page is connected.
-  const bool is_complete = !has_left_ && view_.is_complete && view_.is_complete();
-  const bool is_quiet = !is_complete && !has_news_.load(std::memory_order_relaxed) &&
-                        phase_ == Phase::running && !goal_ && date < go_until_s_ &&
-                        ++calls_ % CALLS_BETWEEN != 0;
+  const bool is_complete = !actions_.has_left() && view_.is_complete && view_.is_complete();
+  const bool is_quiet = !is_complete && !has_news() && phase_ == Phase::running && !goal_ &&
+                        pacer_.is_free(date) && ++calls_ % CALLS_BETWEEN != 0;
   return is_quiet || attend(date);
 }
 
 // Executes commands, makes frames and keeps the set speed, before the event at simulated time
 // `date`. Returns the result of before().
 bool Session::attend(double date) {
-  const std::size_t actions = actions_.size();
+  const std::size_t actions = actions_.all().size();
   next_s_ = date;
   for (;;) {
     if (was_interrupted()) end_by_hand();
     obey_all();
     if (ended_by_hand_s_) return true;
-    if (view_.is_complete && view_.is_complete()) leave();
-    if (actions_.size() != actions) return false;
+    if (view_.is_complete && view_.is_complete()) actions_.leave(shown_s());
+    if (actions_.all().size() != actions) return false;
     if (follow_goal(date)) {  // neither an event nor an order is left
-      leave();
-      return actions_.size() == actions;
+      actions_.leave(shown_s());
+      return actions_.all().size() == actions;
     }
     if (phase_ == Phase::running && HostClock::now() >= next_sample_at_) take_sample();
     show();
     const auto rest = hold_back(date);
     if (rest <= HostClock::duration::zero()) return true;
-    std::unique_lock lock(mutex_);
-    asked_anything_.wait_for(lock, rest, [this] { return has_news_.load(); });
+    wait_for_news(rest);
   }
 }
 
@@ -150,7 +94,7 @@ bool Session::attend(double date) {
 bool Session::follow_goal(double date) {
   if (phase_ == Phase::running && goal_ && is_reached(date)) {
     change_phase(Phase::paused);
-    pace_from_s_ = std::max(machine_->now().value, std::min(goal_->date, date));
+    pacer_.set_time(std::max(machine_->now().value, std::min(goal_->date, date)));
     goal_.reset();
   }
   const bool is_idle = date == NEVER, waits = waits_for_user(is_idle);
@@ -159,70 +103,41 @@ bool Session::follow_goal(double date) {
   if (!waits) return is_idle;
   change_phase(Phase::waiting);
   goal_.reset();
-  set_pace(speed_);
+  set_pace(pacer_.speed());
   return false;
 }
 
 // Makes a frame if a page wants one, something has changed, and the last frame is old enough.
 void Session::show() {
-  bool is_due = false;
-  {
-    const std::lock_guard lock(mutex_);
-    is_new_ |= phase_ == Phase::running;
-    is_due = is_new_ && wants_frame_ && HostClock::now() >= next_frame_at_;
-    if (is_due) is_new_ = wants_frame_ = false;
-    has_news_ = !asked_.empty();
-  }
-  if (is_due) make_frame();
+  if (phase_ == Phase::running) note_change();
+  if (HostClock::now() >= next_frame_at_ && take_request()) make_frame();
 }
 
-// If the set speed forbids the event at `date` for now, returns the host time to wait before the
-// next attempt. Otherwise returns zero, and sets `go_until_s_`, the time up to which no event need
-// be checked again.
+// If the event at `date` may not happen for now, returns the host time to wait before the next
+// attempt. Otherwise returns zero.
 Session::HostClock::duration Session::hold_back(double date) {
   if (phase_ != Phase::running) return LOOK_EVERY;
-  if (goal_ || std::isinf(speed_)) {
-    go_until_s_ = NEVER;
-    return {};
-  }
-  double allowed_s = paced_s();
-  if (date <= allowed_s) {
-    // if the host is too slow for the set speed, forgives the lag
-    if (allowed_s - date > MOST_ARREARS_S * speed_) {
-      set_pace(speed_);
-      allowed_s = date;
-    }
-    go_until_s_ = allowed_s;
-    return {};
-  }
-  const std::chrono::duration<double> left((date - allowed_s) / speed_);
-  if (left >= LOOK_EVERY) return LOOK_EVERY;
-  return std::max<HostClock::duration>(std::chrono::duration_cast<HostClock::duration>(left), 1ns);
+  if (!goal_ && !pacer_.is_unlimited()) return pacer_.hold_back(date, LOOK_EVERY);
+  pacer_.set_free();
+  return {};
 }
 
 void Session::change_phase(Phase phase) {
   phase_ = phase;
-  const std::lock_guard lock(mutex_);
-  is_new_ = true;
+  note_change();
 }
 
 // True if the machine's state can change only after an order of the user, and no simulated time
 // needs to pass before the order: the run is unpaced, or no event is left.
 bool Session::waits_for_user(bool is_idle) const {
   if (!view_.waits_for_user || !view_.waits_for_user()) return false;
-  const bool is_endless = goal_ ? goal_->is_endless() : std::isinf(speed_);
+  const bool is_endless = goal_ ? goal_->is_endless() : pacer_.is_unlimited();
   return is_idle || is_endless;
 }
 
 // Executes all queued commands of the pages. A refused command has no effect.
 void Session::obey_all() {
-  std::deque<Asked> asked;
-  {
-    const std::lock_guard lock(mutex_);
-    asked.swap(asked_);
-    is_new_ |= !asked.empty();
-  }
-  for (auto& [command, reply] : asked) {
+  for (const auto& [command, reply] : take_commands()) {
     std::string refusal;
     try {
       obey(command);
@@ -247,33 +162,20 @@ bool Session::is_reached(double date) {
 
 // --- the clock --------------------------------------------------------------------------------
 
-// From now on, lets simulated time pass at `speed` times real time.
-void Session::set_pace(double speed) {
-  const double now_s = shown_s();
-  speed_ = speed;
-  pace_from_s_ = now_s;
-  pace_since_ = HostClock::now();
-  go_until_s_ = 0;
-}
-
-// The simulated time that the set speed permits at present, in seconds.
-double Session::paced_s() const {
-  const std::chrono::duration<double> since = HostClock::now() - pace_since_;
-  return pace_from_s_ + since.count() * speed_;
-}
+void Session::set_pace(double speed) { pacer_.start(shown_s(), speed); }
 
 // The simulated time that pages show: the time that the set speed permits, but at most the time of
 // the next event.
 double Session::shown_s() const {
   const double now_s = machine_->now().value;
   if (phase_ == Phase::over) return now_s;
-  const bool is_paced = phase_ != Phase::paused && !goal_ && !std::isinf(speed_);
-  return std::max(now_s, is_paced ? std::min(next_s_, paced_s()) : pace_from_s_);
+  const bool is_paced = phase_ != Phase::paused && !goal_ && !pacer_.is_unlimited();
+  return std::max(now_s, is_paced ? std::min(next_s_, pacer_.paced_s()) : pacer_.from_s());
 }
 
 // --- display ------------------------------------------------------------------------------------
 
-std::shared_ptr<const std::vector<std::uint8_t>> Session::look() {
+Rgb8 Session::look() {
   if (!view_.picture) return nullptr;
   const auto& now = *view_.picture->rgb8();
   const auto last = frame();
@@ -284,11 +186,7 @@ std::shared_ptr<const std::vector<std::uint8_t>> Session::look() {
 // The root mean square difference from the sequential picture, as a share of the range of pixel
 // values; NaN if there is no sequential picture.
 double Session::picture_error() const {
-  std::shared_ptr<const std::vector<std::uint8_t>> sequential;
-  {
-    const std::lock_guard lock(mutex_);
-    sequential = sequential_;
-  }
+  const auto sequential = this->sequential();
   if (!sequential || !view_.picture) return NAN;
   const auto& now = *view_.picture->rgb8();
   std::uint64_t squares = 0;
@@ -311,19 +209,18 @@ void Session::take_sample() {
 }
 
 void Session::make_frame() {
-  const bool is_fast = phase_ == Phase::running && (goal_ || std::isinf(speed_));
+  const bool is_fast = phase_ == Phase::running && (goal_ || pacer_.is_unlimited());
   if (is_fast) next_frame_at_ = HostClock::now() + FRAMES_AT_FULL_SPEED;
   constexpr std::string_view NAMES[] = {"running", "paused", "waiting", "over"};
   auto made = std::make_shared<Frame>();
-  made->number = ++frames_;
   take_sample();
   const double now_s = shown_s();
   made->state = {{"t_s", now_s},
                  {"state", NAMES[static_cast<int>(phase_)]},
                  {"phase", view_.phase ? view_.phase() : ""},
-                 {"speed", std::isinf(speed_) ? ordered_json() : ordered_json(speed_)},
+                 {"speed", pacer_.is_unlimited() ? ordered_json() : ordered_json(pacer_.speed())},
                  {"events", machine_->events()},
-                 {"deeds", actions_.size()}};
+                 {"deeds", actions_.all().size()}};
   auto gauges = ordered_json::array();
   for (const auto& gauge : view_.gauges) gauges.push_back(gauge.value());
   made->state["gauges"] = gauges;
@@ -344,14 +241,7 @@ void Session::make_frame() {
   if (!fault_.empty()) made->state["fault"] = fault_;
   if (!fault_.empty() && !has_thrown_) made->state["deadlock"] = describe_deadlock(*machine_);
   made->rgb8 = look();
-  std::function<void()> told;
-  {
-    const std::lock_guard lock(mutex_);
-    made->sequential = sequential_;
-    frame_ = std::move(made);
-    told = told_;
-  }
-  if (told) told();
+  publish(std::move(made));
 }
 
 void Session::observe(bool is_told) {
@@ -378,14 +268,11 @@ void Session::end(const std::string& fault) {
     renders_.request_stop();
     renders_.join();
   }
-  pace_from_s_ = machine_->now().value;
+  pacer_.set_time(machine_->now().value);
   phase_ = Phase::over;
   goal_.reset();
   fault_ = fault;
-  // If the user ended the run by hand, records an order to leave at the end, so that the recording
-  // is a valid experiment.
-  if (ended_by_hand_s_ && orders_ && view_.take_order && !has_left_ && !has_leave(file_))
-    actions_.push_back({"order", LATEST_S, {{"leave", "true"}}});
+  actions_.end(ended_by_hand_s_.has_value());
   // After an exception in a process, pages get no description of a deadlock or of processors.
   has_thrown_ = std::ranges::any_of(machine_->processors(),
                                     [](const auto& on) { return on->failure() != nullptr; });
@@ -402,27 +289,14 @@ void Session::end(const std::string& fault) {
 }
 
 void Session::say_results(const std::string& text) {
-  std::function<void()> told;
-  {
-    const std::lock_guard lock(mutex_);
-    auto made = std::make_shared<Frame>(frame_ ? *frame_ : Frame());
-    made->number = ++frames_;
-    made->state["results"] = text;
-    frame_ = std::move(made);
-    told = told_;
-  }
-  if (told) told();
+  const auto last = frame();
+  auto made = last ? std::make_shared<Frame>(*last) : std::make_shared<Frame>();
+  made->state["results"] = text;
+  publish(std::move(made));
 }
 
 void Session::wait_for_quit() {
-  for (;;) {
-    obey_all();
-    std::unique_lock lock(mutex_);
-    if (is_quitting_ || was_interrupted()) return;
-    wants_frame_ = false;
-    has_news_ = !asked_.empty();
-    asked_anything_.wait_for(lock, LOOK_EVERY, [this] { return has_news_.load(); });
-  }
+  for (obey_all(); !is_quitting_ && !was_interrupted(); obey_all()) wait_for_news(LOOK_EVERY);
 }
 
 }  // namespace laboratory

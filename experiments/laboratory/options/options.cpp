@@ -40,11 +40,9 @@ fs::path whole_path(const std::string& path) {
 
 void check_folder(const std::string& option, const std::string& path) {
   const auto folder = fs::path(path).parent_path();
-  if (folder.empty() || fs::is_directory(folder)) return;
-  throw CLI::ValidationError(
-      option,
-      fmt::format("found \"{}\", expected a file in an existing folder: \"{}\" does not exist",
-                  path, folder.string()));
+  require_option(folder.empty() || fs::is_directory(folder), option,
+                 "found \"{}\", expected a file in an existing folder: \"{}\" does not exist", path,
+                 folder.string());
 }
 
 std::string check_folder_name(const std::string& name) {
@@ -55,7 +53,7 @@ std::string check_folder_name(const std::string& name) {
 
 std::string trim_name(const std::string& name) {
   const auto trimmed = std::string(base::trim(name));
-  if (trimmed.empty()) throw CLI::ValidationError("a list", "found an empty name in a list");
+  require_option(!trimmed.empty(), "a list", "found an empty name in a list");
   return trimmed;
 }
 
@@ -91,8 +89,7 @@ CLI::Option* add_field_option(CLI::App& app, const std::string& name, const std:
   std::ranges::replace(option, '_', '-');
   const auto set = [option, kind = domain.kind, assign](const std::string& text) {
     const auto expected = assign(parse_scalar(text, kind));
-    if (!expected.empty())
-      throw CLI::ValidationError(option, fmt::format("found {}, expected {}", text, expected));
+    require_option(expected.empty(), option, "found {}, expected {}", text, expected);
   };
   return app.add_option_function<std::string>(option, set, help)
       ->option_text(fmt::format("{} [{}]", describe(domain), describe_default(domain, standard)));
@@ -131,18 +128,16 @@ nlohmann::ordered_json make_json(const renderer::RayCounts& rays) {
 void check_apart(const std::string& option, const std::string& file,
                  std::initializer_list<std::string> others) {
   for (const auto& other : others)
-    if (!file.empty() && !other.empty() && whole_path(file) == whole_path(other))
-      throw CLI::ValidationError(
-          option, fmt::format("found \"{}\", expected a file that no other option uses", file));
+    require_option(file.empty() || other.empty() || whole_path(file) != whole_path(other), option,
+                   "found \"{}\", expected a file that no other option uses", file);
 }
 
 void check_output(const std::string& output, const std::vector<std::string>& endings,
                   const std::string& stats) {
   const auto ending = fs::path(output).extension().string();
-  if (!ending.empty() && std::ranges::find(endings, ending) == endings.end())
-    throw CLI::ValidationError("--output",
-                               fmt::format("found \"{}\", expected a name that ends in {}", output,
-                                           fmt::join(endings, " or ")));
+  require_option(ending.empty() || std::ranges::find(endings, ending) != endings.end(), "--output",
+                 "found \"{}\", expected a name that ends in {}", output,
+                 fmt::join(endings, " or "));
   check_apart("--stats", stats, {output});
   check_folder("--output", output);
   check_folder("--stats", stats);
@@ -156,9 +151,7 @@ void check_can_save_all(std::initializer_list<std::string> files) {
 void make_folder(const std::string& option, const std::string& path) {
   std::error_code failed;
   fs::create_directories(path, failed);
-  if (failed)
-    throw CLI::ValidationError(
-        option, fmt::format("found \"{}\", expected a folder: {}", path, failed.message()));
+  require_option(!failed, option, "found \"{}\", expected a folder: {}", path, failed.message());
 }
 
 }  // namespace laboratory

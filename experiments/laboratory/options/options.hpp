@@ -16,6 +16,13 @@
 
 namespace laboratory {
 
+/// Throws CLI::ValidationError "option: message" unless `holds` is true.
+template <class... Args>
+void require_option(bool holds, const std::string& option, fmt::format_string<Args...> message,
+                    Args&&... args) {
+  if (!holds) throw CLI::ValidationError(option, fmt::format(message, std::forward<Args>(args)...));
+}
+
 /// Adds the options --output, --set and --jobs. `output` and `set` are the help texts of --output
 /// and --set.
 void add_run_options(CLI::App& command, RunOptions& options, const std::string& output,
@@ -100,8 +107,8 @@ std::array<int, N> parse_numbers(const std::string& option, const std::string& t
     const auto [next, error] = std::from_chars(at, end, values[i]);
     const char separator = i + 2 == N ? 'x' : ',';
     const bool more = i + 1 < N;
-    if (error != std::errc{} || (more ? next == end || *next != separator : next != end))
-      throw CLI::ValidationError(option, fmt::format("found \"{}\", expected {}", text, form));
+    require_option(error == std::errc{} && (more ? next != end && *next == separator : next == end),
+                   option, "found \"{}\", expected {}", text, form);
     at = next + 1;
   }
   return values;
@@ -112,10 +119,8 @@ template <class Params>
 void parse_size(const std::string& text, Params& params) {
   if (text.empty()) return;
   const auto v = parse_numbers<2>("--size", text, "WxH, such as 512x512");
-  if (v[0] < 1 || v[1] < 1)
-    throw CLI::ValidationError(
-        "--size",
-        fmt::format("found {} x {}, expected 1 to 65536 pixels on each side", v[0], v[1]));
+  require_option(v[0] >= 1 && v[1] >= 1, "--size",
+                 "found {} x {}, expected 1 to 65536 pixels on each side", v[0], v[1]);
   params.width = v[0];
   params.height = v[1];
 }

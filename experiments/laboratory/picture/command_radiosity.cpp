@@ -48,9 +48,8 @@ void check_files(const RadiosityOptions& o) {
 double parse_exposure(const std::string& text) {
   if (text == "auto") return 0;
   const auto value = base::parse_number<double>(text);
-  if (!value || !(*value > 0 && *value < 1e300))
-    throw CLI::ValidationError(
-        "--exposure", fmt::format("found \"{}\", expected auto, or a number above 0", text));
+  require_option(value && *value > 0 && *value < 1e300, "--exposure",
+                 "found \"{}\", expected auto, or a number above 0", text);
   return *value;
 }
 
@@ -80,13 +79,24 @@ radiosity::Step make_step(const RadiosityOptions& o, Progress& bar) {
   };
 }
 
+// Makes the picture of the illuminated room. Chooses the exposure unless the user has set it.
+void draw(RadiosityOptions& o, const Mesh& mesh, const renderer::View& view, Outcome& made) {
+  std::vector<Rgb> values = made.solution.vertices;
+  if (o.light.ambient) add_ambient(mesh, made.solution.ambient, values);
+  const auto illumination = radiosity::reconstruct(mesh, values, o.reconstruction);
+  made.picture = o.preview ? preview_picture(mesh, illumination, view, o.picture)
+                           : trace_picture(mesh, illumination, view, o.picture, made.picture_work);
+  if (!is_exr(o) && o.display.exposure == 0)
+    o.display = fit(o.display, made.picture, find_emitters(mesh, view, o.picture));
+}
+
 Outcome light(RadiosityOptions& o) {
   Outcome made;
   Clock clock;
   auto room = open_room(o.room);
   check_can_save_all({o.output, o.stats});
   choose_creases(room, o.creases);
-  const auto picture = fit(o.picture, room.view);
+  o.picture = fit(o.picture, room.view);
   Progress bar("radiosity");
   const auto step = make_step(o, bar);
   radiosity::AdaptedMesh adapted =
@@ -112,15 +122,8 @@ Outcome light(RadiosityOptions& o) {
   made.is_closed = radiosity::is_closed(mesh);
   made.solve_s = clock.lap();
 
-  std::vector<Rgb> values = made.solution.vertices;
-  if (o.light.ambient) add_ambient(mesh, made.solution.ambient, values);
-  const auto illumination = radiosity::reconstruct(mesh, values, o.reconstruction);
-  made.picture = o.preview
-                     ? preview_picture(mesh, illumination, room.view, picture)
-                     : trace_picture(mesh, illumination, room.view, picture, made.picture_work);
+  draw(o, mesh, room.view, made);
   made.picture_s = clock.lap();
-  if (!is_exr(o) && o.display.exposure == 0)
-    o.display = fit(o.display, made.picture, find_emitters(mesh, room.view, picture));
   return made;
 }
 

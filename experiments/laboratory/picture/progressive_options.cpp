@@ -52,6 +52,15 @@ std::string name_of(StepKind kind, const Step& step) {
                                  : fmt::format("depth-{}", step.depth);
 }
 
+Step make_last_step(const ProgressiveOptions& o, const renderer::Params& params) {
+  Step last = o.last;
+  last.pyramid = !o.no_pyramid;
+  last.depth = params.limits.depth;
+  last.area = params.area;
+  check(last, params, o.max_cell);
+  return last;
+}
+
 }  // namespace
 
 void add_progressive_options(CLI::App& command, ProgressiveOptions& o) {
@@ -73,11 +82,7 @@ void add_progressive_options(CLI::App& command, ProgressiveOptions& o) {
 }
 
 void render_progressively(const ProgressiveOptions& o, const RenderTask& task) {
-  Step last = o.last;
-  last.pyramid = !o.no_pyramid;
-  last.depth = task.params.limits.depth;
-  last.area = task.params.area;
-  check(last, task.params, o.max_cell);
+  const Step last = make_last_step(o, task.params);
   const auto scene = open_scene(task.scene);
   check_can_save_all({task.output, task.stats});
   if (!task.key_images.empty()) make_folder("--key-images", task.key_images);

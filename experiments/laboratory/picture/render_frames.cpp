@@ -25,11 +25,10 @@ Range parse_range(const std::string& text) {
   const auto dash = std::min(text.find('-'), text.size());
   const auto first = base::parse_number<int>(text.substr(0, dash));
   const auto last = base::parse_number<int>(text.substr(std::min(dash + 1, text.size())));
-  if (!first || !last || *first < 0 || *last < *first || *last > MAX_FRAME)
-    throw CLI::ValidationError(
-        "--frames", fmt::format("found \"{}\", expected A-B, such as 0-24: the first and the last "
-                                "frame, from 0 to {}",
-                                text, MAX_FRAME));
+  require_option(
+      first && last && *first >= 0 && *last >= *first && *last <= MAX_FRAME, "--frames",
+      "found \"{}\", expected A-B, such as 0-24: the first and the last frame, from 0 to {}", text,
+      MAX_FRAME);
   return {*first, *last};
 }
 
@@ -44,18 +43,33 @@ int get_duration_ms(int n, double rate) {
 constexpr std::size_t MAX_ANIMATION = std::size_t{1} << 31;
 
 void check_webp(const renderer::Params& params, const Range& range) {
-  if (std::max(params.width, params.height) > renderer::MAX_WEBP_SIDE)
-    throw CLI::ValidationError(
-        "--size",
-        fmt::format("found {} x {}, expected at most {} pixels on each side in a .webp file",
-                    params.width, params.height, renderer::MAX_WEBP_SIDE));
+  require_option(std::max(params.width, params.height) <= renderer::MAX_WEBP_SIDE, "--size",
+                 "found {} x {}, expected at most {} pixels on each side in a .webp file",
+                 params.width, params.height, renderer::MAX_WEBP_SIDE);
   const std::size_t frame = std::size_t{3} * static_cast<std::size_t>(params.width) *
                             static_cast<std::size_t>(params.height);
-  if (range.count() > MAX_ANIMATION / frame)
-    throw CLI::ValidationError(
-        "--frames", fmt::format("found {} frames of {} x {} pixels, expected at most {} of them in "
-                                "a .webp file (or -o NAME.png)",
-                                range.count(), params.width, params.height, MAX_ANIMATION / frame));
+  require_option(
+      range.count() <= MAX_ANIMATION / frame, "--frames",
+      "found {} frames of {} x {} pixels, expected at most {} of them in a .webp file (or "
+      "-o NAME.png)",
+      range.count(), params.width, params.height, MAX_ANIMATION / frame);
+}
+
+std::string name_frame(const RenderTask& task, int frame) {
+  const std::filesystem::path output = task.output;
+  return (output.parent_path() /
+          fmt::format("{}-{:04}{}", output.stem().string(), frame, extension_of(task.encoding)))
+      .string();
+}
+
+// Loads all frames of the scene once, to find errors in them before the rendering starts. Checks
+// that no image would replace a file that the scene was read from.
+void check_frames(const RenderTask& task, const Range& range) {
+  base::check_no_input(task.output);
+  for (int frame = range.first; frame <= range.last && !was_interrupted(); ++frame) {
+    base::check_no_input(name_frame(task, frame));
+    if (frame > range.first) renderer::load_scene(task.scene, frame);
+  }
 }
 
 }  // namespace
@@ -83,16 +97,11 @@ void render_frames(const FramesOptions& o, const RenderTask& task) {
   const Range range = parse_range(o.frames);
   const std::filesystem::path output = task.output;
   const bool is_animation = output.extension() == ".webp";
-  const auto name_of = [&](int frame) {
-    return (output.parent_path() /
-            fmt::format("{}-{:04}{}", output.stem().string(), frame, extension_of(task.encoding)))
-        .string();
-  };
   if (is_animation) {
     check_webp(task.params, range);
     base::check_can_save(output);
   }
-  base::check_can_save(name_of(range.first));
+  base::check_can_save(name_frame(task, range.first));
   const InterruptGuard guard;  // delays interrupts until all files are written
   const auto render_frame = [&](const renderer::Scene& scene) {
     return renderer::render(scene, task.params, task.threads,
@@ -101,11 +110,7 @@ void render_frames(const FramesOptions& o, const RenderTask& task) {
   Clock clock;
   auto image = render_frame(open_scene(task.scene, range.first));
   if (!was_interrupted()) announce_cost("--frames", range.count(), clock.lap(), o.is_confirmed);
-  base::check_no_input(output);
-  for (int frame = range.first; frame <= range.last && !was_interrupted(); ++frame) {
-    base::check_no_input(name_of(frame));
-    if (frame > range.first) renderer::load_scene(task.scene, frame);
-  }
+  check_frames(task, range);
 
   Progress bar("rendering");
   std::vector<renderer::Frame> animation;
@@ -113,7 +118,7 @@ void render_frames(const FramesOptions& o, const RenderTask& task) {
   for (int frame = range.first; frame <= range.last; ++frame) {
     if (frame > range.first) image = render_frame(renderer::load_scene(task.scene, frame));
     if (was_interrupted()) break;
-    save_image(name_of(frame), image.samples, task.encoding);
+    save_image(name_frame(task, frame), image.samples, task.encoding);
     if (is_animation)
       animation.push_back(
           {encode(image.samples, task.encoding), get_duration_ms(frame - range.first, o.rate)});

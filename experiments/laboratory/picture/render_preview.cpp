@@ -15,9 +15,8 @@ void add_preview_option(CLI::App& command, std::optional<renderer::PreviewStep>&
   const auto set = [&step, names](const std::string& text) {
     for (const auto& [name, value] : renderer::preview_steps())
       if (name == text) step = value;
-    if (!step)
-      throw CLI::ValidationError(
-          "--preview", fmt::format("found {}, expected one of {}", text, fmt::join(names, ", ")));
+    require_option(step.has_value(), "--preview", "found {}, expected one of {}", text,
+                   fmt::join(names, ", "));
   };
   auto* option = command.add_option_function<std::string>(
       "--preview", set, "fast picture by z-buffer instead of rays, with increasing detail");

@@ -40,12 +40,13 @@ Budget parse_budget(const std::string& text) {
       text.empty() ? std::nullopt
                    : base::parse_number<double>(std::string_view(text).substr(0, text.size() - 1));
   const bool is_percent = text.ends_with('%');
-  if (!number || !(*number > 0) || !std::isfinite(*number) ||
-      !(is_percent ? *number <= 100 : text.ends_with('s')))
-    throw CLI::ValidationError(
-        "--budget", fmt::format("found \"{}\", expected a percentage of the samples, above 0 and "
-                                "up to 100, such as 5%, or seconds above 0, such as 10s",
-                                text));
+  require_option(
+      number && *number > 0 && std::isfinite(*number) &&
+          (is_percent ? *number <= 100 : text.ends_with('s')),
+      "--budget",
+      "found \"{}\", expected a percentage of the samples, above 0 and up to 100, such as "
+      "5%, or seconds above 0, such as 10s",
+      text);
   if (is_percent)
     budget.percent = *number;
   else
@@ -60,7 +61,11 @@ class StateFile {
       : path_(std::move(path)), identity_(std::move(identity)) {
     if (!path_.empty()) base::check_can_save(path_);
   }
-  bool is_wanted() const { return !path_.empty(); }
+  void add_stops(std::set<std::uint64_t>& stops, std::uint64_t total) const {
+    if (path_.empty()) return;
+    for (double percent = STATE_PERCENT; percent < 100; percent += STATE_PERCENT)
+      stops.insert(samples_at(percent, total));
+  }
   void save(const Refinement& image) {
     if (path_.empty() || image.done() == saved_) return;
     clock_.lap();
@@ -127,6 +132,15 @@ class Pace {
   std::uint64_t samples_;
 };
 
+Refined finish(Refinement& image, std::uint64_t rays) {
+  return {.done = image.done(),
+          .all = image.total(),
+          .rays = rays,
+          .queue_peak = image.queue() ? image.queue()->peak() : 0,
+          .interrupted = was_interrupted() && !image.is_finished(),
+          .image = image.take_rendering()};
+}
+
 }  // namespace
 
 void add_refined_options(CLI::App& command, RefinedOptions& o) {
@@ -165,17 +179,12 @@ Refined render_refined(const RefinedOptions& o, const RenderTask& task,
   KeyImages keys(task, image);
   std::set<std::uint64_t> stops = {goal};
   keys.add_stops(stops);
-  if (states.is_wanted())
-    for (double percent = STATE_PERCENT; percent < 100; percent += STATE_PERCENT)
-      stops.insert(samples_at(percent, image.total()));
-
+  states.add_stops(stops, image.total());
   const std::uint64_t rays_before = image.state().rays.total();
   Progress bar("rendering");
   Pace pace(task.threads);
   double seconds = 0;
-  const auto is_stopped = [&] {
-    return was_interrupted() || (budget.seconds && seconds >= *budget.seconds);
-  };
+  const auto is_stopped = [&] { return was_interrupted() || budget.is_spent(seconds); };
   states.save(image);
   Clock clock;
   for (const std::uint64_t stop : stops) {
@@ -195,14 +204,7 @@ Refined render_refined(const RefinedOptions& o, const RenderTask& task,
     seconds += clock.lap();
   }
   states.save(image);
-  Refined refined;
-  refined.done = image.done();
-  refined.all = image.total();
-  refined.rays = image.state().rays.total() - rays_before;
-  refined.queue_peak = image.queue() ? image.queue()->peak() : 0;
-  refined.interrupted = was_interrupted() && !image.is_finished();
-  refined.image = image.take_rendering();
-  return refined;
+  return finish(image, image.state().rays.total() - rays_before);
 }
 
 void report_interrupt(const RefinedOptions& o, const RenderTask& task, const Refined& refined) {

@@ -13,6 +13,7 @@ struct Budget {
   /// share of all samples of the image, in percent, including the samples of earlier runs
   double percent = 100;
   std::optional<double> seconds;  ///< time limit for this run, host seconds
+  bool is_spent(double after) const { return seconds && after >= *seconds; }
 };
 
 struct RefinedOptions {
@@ -28,11 +29,11 @@ struct RefinedOptions {
 void add_refined_options(CLI::App& command, RefinedOptions& options);
 
 struct Refined {
-  renderer::Rendering image;        ///< the rendered image, which may be incomplete
   std::uint64_t done = 0, all = 0;  ///< numbers of samples: rendered so far, and of the whole image
   std::uint64_t rays = 0;           ///< number of rays traced in this run
   std::size_t queue_peak = 0;
   bool interrupted = false;
+  renderer::Rendering image;  ///< the rendered image, which may be incomplete
 };
 
 /// Renders until the image is complete, the budget is spent, or an interrupt is counted by the

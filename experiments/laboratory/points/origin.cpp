@@ -6,7 +6,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "base/errors.hpp"
+#include "base/at_place.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/link_files.hpp"
@@ -157,15 +157,14 @@ BadInput make_damaged(const fs::path& file, const nlohmann::json::exception& err
 
 Origin load_origin(const fs::path& results, const fs::path& file, const Overrides& overrides) {
   const auto path = results / file;
-  if (!fs::is_regular_file(path))
-    throw BadInput(fmt::format("{}: found no {}, expected a results folder of tlab run",
-                               results.string(), file.string()));
+  base::require(fs::is_regular_file(path), results.string(),
+                "found no {}, expected a results folder of tlab run", file.string());
   try {
-    return read_origin(results, ordered_json::parse(base::read_own_text(path)), overrides);
+    return base::at_place(path.string(), [&] {
+      return read_origin(results, ordered_json::parse(base::read_own_text(path)), overrides);
+    });
   } catch (const ordered_json::exception& error) {
     throw make_damaged(path, error);
-  } catch (const BadInput& error) {
-    throw BadInput(fmt::format("{}: {}", path.string(), error.what()));
   }
 }
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "base/errors.hpp"
+#include "base/at_place.hpp"
 #include "base/partial_name.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/hash.hpp"
@@ -100,11 +100,8 @@ std::vector<std::string> make_keys(const ExperimentFile& file, double until_s) {
       text += fmt::format("{} = {}\n", key, value);
     for_each_model(experiment, [&](const ModelSpec& spec) {
       auto& model = models[model_key(spec)];
-      if (model.empty()) try {
-          model = hash_of(describe_entries(spec));
-        } catch (const base::BadInput& error) {
-          throw base::BadInput(fmt::format("{}: {}", file.path, error.what()));
-        }
+      if (model.empty())
+        model = base::at_place(file.path, [&] { return hash_of(describe_entries(spec)); });
       text += "model " + model;
     });
     for (const auto& source : files_of(experiment)) {
@@ -150,8 +147,7 @@ void save_record(const fs::path& folder, const std::string& key, const PointResu
 
 PointResult load_record(const fs::path& file) {
   const auto record = read_record(file, nullptr);
-  if (record.is_null())
-    throw base::BadInput(fmt::format("{}: this record is damaged", file.string()));
+  base::require(!record.is_null(), file.string(), "this record is damaged");
   return to_result(record);
 }
 

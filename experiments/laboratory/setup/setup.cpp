@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "base/errors.hpp"
+#include "base/at_place.hpp"
 #include "topologies/make/generators.hpp"
 #include "topologies/route/given_routes.hpp"
 
@@ -116,11 +116,7 @@ std::optional<topologies::TreeLinks> find_tree(const Experiment& experiment,
   for (const auto& [a, b] : links)
     require(std::max(a, b) < topology.processors, KEY,
             "found [{}, {}], expected processors from 0 to {}", a, b, topology.processors - 1);
-  try {
-    return check_tree_links(topology, links);
-  } catch (const base::BadInput& error) {
-    throw base::BadInput(fmt::format("{}: {}", KEY, error.what()));
-  }
+  return base::at_place(KEY, [&] { return check_tree_links(topology, links); });
 }
 
 programs::OtherModels find_others(const Experiment& experiment, const Topology& topology,
@@ -131,11 +127,10 @@ programs::OtherModels find_others(const Experiment& experiment, const Topology& 
     require(number < topology.processors, place + ": number",
             "found {}, expected processors from 0 to {}", number, topology.processors - 1);
     auto& its = known[model_key(spec)];
-    if (!its) try {
-        its = std::make_shared<const machine::Model>(make_model(spec));
-      } catch (const base::BadInput& error) {
-        throw base::BadInput(fmt::format("{}: model: {}", place, error.what()));
-      }
+    if (!its)
+      its = base::at_place(place + ": model", [&, &spec = spec] {
+        return std::make_shared<const machine::Model>(make_model(spec));
+      });
     require(its->link.bit_rate == model.link.bit_rate, place + ": model",
             "found {}, whose links run at {} bit/s, expected {} as those of {}", its->name,
             its->link.bit_rate, model.link.bit_rate, model.name);

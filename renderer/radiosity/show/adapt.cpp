@@ -239,6 +239,17 @@ std::optional<Mesh> make_finer(Room& room, const MeshParams& params, const Mesh&
   return {};
 }
 
+// Stores the rows of patches in the faces, for adapt_mesh() to halve them where the solution needs
+// it.
+void prepare_rounds(Room& room, int refine) {
+  for (Face& face : room.faces) {
+    if (face.corners.size() == 4) face.grid = find_grid(face, refine);
+    face.along *= refine;
+    face.across *= refine;
+  }
+  room.fine_near_lights = false;
+}
+
 }  // namespace
 
 base::Field<AdaptParams> adaptive_field() {
@@ -255,12 +266,7 @@ AdaptedMesh adapt_mesh(Room room, const LightParams& params,
                     "the mean of corners and centres (simpson)");
   renderer::require(adapt.error >= LEAST_ERROR, fmt::format("an error of {}", adapt.error),
                     fmt::format("{} to 1", LEAST_ERROR));
-  for (Face& face : room.faces) {
-    if (face.corners.size() == 4) face.grid = find_grid(face, params.mesh.refine);
-    face.along *= params.mesh.refine;
-    face.across *= params.mesh.refine;
-  }
-  room.fine_near_lights = false;  // the rounds below halve rows where the solution needs it
+  prepare_rounds(room, params.mesh.refine);
   MeshParams parts = params.mesh;
   parts.refine = 1;
   SolveParams rough = params.solve;

@@ -145,10 +145,8 @@ struct Params {
 
 std::uint64_t bytes_of_percent(const DataLoad& load, const char* name, double percent) {
   const double items = std::floor(percent / 100 * load.items + 1e-9);
-  if (items < 1)
-    throw base::BadInput(
-        fmt::format("program.{}: found {} % of {} items, expected at least one item", name, percent,
-                    load.items));
+  base::require(items >= 1, std::string("program.") + name,
+                "found {} % of {} items, expected at least one item", percent, load.items);
   return static_cast<std::uint64_t>(items) * load.item_bytes;
 }
 
