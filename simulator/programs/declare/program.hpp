@@ -118,8 +118,8 @@ struct Uses {
   bool threads = false;
 };
 
-/// A plot that reports show unless the experiment says otherwise: a result over the axes of the
-/// sweep.
+/// A plot in the reports of experiments that declare no plots of their own: a result over the axes
+/// of the sweep.
 struct UsualPlot {
   std::string column, title;
 };
