@@ -80,9 +80,10 @@ void Session::pause() {
 }
 
 void Session::go() {
+  const double from_s = shown_s();  // before the end of the pause, which is not simulated time
   goal_.reset();
   if (phase_ == Phase::paused) phase_ = Phase::running;
-  set_pace(pacer_.speed());
+  pacer_.start(from_s, pacer_.speed());
 }
 
 void Session::quit() {

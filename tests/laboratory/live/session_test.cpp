@@ -1,4 +1,8 @@
 // A session at the live page gives the same results as `tlab run` of its recording.
+#include <chrono>
+#include <future>
+#include <thread>
+
 #include "base/random.hpp"
 #include "tests/laboratory/live/watched_run.hpp"
 
@@ -129,6 +133,46 @@ TEST(LiveSession, EveryControlWorksOnARecordingAsOnItsOriginal) {
       EXPECT_EQ(second.result, run_alone(second.recording, other.path.string()));
     });
   }
+}
+
+// The simulated time that the next frame of a session shows.
+double show_time(Session& session) {
+  const auto last = session.frame();
+  session.want_frame();
+  while (session.frame() == last) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return session.frame()->state.at("t_s").get<double>();
+}
+
+// After a pause of any length, the shown time grows only with the host time since the end of the
+// pause. The speed is so low that the first event after the start is never reached.
+TEST(LiveSession, ShownTimeStandsStillDuringAPause) {
+  using Clock = std::chrono::steady_clock;
+  const test::TemporaryFolder folder;
+  run_isolated([&] {
+    constexpr double SPEED = 1e-8;
+    const auto file = read(FARM + "[[stage]]\n", folder.path.string());
+    Session session(file, SPEED);
+    std::jthread run([&] {
+      RunOptions options;
+      options.file = "e.toml";
+      run_point(file.points[0], options, folder.path / "images", {.controller = &session});
+    });
+    const auto tell = [&](const char* what) {
+      std::promise<std::string> reply;
+      session.ask({{"do", what}}, [&](const std::string& refusal) { reply.set_value(refusal); });
+      EXPECT_EQ(reply.get_future().get(), "") << what;
+    };
+    tell("pause");
+    const double paused_s = show_time(session);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    EXPECT_EQ(show_time(session), paused_s);
+    const auto sent = Clock::now();
+    tell("go");
+    const double shown_s = show_time(session);
+    const std::chrono::duration<double> since = Clock::now() - sent;
+    EXPECT_LE(shown_s, paused_s + SPEED * since.count() * (1 + 1e-9));
+    tell("quit");
+  });
 }
 
 // Tests sessions that the user ends by hand. Each further session uses the recording of the session
