@@ -60,7 +60,8 @@ struct Given {
 };
 /// Collects the results of a run besides its rows. The images are the final picture, key
 /// images (pictures at the end of each stage and at each order of the user), pictures at the
-/// requested times, and an animation of the growing picture. `max_cell` is the side of the largest image cells in pixels.
+/// requested times, and an animation of the growing picture. `max_cell` is the side of the largest
+/// image cells in pixels.
 Given make_given(const programs::Setup& setup, const SceneChoice& scene,
                  const renderer::Params& image, int max_cell, const Rendering& rendering);
 

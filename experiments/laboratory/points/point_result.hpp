@@ -15,8 +15,8 @@ struct SavedImage {
   /// simulated time, in seconds, at which an intermediate image was complete; none for a final
   /// image
   std::optional<double> at_s;
-  /// Names of the image's PNG file and EXR file, which lie beside the records. A name is the hash of
-  /// the file's content. `exr` is "" if there is no EXR file.
+  /// Names of the image's PNG file and EXR file, which lie beside the records. A name is the hash
+  /// of the file's content. `exr` is "" if there is no EXR file.
   std::string file, exr;
   bool is_named = false;  ///< true if the name alone describes the content, as for key images
   std::string path = {};  ///< file name in the results folder; "" until place_images() sets it
