@@ -1,6 +1,6 @@
-// A sorting pipeline. Each cell keeps the largest number so far and passes all other numbers on. At
-// the end it sends the number that it has kept. With as many cells as numbers, the numbers leave
-// the last cell sorted.
+// A sorting pipeline. Each cell keeps the largest number so far, passes all others on, and sends
+// the kept number at the end. With as many cells as numbers, the numbers leave the last cell
+// sorted.
 //
 //        +--------+   +------+   +------+         +------+   +------+
 //        | source |-->| cell |-->| cell |-- ... ->| cell |-->| sink |
