@@ -291,8 +291,8 @@ std::string read_text(const fs::path& path, std::size_t most) {
   return Input(path, /*is_kept=*/true).read(std::min(most, MOST_FROM_FILE));
 }
 
-std::string read_own_text(const fs::path& path) {
-  return Input(path, /*is_kept=*/false).read(measure_memory());
+std::string read_own_text(const fs::path& path, std::size_t most) {
+  return Input(path, /*is_kept=*/false).read(std::min(most, measure_memory()));
 }
 
 void check_can_read(const fs::path& path) {

@@ -39,8 +39,8 @@ void check_can_save(const std::filesystem::path& path);
 std::string read_text(const std::filesystem::path& path, std::size_t most = SIZE_MAX);
 
 /// Reads a file as read_text does, but lets the caller overwrite it, for example a saved state. The
-/// limit on its size is the host's memory.
-std::string read_own_text(const std::filesystem::path& path);
+/// limit on its size is the host's memory, or `most` if that is less.
+std::string read_own_text(const std::filesystem::path& path, std::size_t most = SIZE_MAX);
 
 /// Checks that read_text could open the file, and remembers the file. Throws the same errors as
 /// read_text if a file is missing, unreadable, a folder or a device. Also refuses pipes. To be

@@ -170,9 +170,11 @@ Refined render_refined(const RefinedOptions& o, const RenderTask& task,
   const Order order = o.order.value_or(Order::quadrants);
   const auto identity =
       o.state.empty() && o.resume.empty() ? Identity{} : identify(task.scene, task.params, order);
+  const auto pixels =
+      static_cast<std::size_t>(task.params.width) * static_cast<std::size_t>(task.params.height);
   Refinement image = o.resume.empty() ? Refinement(scene, task.params, order, task.threads)
                                       : Refinement(scene, task.params, order, task.threads,
-                                                   load_state(o.resume, identity));
+                                                   load_state(o.resume, identity, pixels));
   const Budget budget = o.budget.value_or(Budget{});
   const std::uint64_t goal = samples_at(budget.percent, image.total());
   StateFile states(o.state.empty() ? o.resume : o.state, identity);
