@@ -11,6 +11,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/at_place.hpp"
 #include "base/errors.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
@@ -18,6 +19,7 @@
 #include "experiments/laboratory/host/elapsed_time.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/streams.hpp"
+#include "experiments/laboratory/options/options.hpp"
 #include "experiments/laboratory/setup/open_scene.hpp"
 #include "renderer/files/obj_nff.hpp"
 #include "renderer/files/write_nff.hpp"
@@ -99,7 +101,9 @@ Texts write_obj(const std::string& source, const std::string& output, LeftOut& l
                 "found this file, but no {} that names it, expected neither or both: it would be "
                 "overwritten",
                 output);
-  renderer::ObjText obj(library.parent_path().string(), library.filename().string());
+  auto obj = base::at_place("-o " + output, [&] {
+    return renderer::ObjText(library.parent_path().string(), library.filename().string());
+  });
   renderer::NffAsObj nff(obj, left_out);
   if (ending_of(source) == ".room")
     radiosity::tell(read_room(source, left_out), obj, left_out);
@@ -210,6 +214,7 @@ void add_convert_command(CLI::App& app) {
   command
       ->add_option("-o,--output", o->output,
                    "the .nff, .obj or .room file to write; an .obj also gets an .mtl file")
+      ->check(check_file_name)
       ->required();
   command->footer(
       "Lists everything that the new format cannot represent.\nExamples:\n  tlab convert "

@@ -155,11 +155,15 @@ void add_refined_options(CLI::App& command, RefinedOptions& o) {
           "end after a share of all samples (5%) or after a time (10s), and save the picture so "
           "far")
       ->option_text("P%|Ts");
-  command.add_option("--state", o.state,
-                     "file for the state of the rendering, saved at intervals and at the end");
-  command.add_option("--resume", o.resume,
-                     "continue from the state in this file, with the other options unchanged; also "
-                     "saves states there unless --state is given");
+  command
+      .add_option("--state", o.state,
+                  "file for the state of the rendering, saved at intervals and at the end")
+      ->check(check_file_name);
+  command
+      .add_option("--resume", o.resume,
+                  "continue from the state in this file, with the other options unchanged; also "
+                  "saves states there unless --state is given")
+      ->check(check_file_name);
   for (const char* name : {"--order", "--budget", "--state", "--resume"})
     for (const char* other : {"--progressive", "--preview"})
       command.get_option(name)->excludes(command.get_option(other));
