@@ -13,6 +13,7 @@
 
 #include "base/early_end.hpp"
 #include "base/errors.hpp"
+#include "base/host_program.hpp"
 #include "base/message.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
@@ -230,6 +231,7 @@ bool is_broken_pipe(const std::exception& error) {
 int run_tlab(int argc, char** argv, const std::function<void()>& prepare) try {
   secure_streams();
   secure_memory();
+  base::ignore_font_settings();
   const InterruptWatch watch;
   const base::InputGuard inputs;
   try {

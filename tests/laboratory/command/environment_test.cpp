@@ -27,6 +27,8 @@ TEST_F(Sweep, ResultsAndDrawingsDoNotDependOnTheEnvironment) {
         "LC_ALL=no-such-locale LANGUAGE=de $TLAB run e.toml",
         "TZ=Mars/Phobos TMPDIR=/no-such-folder $TLAB run e.toml",
         "umask 077 && env -u HOME -u LANG $TLAB run e.toml",
+        "GNUTERM=no-such GNUPLOT_DEFAULT_GDFONT=x GVBINDIR=/no FONTCONFIG_FILE=/no $TLAB run "
+        "e.toml",
         "env -i PATH=\"$PATH\" $TLAB run e.toml", "cd inside && $TLAB run ../e.toml"}) {
     const auto output = (folder.path / "other").string();
     EXPECT_EQ(run_line(folder.path, "(" + std::string(line) + " -o " + output + ") > out 2>&1"), 0)
@@ -34,6 +36,24 @@ TEST_F(Sweep, ResultsAndDrawingsDoNotDependOnTheEnvironment) {
         << read_file(folder.path / "out");
     EXPECT_TRUE(results_of(*this, "other") == expected) << line;
     fs::remove_all(output);
+  }
+}
+
+// Neither Graphviz nor fontconfig depends on variables of the environment, and fontconfig does not
+// write on the terminal.
+TEST_F(Sweep, DrawingsOfGraphsDoNotDependOnTheEnvironment) {
+  write_file(folder.path / "g.dot", "graph { a -- b; b -- c; c -- d }");
+  for (const std::string drawing : {"ring:5 -o x.pdf", "g.dot -o x.svg"}) {
+    const auto file = folder.path / drawing.substr(drawing.rfind(' ') + 1);
+    std::string expected;
+    for (const char* variable :
+         {"LANG=C", "GVBINDIR=/no", "FONTCONFIG_FILE=/no", "FC_DEBUG=1023", "LC_ALL='\x1b[31mX'"}) {
+      const auto line = fmt::format("env {} $TLAB topology {} > out 2>&1", variable, drawing);
+      EXPECT_EQ(run_line(folder.path, line), 0) << line;
+      EXPECT_EQ(read_file(folder.path / "out"), "") << line;
+      if (expected.empty()) expected = read_file(file);
+      EXPECT_TRUE(read_file(file) == expected) << line;
+    }
   }
 }
 
