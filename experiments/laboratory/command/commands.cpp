@@ -231,6 +231,7 @@ bool is_broken_pipe(const std::exception& error) {
 int run_tlab(int argc, char** argv, const std::function<void()>& prepare) try {
   secure_streams();
   secure_memory();
+  secure_stack();
   base::ignore_font_settings();
   const InterruptWatch watch;
   const base::InputGuard inputs;

@@ -57,6 +57,17 @@ TEST_F(Sweep, DrawingsOfGraphsDoNotDependOnTheEnvironment) {
   }
 }
 
+// A small stack is enlarged, also for threads. A program that may not enlarge it refuses to run.
+TEST_F(Sweep, ASmallStackIsEnlargedOrRefused) {
+  EXPECT_EQ(run_line(folder.path, "(ulimit -Ss 64; $TLAB run e.toml -o r) > out 2>&1"), 0)
+      << read_file(folder.path / "out");
+  EXPECT_EQ(run_line(folder.path, "(ulimit -Ss 64; $TLAB render spheres:9 --threads 2 -o x.png)"),
+            0);
+  EXPECT_EQ(run_line(folder.path, "(ulimit -s 64; $TLAB run e.toml -o r) > out 2> told"), 2);
+  EXPECT_EQ(read_file(folder.path / "told"),
+            "tlab: the stack: found a limit of 64 KiB, expected at least 1024 KiB (ulimit -s)\n");
+}
+
 // The message names the cause: too few file descriptors, or a current folder that was removed.
 TEST_F(Sweep, ErrorsOfTheHostAreNamed) {
   EXPECT_EQ(run_line(folder.path, "(ulimit -n 9; $TLAB run e.toml -o r) > out 2> told"), 2);
