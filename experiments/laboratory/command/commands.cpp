@@ -92,7 +92,7 @@ void write_topology(const TopologyOptions& o) {
                : topologies::to_metrics(topology, topologies::find_routes(topology, o.routes));
   }();
   if (o.output.empty())
-    isatty(STDOUT_FILENO) == 1 ? print_out("{}", text) : fmt::print("{}", text);
+    isatty(STDOUT_FILENO) == 1 ? print_out("{}", text) : write_output(text);
   else
     base::save_whole(o.output, text);
 }

@@ -30,13 +30,19 @@ auto make_printable(const T& value) {
     return value;
 }
 
+/// Prints a text on standard output. Throws std::system_error "cannot write standard output: ...".
+void write_output(std::string_view text);
+
 /// Formats values and prints them on standard output. Control characters in the values, except line
 /// ends and tabs, become visible, so that text from a file cannot control the terminal.
 template <class... Args>
 void print_out(fmt::string_view format, const Args&... args) {
   const auto shown = std::make_tuple(make_printable(args)...);
-  std::apply([&](const auto&... all) { fmt::vprint(format, fmt::make_format_args(all...)); },
-             shown);
+  std::apply(
+      [&](const auto&... all) {
+        write_output(fmt::vformat(format, fmt::make_format_args(all...)));
+      },
+      shown);
 }
 
 /// If standard error is a full pipe, waits until the pipe accepts output.
