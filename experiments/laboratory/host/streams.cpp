@@ -63,7 +63,7 @@ namespace {
 
 // Prints a line on standard error. On a terminal it overwrites the progress bar.
 void print_behind(std::string_view head, std::string_view text) {
-  const auto* const begin = isatty(STDERR_FILENO) == 1 ? "\r\x1b[K" : "";
+  const auto* const begin = obeys_escapes(stderr) ? "\r\x1b[K" : "";
   print_on_error(fmt::format("{}{}{}\n", begin, head, base::make_readable(text)));
 }
 

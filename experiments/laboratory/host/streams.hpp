@@ -52,7 +52,7 @@ void wait_for_error_stream();
 void print_on_error(std::string_view text);
 
 /// Prints a line on standard error, with control characters made visible (base/message.hpp). On a
-/// terminal, the line overwrites the progress bar.
+/// terminal that obeys escape sequences, the line overwrites the progress bar.
 void print_line(std::string_view text);
 
 /// Prints a line with the prefix "tlab: ", as print_line does.
