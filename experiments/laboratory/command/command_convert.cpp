@@ -155,7 +155,9 @@ Converted convert_apart(const std::string& source, const std::function<Converted
   Converted converted;
   for_each_job(1, 1, job, [&](const JobEnd& end) {
     base::require(end.died.empty(), source,
-                  "Assimp cannot read this file within {} s of CPU time: {}", limit_s, end.died);
+                  "found a mesh that takes more than {} s of CPU time, or that the library Assimp "
+                  "fails to read, expected another",
+                  limit_s);
     const auto json = nlohmann::json::from_cbor(end.result);
     converted.left_out = json["left_out"];
     converted.remarks = json["remarks"];
