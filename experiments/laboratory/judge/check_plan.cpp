@@ -74,11 +74,14 @@ std::optional<Table> read_reference(const Spec& spec) {
     find_column(table, key, spec.place + ": keys", spec.reference.path);
   find_column(table, spec.column, spec.place + ": column", spec.reference.path);
   const auto column = *table.find(spec.column);
-  for (auto& row : table.rows) row[column] = unquote_number(row[column]);
-  for (const auto& row : table.rows)
-    base::require(!std::holds_alternative<std::string>(row[column]), spec.place,
-                  "{}, column {}: found \"{}\", expected a number or nothing", spec.reference.path,
-                  spec.column, to_string(row[column]));
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    auto& cell = table.rows[r][column];
+    cell = unquote_number(cell);
+    const auto number = as_number(cell);
+    base::require(cell == Value() || (number && std::isfinite(*number)), spec.place,
+                  "{}:{}, column {}: found \"{}\", expected a finite number or nothing",
+                  spec.reference.path, table.lines[r], spec.column, to_string(cell));
+  }
   return table;
 }
 

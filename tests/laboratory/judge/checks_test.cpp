@@ -22,6 +22,7 @@ struct ChecksCase {
     std::ofstream(folder.path / "ref.csv")
         << "# published\nbytes,latency_s,other\n1,1.0,5\n2,2.0,\n4,,5\n8,8.0,5\n";
     std::ofstream(folder.path / "words.csv") << "bytes,latency_s\n1,fast\n";
+    std::ofstream(folder.path / "nan.csv") << "bytes,latency_s\n1,1.0\n2,nan\n";
     std::ofstream(folder.path / "e.toml")
         << "[program]\nname = \"message\"\n[sweep]\nbytes = [1, 2, 4]\n"
         << checks;
@@ -391,7 +392,9 @@ TEST(ExperimentsChecks, MistakesAreNamed) {
            {check("reference = \"ref.csv\"\nkeys = [\"bytes\"]\ncolumn = \"x\"\n" + in),
             "column: unknown column \"x\""},
            {check("reference = \"words.csv\"\nkeys = [\"bytes\"]\n" + in),
-            "found \"fast\", expected a number"}}) {
+            "found \"fast\", expected a finite number"},
+           {check("reference = \"nan.csv\"\nkeys = [\"bytes\"]\n" + in),
+            "nan.csv:3, column latency_s: found \"nan\", expected a finite number or nothing"}}) {
     const auto told = message_of<base::BadInput>([&, text = text] { ChecksCase(text).eval(); });
     EXPECT_NE(told.find(message), std::string::npos) << text << told;
   }
