@@ -57,6 +57,20 @@ TEST_F(Sweep, DrawingsOfGraphsDoNotDependOnTheEnvironment) {
   }
 }
 
+TEST_F(Sweep, ARemovedCurrentFolderIsNotNeeded) {
+  const auto here = folder.path.string();
+  ASSERT_EQ(run_line(folder.path, "($TLAB run e.toml -o r && $TLAB run e.toml -o q) > out 2>&1"),
+            0);
+  for (const std::string& arguments :
+       {"run " + here + "/e.toml -o " + here + "/new", "report " + here + "/r",
+        "merge " + here + "/r", "compare " + here + "/r " + here + "/q -o " + here + "/c.html",
+        "render spheres:3 --size 4x4 -o " + here + "/x.png --stats " + here + "/x.json"}) {
+    const auto line =
+        "mkdir gone && cd gone && rmdir ../gone && $TLAB " + arguments + " > ../out 2>&1";
+    EXPECT_EQ(run_line(folder.path, line), 0) << read_file(folder.path / "out");
+  }
+}
+
 // A small stack is enlarged, also for threads. A program that may not enlarge it refuses to run.
 TEST_F(Sweep, ASmallStackIsEnlargedOrRefused) {
   EXPECT_EQ(run_line(folder.path, "(ulimit -Ss 64; $TLAB run e.toml -o r) > out 2>&1"), 0)
