@@ -141,6 +141,10 @@ Refined finish(Refinement& image, std::uint64_t rays) {
           .image = image.take_rendering()};
 }
 
+std::size_t count_pixels(const renderer::Params& params) {
+  return static_cast<std::size_t>(params.width) * static_cast<std::size_t>(params.height);
+}
+
 }  // namespace
 
 void add_refined_options(CLI::App& command, RefinedOptions& o) {
@@ -174,11 +178,10 @@ Refined render_refined(const RefinedOptions& o, const RenderTask& task,
   const Order order = o.order.value_or(Order::quadrants);
   const auto identity =
       o.state.empty() && o.resume.empty() ? Identity{} : identify(task.scene, task.params, order);
-  const auto pixels =
-      static_cast<std::size_t>(task.params.width) * static_cast<std::size_t>(task.params.height);
-  Refinement image = o.resume.empty() ? Refinement(scene, task.params, order, task.threads)
-                                      : Refinement(scene, task.params, order, task.threads,
-                                                   load_state(o.resume, identity, pixels));
+  Refinement image = o.resume.empty()
+                         ? Refinement(scene, task.params, order, task.threads)
+                         : Refinement(scene, task.params, order, task.threads,
+                                      load_state(o.resume, identity, count_pixels(task.params)));
   const Budget budget = o.budget.value_or(Budget{});
   const std::uint64_t goal = samples_at(budget.percent, image.total());
   StateFile states(o.state.empty() ? o.resume : o.state, identity);
