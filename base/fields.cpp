@@ -49,6 +49,8 @@ std::string Domain::describe() const {
       return "a list of numbers";
     case Kind::texts:
       return "a list of texts";
+    case Kind::expression:
+      return "a finite number, or an expression in quotes";
     default:
       return "a text in quotes";
   }

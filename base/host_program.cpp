@@ -73,15 +73,12 @@ std::optional<std::string> find_program(const std::string& name) {
   return {};
 }
 
-// The environment without the variables that select a locale. The output of programs must not
-// depend on the user's language.
+// A small environment in which the output of programs depends neither on the user's language nor on
+// the user's settings of gnuplot (GNUTERM), Graphviz (GVBINDIR) or fontconfig (FONTCONFIG_FILE).
 std::vector<std::string> neutral_environment() {
-  std::vector<std::string> kept;
-  for (char** at = environ; at && *at; ++at) {
-    const std::string_view variable = *at;
-    if (!variable.starts_with("LC_") && !variable.starts_with("LANG")) kept.emplace_back(variable);
-  }
-  kept.emplace_back("LC_ALL=C.UTF-8");
+  std::vector<std::string> kept = {"LC_ALL=C.UTF-8", "FC_LANG=en"};
+  for (const char* name : {"PATH", "HOME", "TMPDIR", "LD_LIBRARY_PATH"})
+    if (const char* value = std::getenv(name)) kept.push_back(fmt::format("{}={}", name, value));
   return kept;
 }
 
@@ -149,6 +146,17 @@ class Child {
 };
 
 }  // namespace
+
+void ignore_font_settings() {
+  std::vector<std::string> names = {"FREETYPE_PROPERTIES"};
+  for (char** at = environ; at && *at; ++at) {
+    const std::string_view variable = *at;
+    if (variable.starts_with("FONTCONFIG_") || variable.starts_with("FC_"))
+      names.emplace_back(variable.substr(0, variable.find('=')));
+  }
+  for (const auto& name : names) unsetenv(name.c_str());
+  setenv("FC_LANG", "en", 1);  // otherwise fontconfig takes the language from LANG and LC_*
+}
 
 std::string run_program(const HostProgram& program) {
   const auto path = find_program(program.name);

@@ -18,6 +18,12 @@ std::size_t measure_character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const bool is_control = byte(0) < 0x20 || byte(0) == 0x7f;
   const auto length = measure_utf8(text);
+  // Characters that change the direction of text: U+202A to U+202E and U+2066 to U+2069.
+  const auto turns = [&](unsigned char second, unsigned char first, unsigned char last) {
+    return length == 3 && byte(0) == 0xe2 && byte(1) == second && byte(2) >= first &&
+           byte(2) <= last;
+  };
+  if (turns(0x80, 0xaa, 0xae) || turns(0x81, 0xa6, 0xa9)) return 0;
   // The C1 control characters, U+0080 to U+009F.
   const bool is_later_control = length == 2 && byte(0) == 0xc2 && byte(1) < 0xa0;
   return is_control || is_later_control ? 0 : length;

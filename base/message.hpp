@@ -8,7 +8,8 @@
 namespace base {
 
 /// Makes a message that quotes arbitrary input safe to print. Control characters other than line
-/// ends, and bytes that are not UTF-8, become escapes such as "\x1b". Lines of more than 2000 bytes
+/// ends, characters that change the direction of text, and bytes that are not UTF-8, become escapes
+/// such as "\x1b". Lines of more than 2000 bytes
 /// are cut in the middle; the length of the cut is shown.
 std::string make_readable(std::string_view message);
 

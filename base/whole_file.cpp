@@ -12,11 +12,13 @@
 #include <mutex>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <system_error>
 #include <tuple>
 
 #include "base/early_end.hpp"
 #include "base/errors.hpp"
+#include "base/output_pipe.hpp"
 #include "base/partial_name.hpp"
 
 namespace base {
@@ -64,6 +66,11 @@ void fill_file(std::ofstream& out, const fs::path& path, const Write& write) {
 }
 
 void write_in_place(const fs::path& path, const Write& write) {
+  if (fs::is_fifo(path)) {
+    std::ostringstream text;
+    write(text);
+    return write_to_pipe(path, text.view());
+  }
   errno = 0;
   std::ofstream out(path, std::ios::binary);
   fill_file(out, path, write);
@@ -275,6 +282,7 @@ void check_can_save(const fs::path& path) {
   const auto status = fs::status(path, ignored);
   if (fs::is_directory(status)) fail(path, EISDIR);
   check_no_input(path);
+  if (fs::is_fifo(status)) return open_output_pipe(path);
   if (fs::exists(status) && !fs::is_regular_file(status)) return;
   PartialFile(fs::exists(status) ? fs::canonical(path) : path).fill([](std::ostream&) {});
 }
@@ -283,8 +291,8 @@ std::string read_text(const fs::path& path, std::size_t most) {
   return Input(path, /*is_kept=*/true).read(std::min(most, MOST_FROM_FILE));
 }
 
-std::string read_own_text(const fs::path& path) {
-  return Input(path, /*is_kept=*/false).read(measure_memory());
+std::string read_own_text(const fs::path& path, std::size_t most) {
+  return Input(path, /*is_kept=*/false).read(std::min(most, measure_memory()));
 }
 
 void check_can_read(const fs::path& path) {

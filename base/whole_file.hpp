@@ -17,7 +17,7 @@ namespace base {
 /// program (early_end.hpp), no new file remains, and an older file is unchanged. Follows symbolic
 /// links. Writes directly to `path` if it is not a regular file (/dev/stdout, a pipe). Throws
 /// std::system_error "path: cannot be written: ...", and BadInput if the program has read this
-/// file.
+/// file, or for a pipe that nobody reads (output_pipe.hpp).
 void save_whole(const std::filesystem::path& path, std::string_view bytes);
 
 /// Like save_whole above, but calls `write` to write the bytes to a stream. Passes on the
@@ -39,8 +39,8 @@ void check_can_save(const std::filesystem::path& path);
 std::string read_text(const std::filesystem::path& path, std::size_t most = SIZE_MAX);
 
 /// Reads a file as read_text does, but lets the caller overwrite it, for example a saved state. The
-/// limit on its size is the host's memory.
-std::string read_own_text(const std::filesystem::path& path);
+/// limit on its size is the host's memory, or `most` if that is less.
+std::string read_own_text(const std::filesystem::path& path, std::size_t most = SIZE_MAX);
 
 /// Checks that read_text could open the file, and remembers the file. Throws the same errors as
 /// read_text if a file is missing, unreadable, a folder or a device. Also refuses pipes. To be

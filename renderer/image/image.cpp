@@ -84,9 +84,7 @@ Bitmap load_png(const std::string& path) {
   image.version = PNG_IMAGE_VERSION;
   const auto check_read = [&](int done) {
     if (done == 0) png_image_free(&image);
-    require(done != 0, path,
-            fmt::format("a file that is not a complete PNG picture ({})", image.message),
-            "a picture");
+    require(done != 0, path, "a file that is not a complete PNG picture", "a picture");
   };
   check_read(png_image_begin_read_from_memory(&image, bytes.data(), bytes.size()));
   const auto pixels = std::uint64_t{image.width} * image.height;
@@ -132,7 +130,8 @@ void save_png(const std::string& path, int width, int height,
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::string bytes(size, '\0');
   if (png_image_write_to_memory(&image, bytes.data(), &size, 0, rgb8.data(), 0, nullptr) == 0)
-    throw std::runtime_error(fmt::format("{}: {}", path, image.message));
+    throw std::runtime_error(
+        fmt::format("{}: cannot be written: the picture cannot be encoded as PNG", path));
   base::save_whole(path, std::string_view(bytes).substr(0, size));
 }
 

@@ -151,11 +151,13 @@ void read_mesh(const std::string& path, ObjTarget& target, LeftOut& left_out) {
       path, aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices);
   if (!scene || scene->mNumMeshes == 0) {
     const std::string reason = importer.GetErrorString();
-    const bool is_memory = reason.find("bad_alloc") != reason.npos;
-    throw base::BadInput(fmt::format("{}: found {}, expected a mesh of triangles", path,
-                                     is_memory ? "a file that needs more memory than is available"
-                                     : reason.empty() ? "none"
-                                                      : base::quote(reason)));
+    const auto has = [&](const char* word) { return reason.find(word) != reason.npos; };
+    throw base::BadInput(fmt::format(
+        "{}: found {}, expected a mesh of triangles", path,
+        has("bad_alloc")            ? "a file that needs more memory than is available"
+        : has("No suitable reader") ? "a file whose content does not fit the ending of its name"
+        : reason.empty()            ? "none"
+                                    : fmt::format("\"{}\"", base::blank_controls(reason))));
   }
   Teller(*scene, path, target, left_out).tell();
 }

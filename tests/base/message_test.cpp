@@ -12,6 +12,8 @@ TEST(Message, ControlsAndBrokenCharactersAreEscaped) {
   EXPECT_EQ(make_readable("\xff\xc3(\xe2\x82"), "\\xff\\xc3(\\xe2\\x82");
   EXPECT_EQ(make_readable("\xc0\xaf\xed\xa0\x80\xc2\x9b"), "\\xc0\\xaf\\xed\\xa0\\x80\\xc2\\x9b")
       << "overlong, a surrogate, a control";
+  EXPECT_EQ(make_readable("\u202ea\u2066"), "\\xe2\\x80\\xaea\\xe2\\x81\\xa6") << "directions";
+  EXPECT_EQ(make_readable("\u2029\u202f\u2065\u206a"), "\u2029\u202f\u2065\u206a");
 }
 
 TEST(Message, TheMiddleOfALongLineIsLeftOut) {

@@ -10,7 +10,10 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstddef>
+#include <fstream>
+#include <iterator>
 #include <ostream>
 #include <system_error>
 #include <thread>
@@ -286,6 +289,34 @@ TEST(WholeFile, PipesAreWrittenToAndRead) {
   EXPECT_EQ(read_text(pipe), "through");
   writer.join();
   EXPECT_TRUE(fs::is_fifo(pipe));
+}
+
+TEST(WholeFile, PipesThatNobodyReadsAreRefused) {
+  const TemporaryFolder folder;
+  const auto pipe = folder.path / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const auto refusal =
+      pipe.string() +
+      ": cannot be written: found a pipe that nobody reads, expected a file, or a pipe with a "
+      "reader";
+  EXPECT_EQ(message_of<BadInput>([&] { check_can_save(pipe); }), refusal);
+  EXPECT_EQ(message_of<BadInput>([&] { save_whole(pipe, "lost"); }), refusal);
+}
+
+// A reader ends when no writer has the pipe open. The pipe must therefore stay open between the
+// check and the output.
+TEST(WholeFile, PipesStayOpenAfterTheyWereChecked) {
+  const TemporaryFolder folder;
+  const auto pipe = folder.path / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  std::thread writer([&] {
+    check_can_save(pipe);
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    save_whole(pipe, "through");
+  });
+  std::ifstream in(pipe);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(in), {}), "through");
+  writer.join();
 }
 
 }  // namespace

@@ -54,7 +54,7 @@ void read_state(const std::string& text) {
   params.height = 3;
   params.sampling.pixel_samples = 3;
   params.sampling.adaptive = 0.1;
-  const auto load = [](const char* path) { return laboratory::load_state(path, IDENTITY); };
+  const auto load = [](const char* path) { return laboratory::load_state(path, IDENTITY, 12); };
   base::save_whole("fuzz.state", text);
   try {
     load("fuzz.state");

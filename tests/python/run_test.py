@@ -10,6 +10,7 @@ import tempfile
 import time
 import tomllib
 import unittest
+import unittest.mock
 
 import matplotlib.image
 import numpy
@@ -215,6 +216,24 @@ class ErrorsTest(FolderTest):
         self.assertRegex(str(self.check_message(tlab.BadInput, "[image]\nwidth = -3\n")),
                          "^line 2 of the text: image.width: found -3")
 
+    def test_wrong_values_are_refused_in_words_of_tlab(self):
+        itself = {}
+        itself["scene"] = itself
+        for experiment, settings, message in (
+                ("", {}, "found '', expected the path of an experiment"),
+                ("title = '\ud800'", {}, "expected text without surrogates"),
+                ({"scene": {1: 2}}, {}, "found the key 1, expected a text"),
+                (itself, {}, "contains itself"),
+                (MESSAGE, {"program.bytes": itself}, "contains itself"),
+                (self.folder / "a\0b.toml", {}, "expected a text without zero bytes"),
+                (MESSAGE, {"title": "\ud800"}, "expected a text without zero bytes")):
+            with self.subTest(message), self.assertRaisesRegex(tlab.BadInput, re.escape(message)):
+                tlab.run(experiment, **settings)
+        with self.assertRaisesRegex(tlab.BadInput, "size: found '4x4', expected"):
+            tlab.render("spheres:2", size="4x4")
+        with self.assertRaisesRegex(tlab.BadInput, r"^a\\x1b.nff: "):
+            tlab.render("a\x1b.nff")
+
     def test_a_check_that_fails_leaves_results(self):
         error = self.check_message(tlab.CheckFailed, TOO_STRICT)
         self.assertIn("1 of 1 check(s) do not hold", str(error))
@@ -234,6 +253,11 @@ class ErrorsTest(FolderTest):
         self.assertRegex(str(error), "(?i)deadlock")
         drawing = re.search("who waits for whom: (.*)", str(error))[1]
         self.assertTrue(pathlib.Path(drawing).is_file())
+
+    def test_with_another_command(self):
+        with unittest.mock.patch.dict(os.environ, {"TLAB": "/bin/true"}):
+            with self.assertRaisesRegex(tlab.NotFound, "/bin/true has written no results"):
+                tlab.run(MESSAGE)
 
     def test_without_the_command(self):
         before = os.environ.get("TLAB")

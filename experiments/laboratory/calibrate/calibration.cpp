@@ -120,9 +120,9 @@ Measurements read_measurements(const CalibrationTask& task) {
   for (std::size_t r = 0; r < table.rows.size(); ++r) {
     const auto& row = table.rows[r];
     const auto value = as_number(unquote_number(row[columns.result]));
-    require(value && std::isfinite(*value) && *value > 0, file,
-            "measurement {}: {}: found {}, expected a number above 0", r + 1, read.column,
-            to_string(row[columns.result]));
+    require(value && std::isfinite(*value) && *value > 0,
+            fmt::format("{}:{}: {}", file, table.lines[r], read.column),
+            "found {}, expected a number above 0", to_string(row[columns.result]));
     read.values.push_back(*value);
     auto& setting = read.settings.rows.emplace_back();
     for (const auto key : columns.keys) setting.push_back(unquote_number(row[key]));
@@ -130,6 +130,7 @@ Measurements read_measurements(const CalibrationTask& task) {
   require(read.values.size() > task.entries.size(), file,
           "found {} measurement(s) for {} entries, expected more measurements than entries",
           read.values.size(), task.entries.size());
+  read.settings.lines = table.lines;
   return read;
 }
 
@@ -164,13 +165,36 @@ toml::table make_sweep(const Table& settings, std::vector<std::size_t>& which) {
   return sweep;
 }
 
+// Reads the experiment with all measured settings. If a setting is refused, names its line in the
+// file of measurements.
+ExperimentFile read_settings(const CalibrationTask& task, const Table& settings,
+                             std::vector<std::size_t>& which) {
+  try {
+    auto file = read_task(task, make_sweep(settings, which));
+    for (const auto& point : file.points) check_point(point.experiment);
+    return file;
+  } catch (const base::BadInput&) {
+    for (std::size_t r = 0; settings.rows.size() > 1 && r < settings.rows.size(); ++r) {
+      std::vector<std::size_t> only;
+      try {
+        read_settings(task, {.columns = settings.columns, .rows = {settings.rows[r]}}, only);
+      } catch (const base::BadInput& error) {
+        constexpr std::string_view MARK = ", with --set: ";
+        std::string_view reason = error.what();
+        if (const auto at = reason.find(MARK); at != reason.npos)
+          reason.remove_prefix(at + MARK.size());
+        base::refuse(fmt::format("{}:{}", task.measurements, settings.lines[r]), "{}", reason);
+      }
+    }
+    throw;
+  }
+}
+
 // Simulates all measured settings with given values of the model's entries.
 class Runs {
  public:
   Runs(const CalibrationTask& task, const Measurements& measured)
-      : column_(measured.column), file_(read_task(task, make_sweep(measured.settings, which_))) {
-    for (const auto& point : file_.points) check_point(point.experiment);
-  }
+      : column_(measured.column), file_(read_settings(task, measured.settings, which_)) {}
 
   /// Returns the simulated result for each measurement.
   const std::vector<double>& eval(const Texts& entries, const std::vector<double>& values) {

@@ -105,15 +105,17 @@ void add_compare_command(CLI::App& app) {
       ->required()
       ->expected(1, 1000)
       ->option_text("... REQUIRED");
+  add_names_option(
+      *command, "--columns", [o](auto names) { o->columns = std::move(names); },
+      "results to compare [those in the table of the first folder]");
   command
-      ->add_option("--columns", o->columns,
-                   "results to compare [those in the table of the first folder]")
-      ->delimiter(',')
-      ->allow_extra_args(false);
-  command->add_option("-o,--output", o->output,
-                      "write a page (.html) or all ratios (.csv); of pictures, a picture of the "
-                      "differences (.png, .exr)");
+      ->add_option("-o,--output", o->output,
+                   "write a page (.html) or all ratios (.csv); of pictures, a picture of the "
+                   "differences (.png, .exr)")
+      ->check(check_file_name);
   add_figure_options(*command, o->figure);
+  for (const char* name : {"--font", "--font-size"})
+    command->get_option(name)->needs(command->get_option("--width"));
   command->footer(
       "Examples:\n  tlab compare results/tree results/mesh\n  tlab compare a b -o a-b.html "
       "--columns time_s,speedup\n  tlab compare a.png b.png -o difference.png");

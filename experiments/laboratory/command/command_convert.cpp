@@ -11,6 +11,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "base/at_place.hpp"
 #include "base/errors.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
@@ -18,6 +19,7 @@
 #include "experiments/laboratory/host/elapsed_time.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
 #include "experiments/laboratory/host/streams.hpp"
+#include "experiments/laboratory/options/options.hpp"
 #include "experiments/laboratory/setup/open_scene.hpp"
 #include "renderer/files/obj_nff.hpp"
 #include "renderer/files/write_nff.hpp"
@@ -99,7 +101,9 @@ Texts write_obj(const std::string& source, const std::string& output, LeftOut& l
                 "found this file, but no {} that names it, expected neither or both: it would be "
                 "overwritten",
                 output);
-  renderer::ObjText obj(library.parent_path().string(), library.filename().string());
+  auto obj = base::at_place("-o " + output, [&] {
+    return renderer::ObjText(library.parent_path().string(), library.filename().string());
+  });
   renderer::NffAsObj nff(obj, left_out);
   if (ending_of(source) == ".room")
     radiosity::tell(read_room(source, left_out), obj, left_out);
@@ -151,7 +155,9 @@ Converted convert_apart(const std::string& source, const std::function<Converted
   Converted converted;
   for_each_job(1, 1, job, [&](const JobEnd& end) {
     base::require(end.died.empty(), source,
-                  "Assimp cannot read this file within {} s of CPU time: {}", limit_s, end.died);
+                  "found a mesh that takes more than {} s of CPU time, or that the library Assimp "
+                  "fails to read, expected another",
+                  limit_s);
     const auto json = nlohmann::json::from_cbor(end.result);
     converted.left_out = json["left_out"];
     converted.remarks = json["remarks"];
@@ -210,6 +216,7 @@ void add_convert_command(CLI::App& app) {
   command
       ->add_option("-o,--output", o->output,
                    "the .nff, .obj or .room file to write; an .obj also gets an .mtl file")
+      ->check(check_file_name)
       ->required();
   command->footer(
       "Lists everything that the new format cannot represent.\nExamples:\n  tlab convert "

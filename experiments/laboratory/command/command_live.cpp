@@ -213,13 +213,17 @@ void add_live_command(CLI::App& app) {
       ->capture_default_str();
   command
       ->add_option("--port", o->port, "TCP port of the page on this computer [8080, or a free one]")
-      ->check(CLI::Range(1, 65535));
+      ->check(check_value({base::Domain::Kind::whole, 1, 65535}))
+      ->option_text("1..65535");
   command->add_flag("--no-browser", o->no_browser,
                     "print the page's address without opening a browser");
-  command->add_option("--record", o->record,
-                      "experiment file that records the session [results/EXPERIMENT's "
-                      "name-live.toml, or -live2 ...]");
-  command->add_option("-o,--output", o->output, "results folder [results/the recording's name]");
+  command
+      ->add_option("--record", o->record,
+                   "experiment file that records the session [results/EXPERIMENT's "
+                   "name-live.toml, or -live2 ...]")
+      ->check(check_file_name);
+  command->add_option("-o,--output", o->output, "results folder [results/the recording's name]")
+      ->check(check_folder_name);
   command->footer("Examples:\n  tlab live experiments/live.toml");
   command->callback([o] { watch_run(*o); });
 }

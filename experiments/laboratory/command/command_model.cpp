@@ -61,7 +61,6 @@ void fit_model(ModelOptions o) {
                   "found a file that --fit has not written, expected a new name");
     base::check_can_save(o.output);
   }
-  for (auto& entry : o.fit.entries) entry = trim_name(entry);
   const auto found = [&] {
     const ElapsedTime elapsed_time("model --fit " + o.fit.measurements);
     return calibrate(o.fit);
@@ -98,18 +97,20 @@ void add_model_command(CLI::App& app) {
   auto* fits =
       command->add_option("--fit", o->fit.measurements,
                           "CSV file of measurements: columns of keys and one column of a result");
-  fits->excludes(begins);
-  command
-      ->add_option("--entries", o->fit.entries, "entries of the model to fit to the measurements")
-      ->delimiter(',')
-      ->allow_extra_args(false)
+  fits->check(check_file_name)->excludes(begins);
+  add_names_option(
+      *command, "--entries", [o](auto names) { o->fit.entries = std::move(names); },
+      "entries of the model to fit to the measurements")
       ->needs(fits);
   fits->needs("--entries");
   command
       ->add_option("--by", o->fit.experiment,
                    "the measured experiment [the program message: bytes, latency_s]")
+      ->check(check_file_name)
       ->needs(fits);
-  command->add_option("-o,--output", o->output, "write the fitted model (.toml)")->needs(fits);
+  command->add_option("-o,--output", o->output, "write the fitted model (.toml)")
+      ->check(check_file_name)
+      ->needs(fits);
   command->footer(
       "Examples:\n  tlab model t805-25\n  tlab model t805-25 t800-20     # their differences\n  "
       "tlab model mine --new --base t805-25\n  tlab model t805-25 --fit latencies.csv --entries "

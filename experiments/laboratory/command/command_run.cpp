@@ -73,26 +73,25 @@ void add_choice_options(CLI::App& command, const std::shared_ptr<RunOptions>& o)
       "confidence intervals");
   add_key_option(command, "seed", "uncertain.seed", o->overrides, "seed for the drawn machines")
       ->needs(machines);
-  command
-      .add_option_function<std::vector<std::string>>(
-          "--columns",
-          [o](std::vector<std::string> names) {
-            for (auto& name : names) name = trim_name(name);
-            o->overrides.push_back({"report.columns", make_node(names)});
-          },
-          COLUMNS_HELP)
-      ->delimiter(',')
-      ->allow_extra_args(false);
+  add_names_option(
+      command, "--columns",
+      [o](const auto& names) {
+        o->overrides.push_back({"report.columns", make_node(names)});
+      },
+      COLUMNS_HELP);
 }
 
 // Adds the options for recording the single point of an experiment. Returns the values of
 // --animate, once they are parsed.
 std::shared_ptr<const std::vector<std::string>> add_recording_options(CLI::App& command,
                                                                       RunOptions& o) {
-  command.add_option("--trace", o.trace,
-                     "file for a trace of all processors and links of the single point: .json for "
-                     "Perfetto and chrome://tracing, .paje for ViTE");
-  command.add_option("--timeline", o.timeline, "file for the same trace as a chart (.svg or .pdf)");
+  command
+      .add_option("--trace", o.trace,
+                  "file for a trace of all processors and links of the single point: .json for "
+                  "Perfetto and chrome://tracing, .paje for ViTE")
+      ->check(check_file_name);
+  command.add_option("--timeline", o.timeline, "file for the same trace as a chart (.svg or .pdf)")
+      ->check(check_file_name);
   const auto films = std::make_shared<std::vector<std::string>>();
   auto* animate =
       command
@@ -144,12 +143,14 @@ void add_run_command(CLI::App& app) {
       "network.topology=mesh --set 'sweep.workers=[4,9,16]' -o results/mesh\n  tlab run e.toml "
       "--uncertain 64      # with confidence intervals\n  tlab help farm                     # "
       "keys of a program; tlab help keys: of all programs");
-  command->callback([o, films, jobs = command->get_option("--jobs")] {
+  command->callback([o, films, command, jobs = command->get_option("--jobs")] {
     o->file = find_listed(o->file);
     note_threads(o->threads);
     if (jobs->count() == 0) o->jobs = std::max(1u, o->jobs / o->threads);
     if (o->list) return list_points(*o);
     read_films(*films, *o);
+    require_option(command->count("--from") == 0 || o->wants_trace() || o->films.is_asked(),
+                   "--from", "expected --trace, --timeline or --animate with this option");
     if (!o->points.empty()) return run_chosen_points(*o);
     run_experiment(*o);
   });

@@ -163,8 +163,10 @@ void add_verify_command(CLI::App& app) {
                   "results folder of a single file, or folder for all results [results]",
                   "key.path=value: replaces a key of each experiment");
   command->add_flag("--all", o->all, "show every point instead of only the worst");
-  command->add_option("--junit", o->junit, "write a case for each check as JUnit XML");
-  command->add_option("--tap", o->tap, "write a case for each check in the Test Anything Protocol");
+  command->add_option("--junit", o->junit, "write a case for each check as JUnit XML")
+      ->check(check_file_name);
+  command->add_option("--tap", o->tap, "write a case for each check in the Test Anything Protocol")
+      ->check(check_file_name);
   command->footer(
       "Examples:\n  tlab verify experiments/farm.toml\n  tlab verify experiments/thesis -o "
       "results/thesis");

@@ -13,6 +13,7 @@
 
 #include "base/early_end.hpp"
 #include "base/errors.hpp"
+#include "base/host_program.hpp"
 #include "base/message.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
@@ -91,7 +92,7 @@ void write_topology(const TopologyOptions& o) {
                : topologies::to_metrics(topology, topologies::find_routes(topology, o.routes));
   }();
   if (o.output.empty())
-    isatty(STDOUT_FILENO) == 1 ? print_out("{}", text) : fmt::print("{}", text);
+    isatty(STDOUT_FILENO) == 1 ? print_out("{}", text) : write_output(text);
   else
     base::save_whole(o.output, text);
 }
@@ -102,13 +103,18 @@ void add_topology_command(CLI::App& app) {
   std::string forms;
   for (const auto& g : topologies::generators()) forms += g.form + ", ";
   command->add_option("SPEC", o->spec, forms + "or a .dot, .gv or .graphml file")->required();
+  base::Domain formats{base::Domain::Kind::choice};
+  for (const auto& [name, write] : FORMATS) formats.choices.push_back(name);
   command
       ->add_option("--format", o->format,
                    "output format [metrics, or the format of the file's ending]")
-      ->check(CLI::IsMember(FORMATS));
-  command->add_option("--routes", o->routes,
-                      "routes to measure instead of the shortest: xy, or a CSV file from,to,path");
-  command->add_option("-o,--output", o->output, "write to this file");
+      ->check(check_value(formats))
+      ->option_text(fmt::format("{}", fmt::join(formats.choices, "|")));
+  command
+      ->add_option("--routes", o->routes,
+                   "routes to measure instead of the shortest: xy, or a CSV file from,to,path")
+      ->check(check_file_name);
+  command->add_option("-o,--output", o->output, "write to this file")->check(check_file_name);
   add_figure_options(*command, o->figure);
   command->footer(
       "Examples:\n  tlab topology torus:4x4\n  tlab topology tree:13 --format svg -o tree.svg\n  "
@@ -154,7 +160,7 @@ void add_columns_command(CLI::App& app) {
 }
 
 void check_command(const CLI::App& app, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return;
+  if (argc < 2 || (argv[1][0] == '-' && app.get_option_no_throw(argv[1]))) return;
   std::vector<std::string> known;
   for (const auto* command : app.get_subcommands({})) known.push_back(command->get_name());
   if (std::ranges::find(known, argv[1]) != known.end()) return;
@@ -171,17 +177,13 @@ void add_report_command(CLI::App& app) {
   };
   auto o = std::make_shared<Options>();
   command->add_option("DIR", o->folder, "folder of results")->required();
-  command->add_option("--columns", o->columns, COLUMNS_HELP)
-      ->delimiter(',')
-      ->allow_extra_args(false);
+  add_names_option(
+      *command, "--columns", [o](auto names) { o->columns = std::move(names); }, COLUMNS_HELP);
   add_figure_options(*command, o->figure);
   command->footer(
       "Examples:\n  tlab report results/farm --columns time_s,speedup\n  tlab report results/farm "
       "--width column --font 'DejaVu Serif' --font-size 9");
-  command->callback([o] {
-    for (auto& name : o->columns) name = trim_name(name);
-    report_results(o->folder, o->columns, o->figure);
-  });
+  command->callback([o] { report_results(o->folder, o->columns, o->figure); });
 }
 
 void add_commands(CLI::App& app) {
@@ -229,6 +231,8 @@ bool is_broken_pipe(const std::exception& error) {
 int run_tlab(int argc, char** argv, const std::function<void()>& prepare) try {
   secure_streams();
   secure_memory();
+  secure_stack();
+  base::ignore_font_settings();
   const InterruptWatch watch;
   const base::InputGuard inputs;
   try {

@@ -61,7 +61,7 @@ std::string for_bash(const std::vector<const CLI::App*>& commands) {
   }
   return fmt::format(R"script(# bash completion of tlab; made by: tlab completion bash
 _tlab() {{
-  local word=${{COMP_WORDS[COMP_CWORD]}} words= known=() name
+  local word=${{COMP_WORDS[COMP_CWORD]}} words= known=() files=() name
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
     words="{}"
@@ -71,7 +71,11 @@ _tlab() {{
   else
     case ${{COMP_WORDS[1]}} in
 {}    esac
-    mapfile -t COMPREPLY < <(compgen -f -- "$word")
+    # Leaves out the parts of a file's name that contains a line end.
+    mapfile -t files < <(compgen -f -- "$word")
+    for name in "${{files[@]}}"; do
+      [ -e "${{name/#\~/$HOME}}" ] && COMPREPLY+=("$name")
+    done
   fi
   # No expansion of names: they may hold characters that are special to the shell.
   [ -n "$words" ] && read -r -a known <<< "$words"

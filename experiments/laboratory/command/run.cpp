@@ -219,10 +219,23 @@ void judge_chosen(const PointsPlan& plan, const std::vector<std::size_t>& number
   print_films(plan.options.films);
 }
 
+// Throws for a name in --columns that is no column of the results.
+void check_shown_columns(const RunOptions& options, const ExperimentFile& file) {
+  if (std::ranges::find(options.overrides, "report.columns", &Override::key) ==
+      options.overrides.end())
+    return;
+  auto known = declared_columns(file);
+  for (const auto& baseline : file.baselines) known.push_back(baseline.column());
+  for (const auto& name : file.report.columns)
+    base::require(is_declared(known, name) || name == "all" || name == SEEDS, "--columns",
+                  "no column \"{}\"{}", name, base::suggest(name, known));
+}
+
 }  // namespace
 
 void run_experiment(const RunOptions& options) {
   const auto file = load_experiment(options.file, options.overrides, options.is_reduced);
+  check_shown_columns(options, file);
   if (file.content->empty())
     complain(fmt::format("{}: found no keys; the program farm runs with its defaults", file.path));
   write_and_judge(options, file, Missing::run);

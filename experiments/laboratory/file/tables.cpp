@@ -295,6 +295,8 @@ void check_histogram(const PlotSpec& s, const toml::table& table) {
 void check_complete(const PlotSpec& s, const toml::table& table) {
   require(!s.name.starts_with('.') && s.name.find('/') == std::string::npos, s.place,
           "expected a name without / and without a leading point, because files get this name");
+  require(base::blank_controls(s.name) == s.name, s.place,
+          "name: found a control character, expected none, because files get this name");
   // In bytes. File systems allow 255 bytes, which must also hold the extensions that tlab appends.
   constexpr std::size_t LONGEST = 200;
   require(s.name.size() <= LONGEST, s.place,

@@ -88,6 +88,9 @@ base::Scalar read_value(const Place& at, const base::Domain& domain) {
   } else if (const auto flag = node.value_exact<bool>()) {
     value = *flag;
   }
+  const auto* source = std::get_if<base::Source>(&value);
+  if (source && source->text.find('\0') != std::string::npos)
+    at.refuse("the name of a file, without a zero byte");
   if (domain.allows(value)) return value;
   const auto* text = std::get_if<std::string>(&value);
   at.refuse(domain.describe() +

@@ -31,9 +31,12 @@ fmt::text_style style_of(Tone tone) {
 
 }  // namespace
 
+bool obeys_escapes(std::FILE* stream) {
+  return isatty(fileno(stream)) == 1 && find_setting("TERM") != "dumb";
+}
+
 Painted paint(std::string_view text, Tone tone, std::FILE* stream) {
-  const bool has_colour = isatty(fileno(stream)) == 1 && find_setting("NO_COLOR").empty() &&
-                          find_setting("TERM") != "dumb";
+  const bool has_colour = obeys_escapes(stream) && find_setting("NO_COLOR").empty();
   auto shown = base::show_controls(text);
   return {has_colour ? fmt::format(style_of(tone), "{}", shown) : std::move(shown)};
 }

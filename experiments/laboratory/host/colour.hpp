@@ -14,7 +14,10 @@ struct Painted {
   std::string text;
 };
 
-/// Colours the text if `stream` is a terminal, TERM is not "dumb", and NO_COLOR is unset or empty
+/// True if the stream is a terminal that obeys escape sequences: TERM is not "dumb".
+bool obeys_escapes(std::FILE* stream);
+
+/// Colours the text if obeys_escapes(stream) is true, and NO_COLOR is unset or empty
 /// (https://no-color.org).
 Painted paint(std::string_view text, Tone tone, std::FILE* stream = stdout);
 

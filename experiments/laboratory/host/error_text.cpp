@@ -1,9 +1,11 @@
 #include "experiments/laboratory/host/error_text.hpp"
 
 #include <fmt/format.h>
+#include <pthread.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <filesystem>
@@ -15,6 +17,7 @@
 #include <system_error>
 
 #include "base/early_end.hpp"
+#include "base/errors.hpp"
 #include "base/partial_name.hpp"
 
 namespace laboratory {
@@ -83,6 +86,24 @@ std::string describe_error(const std::exception& error) {
   if (dynamic_cast<const nlohmann::json::exception*>(&error))
     return "found damaged JSON, expected a file that tlab has written";
   return error.what();
+}
+
+void secure_stack() {
+  constexpr rlim_t ENOUGH = rlim_t{8} << 20, LEAST = rlim_t{1} << 20;
+  rlimit limit{};
+  if (getrlimit(RLIMIT_STACK, &limit) != 0 || limit.rlim_cur >= ENOUGH) return;
+  limit.rlim_cur = std::min(limit.rlim_max, ENOUGH);
+  base::require(limit.rlim_cur >= LEAST, "the stack",
+                "found a limit of {} KiB, expected at least {} KiB (ulimit -s)",
+                limit.rlim_cur >> 10, LEAST >> 10);
+  // The kernel observes the new limit when the stack of the main thread grows. The C library has
+  // already taken the size of other threads' stacks from the old limit.
+  pthread_attr_t attributes;
+  setrlimit(RLIMIT_STACK, &limit);
+  pthread_getattr_default_np(&attributes);
+  pthread_attr_setstacksize(&attributes, limit.rlim_cur);
+  pthread_setattr_default_np(&attributes);
+  pthread_attr_destroy(&attributes);
 }
 
 void secure_memory() {

@@ -1,9 +1,9 @@
 #include "experiments/laboratory/host/progress.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "base/errors.hpp"
+#include "experiments/laboratory/host/colour.hpp"
 #include "experiments/laboratory/host/streams.hpp"
 
 namespace laboratory {
@@ -24,7 +24,7 @@ void announce_cost(const std::string& option, std::size_t count, double seconds_
 Progress::Progress(std::string what, std::size_t there)
     : what_(std::move(what)),
       there_(there),
-      terminal_(isatty(STDERR_FILENO) == 1),
+      terminal_(obeys_escapes(stderr)),
       start_(steady_clock::now()) {}
 
 Progress::~Progress() {

@@ -27,8 +27,8 @@ void announce_cost(const std::string& option, std::size_t count, double seconds_
 
 class Progress {
  public:
-  /// Draws on standard error if that is a terminal. `there` items were done before the start. They
-  /// count as done, but not in the estimate of the remaining time.
+  /// Draws on standard error if that is a terminal that obeys escape sequences. `there` items were
+  /// done before the start. They count as done, but not in the estimate of the remaining time.
   explicit Progress(std::string what, std::size_t there = 0);
   ~Progress();
   void show(std::size_t done, std::size_t total);

@@ -107,7 +107,8 @@ void check_is_ours(const fs::path& path) {
   const auto status = fs::symlink_status(path);
   if (!fs::exists(status)) return;
   if (!fs::is_directory(status)) refuse(path, "is not a folder");
-  const auto current = fs::current_path();
+  std::error_code error;  // the current folder may have been removed; then it is in no folder
+  const auto current = fs::current_path(error);
   const auto below = current.lexically_relative(path);
   if (!below.empty() && *below.begin() != "..") refuse(path, "holds the current folder");
   if (!fs::is_empty(path) && !fs::exists(path / "run.json") && !fs::exists(path / "points"))

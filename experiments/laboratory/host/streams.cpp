@@ -56,9 +56,14 @@ void print_on_error(std::string_view text) {
 
 namespace {
 
+[[noreturn]] void fail_to_write() {
+  throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(),
+                          "cannot write standard output");
+}
+
 // Prints a line on standard error. On a terminal it overwrites the progress bar.
 void print_behind(std::string_view head, std::string_view text) {
-  const auto* const begin = isatty(STDERR_FILENO) == 1 ? "\r\x1b[K" : "";
+  const auto* const begin = obeys_escapes(stderr) ? "\r\x1b[K" : "";
   print_on_error(fmt::format("{}{}{}\n", begin, head, base::make_readable(text)));
 }
 
@@ -77,11 +82,14 @@ std::size_t output_width() {
   return 120;
 }
 
+void write_output(std::string_view text) {
+  errno = 0;
+  if (std::fwrite(text.data(), 1, text.size(), stdout) < text.size()) fail_to_write();
+}
+
 void flush_output() {
   errno = 0;
-  if (std::fflush(stdout) != 0 || std::ferror(stdout))
-    throw std::system_error(errno != 0 ? errno : EIO, std::generic_category(),
-                            "cannot write standard output");
+  if (std::fflush(stdout) != 0 || std::ferror(stdout)) fail_to_write();
 }
 
 void print_paged(const std::string& given_text) {
@@ -91,7 +99,7 @@ void print_paged(const std::string& given_text) {
     setenv("LESS", "FRX", 0);  // if the text fits, exits and leaves it on the screen
     if (is_shown_by(given && *given ? given : "less", text)) return;
   }
-  fmt::print("{}", text);
+  write_output(text);
 }
 
 }  // namespace laboratory

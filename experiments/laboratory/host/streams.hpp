@@ -30,13 +30,19 @@ auto make_printable(const T& value) {
     return value;
 }
 
+/// Prints a text on standard output. Throws std::system_error "cannot write standard output: ...".
+void write_output(std::string_view text);
+
 /// Formats values and prints them on standard output. Control characters in the values, except line
 /// ends and tabs, become visible, so that text from a file cannot control the terminal.
 template <class... Args>
 void print_out(fmt::string_view format, const Args&... args) {
   const auto shown = std::make_tuple(make_printable(args)...);
-  std::apply([&](const auto&... all) { fmt::vprint(format, fmt::make_format_args(all...)); },
-             shown);
+  std::apply(
+      [&](const auto&... all) {
+        write_output(fmt::vformat(format, fmt::make_format_args(all...)));
+      },
+      shown);
 }
 
 /// If standard error is a full pipe, waits until the pipe accepts output.
@@ -46,7 +52,7 @@ void wait_for_error_stream();
 void print_on_error(std::string_view text);
 
 /// Prints a line on standard error, with control characters made visible (base/message.hpp). On a
-/// terminal, the line overwrites the progress bar.
+/// terminal that obeys escape sequences, the line overwrites the progress bar.
 void print_line(std::string_view text);
 
 /// Prints a line with the prefix "tlab: ", as print_line does.

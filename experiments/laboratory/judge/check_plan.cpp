@@ -74,11 +74,14 @@ std::optional<Table> read_reference(const Spec& spec) {
     find_column(table, key, spec.place + ": keys", spec.reference.path);
   find_column(table, spec.column, spec.place + ": column", spec.reference.path);
   const auto column = *table.find(spec.column);
-  for (auto& row : table.rows) row[column] = unquote_number(row[column]);
-  for (const auto& row : table.rows)
-    base::require(!std::holds_alternative<std::string>(row[column]), spec.place,
-                  "{}, column {}: found \"{}\", expected a number or nothing", spec.reference.path,
-                  spec.column, to_string(row[column]));
+  for (std::size_t r = 0; r < table.rows.size(); ++r) {
+    auto& cell = table.rows[r][column];
+    cell = unquote_number(cell);
+    const auto number = as_number(cell);
+    base::require(cell == Value() || (number && std::isfinite(*number)), spec.place,
+                  "{}:{}, column {}: found \"{}\", expected a finite number or nothing",
+                  spec.reference.path, table.lines[r], spec.column, to_string(cell));
+  }
   return table;
 }
 
@@ -121,6 +124,37 @@ void check_dotted_names(const CheckPlan& plan, const ExperimentFile& file) {
       const auto& wanted = reference ? reference->column : name;
       if (wanted.find('.') != std::string::npos && wanted.find("_is_") == std::string::npos)
         rows.get(wanted, 0, expression.place());
+    }
+  });
+}
+
+// Throws for names of columns that no point can have. Skips names that check_dotted_names checks,
+// and names with "_is_".
+void check_column_names(const CheckPlan& plan, const ExperimentFile& file) {
+  auto known = declared_columns(file);
+  for (const auto& baseline : plan.baselines) known.push_back(baseline.column);
+  for (const auto& [name, formula, place] : file.definitions) known.push_back(name);
+  const auto is_known = [&](const std::string& name) {
+    return name.find('.') != name.npos || name.find("_is_") != name.npos ||
+           is_declared(known, name) || file.points[0].numbers.contains(name);
+  };
+  const auto check_column = [&](const std::string& name, const std::string& place) {
+    if (!is_known(name))
+      base::refuse(place, "unknown column \"{}\" of the results{}", name,
+                   suggest_column(name, known));
+  };
+  for (const auto& c : plan.comparisons) {
+    if (!c.of) check_column(c.check.of, c.check.place + ": of");
+    for (const auto& key : c.check.keys) check_column(key, c.check.place + ": keys");
+  }
+  for (const auto& f : plan.figures)
+    for (const auto& key : f.spec.keys) check_column(key, f.spec.place + ": keys");
+  for_each_expression(plan, [&](const Expression& expression) {
+    for (const auto& variable : expression.variables()) {
+      const auto* reference = expression.find_reference(variable);
+      const auto& name = reference ? reference->column : variable;
+      base::require(is_known(name), expression.place(), "unknown variable \"{}\"{}", name,
+                    suggest_column(name, known));
     }
   });
 }
@@ -278,7 +312,10 @@ CheckPlan plan_checks(const ExperimentFile& file) {
   for (const auto& best : file.bests)
     plan.questions.push_back(
         {best, Expression(best.of, best.place + ": of"), compile(best.where, best.place, "where")});
-  if (!plan.lets.empty() || !plan.is_empty()) check_dotted_names(plan, file);
+  if (!plan.lets.empty() || !plan.is_empty()) {
+    check_dotted_names(plan, file);
+    check_column_names(plan, file);
+  }
   return plan;
 }
 

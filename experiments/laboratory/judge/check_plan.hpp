@@ -52,7 +52,7 @@ struct CheckPlan {
 
 /// Compiles the checks and plots of a file. Throws base::BadInput for invalid expressions, circular
 /// definitions, unreadable reference tables, and names with a dot that are unknown at the first
-/// point. Names without a dot may be columns of results, and are checked after the simulation.
+/// point, and names without a dot that no program of the file declares as columns of its results.
 CheckPlan plan_checks(const ExperimentFile& file);
 
 /// Makes the results table, with an additional column for each [[baseline]]. A row's cell in such a

@@ -152,13 +152,14 @@ bool Page::obey(const std::string& text) {
     return true;
   }
   if (!message.contains("do")) return false;
+  const Json id =
+      message.contains("id") && message["id"].is_number_unsigned() ? message["id"] : Json();
   if (message["do"] == "steer") {
     pages_.steers = shared_from_this();
     pages_.tell_steering();
+    reply(id, "");
     return true;
   }
-  const Json id =
-      message.contains("id") && message["id"].is_number_unsigned() ? message["id"] : Json();
   message["page"] = number_;
   if (!steers() && message["do"] != "select") {
     reply(id, "another page controls the run; press \"Take control\" first");

@@ -62,9 +62,8 @@ void Session::obey(const Command& command) {
   const auto* found =
       std::ranges::find(COMMANDS, what, [](const auto& known) { return known.first; });
   if (found == std::end(COMMANDS)) {
-    std::string names;
-    for (const auto& [name, obey] : COMMANDS)
-      names += names.empty() ? name : fmt::format(", {}", name);
+    std::string names = "steer";  // obeyed by the server of the pages
+    for (const auto& [name, obey] : COMMANDS) names += fmt::format(", {}", name);
     base::refuse("do", "found \"{}\", expected one of {}", what, names);
   }
   base::require(what == "quit" || (machine_ && !ended_by_hand_s_), "do",

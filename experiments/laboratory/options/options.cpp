@@ -45,16 +45,39 @@ void check_folder(const std::string& option, const std::string& path) {
                  folder.string());
 }
 
-std::string check_folder_name(const std::string& name) {
-  return name.empty() ? "expected the name of a folder" : "";
-}
-
 }  // namespace
 
-std::string trim_name(const std::string& name) {
-  const auto trimmed = std::string(base::trim(name));
-  require_option(!trimmed.empty(), "a list", "found an empty name in a list");
-  return trimmed;
+std::string check_file_name(const std::string& name) {
+  return name.empty() ? "found '', expected the name of a file" : "";
+}
+
+std::string check_folder_name(const std::string& name) {
+  return name.empty() ? "found '', expected the name of a folder" : "";
+}
+
+std::function<std::string(const std::string&)> check_value(const base::Domain& domain) {
+  return [domain](const std::string& text) {
+    return domain.allows(parse_scalar(text, domain.kind))
+               ? ""
+               : fmt::format("found {}, expected {}", text, domain.describe());
+  };
+}
+
+CLI::Option* add_names_option(CLI::App& app, const std::string& option,
+                              const std::function<void(std::vector<std::string>)>& take,
+                              const std::string& help) {
+  const auto split = [option, take](const std::vector<std::string>& texts) {
+    std::vector<std::string> names;
+    for (const auto& text : texts)
+      for (const auto name : base::split(text, ',')) {
+        require_option(!name.empty(), option, "found '{}', expected names separated by commas",
+                       text);
+        names.emplace_back(name);
+      }
+    take(std::move(names));
+  };
+  return app.add_option_function<std::vector<std::string>>(option, split, help)
+      ->allow_extra_args(false);
 }
 
 void add_set_option(CLI::App& command, Overrides& overrides, const std::string& help) {

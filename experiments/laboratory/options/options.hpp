@@ -28,6 +28,21 @@ void require_option(bool holds, const std::string& option, fmt::format_string<Ar
 void add_run_options(CLI::App& command, RunOptions& options, const std::string& output,
                      const std::string& set);
 
+/// A check for every option that takes the name of a file, or of a folder: returns a message for an
+/// empty name, else "".
+std::string check_file_name(const std::string& name);
+std::string check_folder_name(const std::string& name);
+
+/// Makes a check for an option whose values are those of the domain. Returns "found ..., expected
+/// ..." for another value.
+std::function<std::string(const std::string&)> check_value(const base::Domain& domain);
+
+/// Adds an option that takes names separated by commas, and may be repeated. `take` receives all
+/// names. Throws CLI::ValidationError for an empty name.
+CLI::Option* add_names_option(CLI::App& app, const std::string& option,
+                              const std::function<void(std::vector<std::string>)>& take,
+                              const std::string& help);
+
 /// Adds the option --set, which appends to `overrides`.
 void add_set_option(CLI::App& command, Overrides& overrides, const std::string& help);
 
@@ -81,10 +96,6 @@ void check_apart(const std::string& option, const std::string& file,
 /// Throws the error of base::check_can_save() for the first of the files that cannot be written. To
 /// be called after all input is read and before long work. Skips empty names.
 void check_can_save_all(std::initializer_list<std::string> files);
-
-/// Removes blanks around a name that comes from a comma-separated list. Throws CLI::ValidationError
-/// if nothing remains.
-std::string trim_name(const std::string& name);
 
 /// Help of --columns in commands that show the results of a run.
 inline constexpr const char* COLUMNS_HELP =

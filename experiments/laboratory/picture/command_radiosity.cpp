@@ -227,7 +227,9 @@ void add_radiosity_command(CLI::App& app) {
       app.add_subcommand("radiosity", "compute the light in a room by radiosity and render it");
   auto o = std::make_shared<RadiosityOptions>();
   command->add_option("SCENE", o->room, "a .room, .nff or .obj file")->required();
-  command->add_option("-o,--output", o->output, "the image to write, .png or .exr")->required();
+  command->add_option("-o,--output", o->output, "the image to write, .png or .exr")
+      ->check(check_file_name)
+      ->required();
   command->add_option("--size", o->size, "WxH in pixels [the room's]");
   bind_options(*command, radiosity::mesh_fields(), o->light.mesh);
   bind_options(*command, {radiosity::senders_field()}, o->light);
@@ -247,8 +249,9 @@ void add_radiosity_command(CLI::App& app) {
                    "pixels are white")
       ->capture_default_str();
   bind_options(*command, base::select(radiosity::display_fields(), {"gamma"}), o->display);
-  command->add_option("--stats", o->stats,
-                      "write counts of patches, rays and work to this JSON file");
+  command
+      ->add_option("--stats", o->stats, "write counts of patches, rays and work to this JSON file")
+      ->check(check_file_name);
   command->footer(
       "Examples:\n  tlab radiosity experiments/scenes/window.room -o window.png\n  tlab radiosity "
       "experiments/scenes/cornell-tall.room -o tall.png --creases auto --refine 4");

@@ -140,7 +140,9 @@ void add_render_command(CLI::App& app) {
       ->add_option("SCENE", o->scene,
                    "an .nff or .obj file, spheres:N, hills:N (triangles) or room:L (lights)")
       ->required();
-  command->add_option("-o,--output", o->output, "the image to write, .png or .exr")->required();
+  command->add_option("-o,--output", o->output, "the image to write, .png or .exr")
+      ->check(check_file_name)
+      ->required();
   add_encoding_options(*command, o->encoding);
   command->add_option("--size", o->size, "WxH in pixels [100x100]");
   bind_options(*command,
@@ -149,20 +151,26 @@ void add_render_command(CLI::App& app) {
                              "traversal", "ambient"}),
                o->params, {{"min_influence", "influence"}});
   bind_options(*command, renderer::sampling_fields(), o->params);
-  command->add_option("--samples-map", o->samples_map,
-                      "PNG file for a map of the samples per pixel, on a logarithmic scale from 1 "
-                      "(black) to the maximum (white)");
+  command
+      ->add_option("--samples-map", o->samples_map,
+                   "PNG file for a map of the samples per pixel, on a logarithmic scale from 1 "
+                   "(black) to the maximum (white)")
+      ->check(check_file_name);
   command->add_option("--area", o->area, "area of interest, X,Y,WxH in pixels [whole image]");
   add_progressive_options(*command, o->progressive);
-  command->add_option("--threads", o->threads, "host threads")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
-  command->add_option("--stats", o->stats, "write counts of rays and work to this JSON file");
+  bind_options<RenderTask>(*command,
+                           {base::Declare<RenderTask>::whole("threads", &RenderTask::threads, 1,
+                                                             1024, "", "host threads")},
+                           *o);
+  command->add_option("--stats", o->stats, "write counts of rays and work to this JSON file")
+      ->check(check_file_name);
   add_preview_option(*command, o->preview);
   add_refined_options(*command, o->refined);
-  command->add_option("--key-images", o->key_images,
-                      "folder for intermediate pictures: after each step of --progressive, or with "
-                      "--order after 1, 5, 25 and 100 % of the samples");
+  command
+      ->add_option("--key-images", o->key_images,
+                   "folder for intermediate pictures: after each step of --progressive, or with "
+                   "--order after 1, 5, 25 and 100 % of the samples")
+      ->check(check_folder_name);
   add_frames_options(*command, o->frames);
   for (const char* one_sample : {"--progressive", "--preview"})
     for (const char* name : {"--pixel-samples", "--adaptive", "--samples-map"})

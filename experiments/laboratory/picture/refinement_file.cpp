@@ -132,8 +132,11 @@ void save_state(const std::string& path, const Identity& identity, const Refinem
   base::save_whole(path, bytes + hash_of(bytes));
 }
 
-RefinementState load_state(const std::string& path, const Identity& identity) {
-  const std::string bytes = base::read_own_text(path);
+RefinementState load_state(const std::string& path, const Identity& identity, std::size_t pixels) {
+  // A pixel takes less than 64 bytes. The corners of small pictures and the other data need less
+  // than 1 MiB.
+  constexpr std::size_t PER_PIXEL = 64, OTHER = 1 << 20;
+  const std::string bytes = base::read_own_text(path, OTHER + PER_PIXEL * pixels);
   base::require(bytes.starts_with(FIRST_LINE), path,
                 "found another file, expected one that tlab render --state has written");
   std::string_view text(bytes);

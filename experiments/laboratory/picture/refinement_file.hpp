@@ -24,9 +24,9 @@ Identity identify(const std::string& scene, const renderer::Params& params,
 void save_state(const std::string& path, const Identity& identity,
                 const renderer::progressive::RefinementState& state);
 
-/// Loads a state. Throws BadInput with the path if the file is not a state, is damaged, or has a
-/// different identity.
-renderer::progressive::RefinementState load_state(const std::string& path,
-                                                  const Identity& identity);
+/// Loads a state of at most `pixels` pixels. Throws BadInput with the path if the file is not a
+/// state, is damaged, has a different identity, or is too long for so many pixels.
+renderer::progressive::RefinementState load_state(const std::string& path, const Identity& identity,
+                                                  std::size_t pixels);
 
 }  // namespace laboratory

@@ -79,13 +79,12 @@ void add_frames_options(CLI::App& command, FramesOptions& o) {
                                     "frames A-B of an animation as images NAME-0001.png ...; with "
                                     "-o NAME.webp also as one animation");
   frames->option_text("A-B");
-  command.add_option("--frame-rate", o.rate, "frames per second of the animation")
-      ->check(CLI::Range(1.0, 1000.0))
-      ->check([](const std::string& text) {  // rejects "nan", which Range accepts
-        return text.find_first_of("nN") == text.npos ? "" : "found " + text + ", expected a number";
-      })
-      ->capture_default_str()
-      ->needs(frames);
+  bind_options<FramesOptions>(
+      command,
+      {base::Declare<FramesOptions>::number("frame_rate", &FramesOptions::rate, 1, 1000, "",
+                                            "frames per second of the animation")},
+      o);
+  command.get_option("--frame-rate")->needs(frames);
   command.add_flag("--yes", o.is_confirmed, "render the frames even if that takes minutes")
       ->needs(frames);
   for (const char* name : {"--progressive", "--preview", "--stats", "--samples-map", "--order",

@@ -141,6 +141,10 @@ Refined finish(Refinement& image, std::uint64_t rays) {
           .image = image.take_rendering()};
 }
 
+std::size_t count_pixels(const renderer::Params& params) {
+  return static_cast<std::size_t>(params.width) * static_cast<std::size_t>(params.height);
+}
+
 }  // namespace
 
 void add_refined_options(CLI::App& command, RefinedOptions& o) {
@@ -155,11 +159,15 @@ void add_refined_options(CLI::App& command, RefinedOptions& o) {
           "end after a share of all samples (5%) or after a time (10s), and save the picture so "
           "far")
       ->option_text("P%|Ts");
-  command.add_option("--state", o.state,
-                     "file for the state of the rendering, saved at intervals and at the end");
-  command.add_option("--resume", o.resume,
-                     "continue from the state in this file, with the other options unchanged; also "
-                     "saves states there unless --state is given");
+  command
+      .add_option("--state", o.state,
+                  "file for the state of the rendering, saved at intervals and at the end")
+      ->check(check_file_name);
+  command
+      .add_option("--resume", o.resume,
+                  "continue from the state in this file, with the other options unchanged; also "
+                  "saves states there unless --state is given")
+      ->check(check_file_name);
   for (const char* name : {"--order", "--budget", "--state", "--resume"})
     for (const char* other : {"--progressive", "--preview"})
       command.get_option(name)->excludes(command.get_option(other));
@@ -170,9 +178,10 @@ Refined render_refined(const RefinedOptions& o, const RenderTask& task,
   const Order order = o.order.value_or(Order::quadrants);
   const auto identity =
       o.state.empty() && o.resume.empty() ? Identity{} : identify(task.scene, task.params, order);
-  Refinement image = o.resume.empty() ? Refinement(scene, task.params, order, task.threads)
-                                      : Refinement(scene, task.params, order, task.threads,
-                                                   load_state(o.resume, identity));
+  Refinement image = o.resume.empty()
+                         ? Refinement(scene, task.params, order, task.threads)
+                         : Refinement(scene, task.params, order, task.threads,
+                                      load_state(o.resume, identity, count_pixels(task.params)));
   const Budget budget = o.budget.value_or(Budget{});
   const std::uint64_t goal = samples_at(budget.percent, image.total());
   StateFile states(o.state.empty() ? o.resume : o.state, identity);

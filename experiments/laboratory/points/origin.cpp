@@ -40,6 +40,9 @@ std::string describe(const std::string& name, const std::string& title) {
 fs::path find_folder(const fs::path& results, const std::string& file, const std::string& folder) {
   const fs::path spelled = fs::path(file).parent_path();
   const auto found = resolve(resolve(results) / folder);
+  std::error_code error;
+  const bool has_current = !fs::current_path(error).empty();  // false for a folder that was removed
+  if (spelled.is_relative() && !has_current) return found;
   return resolve(spelled) == found ? spelled : found;
 }
 

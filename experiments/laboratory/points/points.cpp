@@ -5,6 +5,7 @@
 #include <new>
 #include <set>
 
+#include "base/at_place.hpp"
 #include "base/errors.hpp"
 #include "experiments/laboratory/host/error_text.hpp"
 #include "experiments/laboratory/host/jobs.hpp"
@@ -102,7 +103,7 @@ void check_points(const RunOptions& options, const ExperimentFile& file) {
       if (networks.insert(network_key(point.experiment)).second) check_network(point.experiment);
       // every error found here is an error of the experiment file, whatever module throws it
     } catch (const std::runtime_error& error) {
-      throw base::BadInput(fmt::format("{}: {}", file.path, error.what()));
+      throw base::BadInput(base::add_place(file.path, error.what()));
     } catch (const std::bad_alloc&) {
       throw base::BadInput(fmt::format("{}: {}: the host is out of memory", file.path,
                                        point.at.empty() ? "its point" : name_of(point)));

@@ -156,6 +156,29 @@ std::vector<std::string> axis_columns(const ExperimentFile& file) {
   return columns;
 }
 
+std::vector<std::string> declared_columns(const ExperimentFile& file) {
+  auto columns = input_columns(file);
+  for (const auto* program : programs_of(file)) {
+    columns.insert(columns.end(), {"topology", program->processors});
+    columns.insert(columns.end(), program->shows.leading.begin(), program->shows.leading.end());
+    for (const auto& p : program->parameters) columns.push_back(p.name);
+    for (const auto& c : program->columns) columns.push_back(c.name);
+  }
+  columns.push_back("ended");
+  std::ranges::sort(columns);
+  columns.erase(std::unique(columns.begin(), columns.end()), columns.end());
+  return columns;
+}
+
+bool is_declared(const std::vector<std::string>& declared, const std::string& name) {
+  return std::ranges::any_of(declared, [&](const std::string& column) {
+    const auto at = column.find("{}");
+    if (at == column.npos) return column == name;
+    return name.size() > column.size() - 2 && name.starts_with(column.substr(0, at)) &&
+           name.ends_with(column.substr(at + 2));
+  });
+}
+
 bool is_complete_row(const Table& table, const std::vector<Value>& row) {
   const auto column = table.find("ended");
   return !column || row[*column] == Value("done") || row[*column] == Value("saturated");

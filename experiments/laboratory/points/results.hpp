@@ -15,6 +15,14 @@ std::vector<std::string> axis_columns(const ExperimentFile& file);
 /// The columns of the axes that change together with `column` in [sweep], including `column`.
 std::vector<std::string> find_coupled(const ExperimentFile& file, const std::string& column);
 
+/// The names of all columns that the results of the file may have, known before the simulation.
+/// "stage{}_s" stands for the columns stage1_s, stage2_s and so on. Excludes columns of
+/// [[baseline]].
+std::vector<std::string> declared_columns(const ExperimentFile& file);
+
+/// True if a name is among declared_columns().
+bool is_declared(const std::vector<std::string>& declared, const std::string& name);
+
 /// Makes the results table. A point has one row for each row that its simulation measured, or one
 /// row if nothing was measured. The columns are
 ///   - the axes, and the columns by which a program divides its results into parts, which count as

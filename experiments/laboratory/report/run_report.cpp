@@ -415,7 +415,13 @@ void report_results(const std::string& results, const Texts& columns, const Figu
   origin.options.jobs = std::max(1u, std::thread::hardware_concurrency());
   if (!columns.empty()) origin.file.report.columns = columns;
   origin.file.report.figure.override_with(figure);
-  for (auto& plot : origin.file.plots) plot.figure.override_with(figure);
+  bool draws_figures = origin.file.report.figure.make_style({}).is_figure();
+  for (auto& plot : origin.file.plots) {
+    plot.figure.override_with(figure);
+    draws_figures |= plot.figure.make_style(origin.file.report.figure).is_figure();
+  }
+  base::require(draws_figures || (figure.font.empty() && !figure.font_size), "--font, --font-size",
+                "found no figure for a paper, expected --width column or --width page");
   ResultsFolder folder(results);
   Texts undrawn;
   try {

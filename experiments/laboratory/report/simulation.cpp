@@ -80,12 +80,15 @@ ordered_json point_json(const fs::path& folder, const Simulation& s, std::size_t
   return point;
 }
 
-// Reads the images of a point from run.json.
-std::vector<SavedImage> read_images(const ordered_json& point) {
+// Reads the images of a point from run.json. Throws if an image is there, but is no file.
+std::vector<SavedImage> read_images(const ordered_json& point, const fs::path& folder) {
   std::vector<SavedImage> images;
   for (const auto& json : point.value("images", ordered_json::array())) {
     auto& image = images.emplace_back();
     image.path = json.at("path").get<std::string>();
+    const auto file = folder / image.path;
+    base::require(!fs::exists(file) || fs::is_regular_file(file), file.string(),
+                  "found a pipe, a device or a folder, expected a picture");
     image.caption = json.at("caption").get<std::string>();
     image.exr = json.value("exr", "");
     if (json.contains("at_s")) image.at_s = json["at_s"].get<double>();
@@ -106,7 +109,7 @@ Simulation load_simulation(const fs::path& folder, const ExperimentFile& file) {
     s.records.push_back(json.at("record").get<std::string>());
     auto result = load_record(folder / s.records.back());
     result.use = nullptr;
-    result.images = read_images(json);
+    result.images = read_images(json, folder);
     if (json.contains("single_worker_s")) result.single_s = json["single_worker_s"].get<double>();
     const auto point = points.find(result.at);
     base::require(point != points.end(), s.records.back().string(),

@@ -241,6 +241,7 @@ Table parse_csv(std::string_view text, std::string_view name) {
     if (cells.size() != table.columns.size())
       reader.fail(fmt::format("{} cells, expected {}: {}", cells.size(), table.columns.size(),
                               fmt::join(table.columns, ",")));
+    table.lines.push_back(reader.line());
     auto& row = table.rows.emplace_back();
     for (auto& cell : cells)
       row.push_back(cell.is_quoted ? Value(std::move(cell.text)) : read_bare(cell.text));

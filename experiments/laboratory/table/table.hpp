@@ -21,6 +21,7 @@ struct Table {
   std::vector<std::vector<Value>> rows;
   /// for each row, the number of its point, ascending; empty: row i belongs to point i
   std::vector<std::size_t> points = {};
+  std::vector<int> lines = {};  ///< for each row, its line in the CSV file; empty if there is none
 
   std::size_t point_of(std::size_t row) const;
   std::size_t row_of(std::size_t point) const;  ///< the first row of a point; every point has a row

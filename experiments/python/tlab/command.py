@@ -44,6 +44,14 @@ class Done:
         return kind(message or f"tlab ended with exit code {self.exit_code}", self.exit_code, result)
 
 
+# True if the system can pass the text to a program.
+def _is_argument(text):
+    try:
+        return b"\0" not in os.fsencode(text)
+    except UnicodeEncodeError:
+        return False
+
+
 def start(arguments):
     """Starts tlab with arguments and waits for its end.
 
@@ -53,6 +61,9 @@ def start(arguments):
     try:
         process = subprocess.Popen(words, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                    text=True, encoding="utf-8", errors="replace", start_new_session=True)
+    except ValueError:  # a zero byte or a surrogate
+        unfit = next(word for word in map(str, words) if not _is_argument(word))
+        raise BadInput(f"found {unfit!r}, expected a text without zero bytes and surrogates") from None
     except OSError as error:
         if error.errno != errno.E2BIG:
             raise

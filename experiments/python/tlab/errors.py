@@ -1,8 +1,18 @@
 """Exceptions: one for each exit code of the command, with the command's own message."""
 
+import re
+
+# Control characters except line ends, characters that change the direction of text, and surrogates.
+_UNREADABLE = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069\ud800-\udfff]")
+
+
+def _escape(match):
+    code = ord(match[0])
+    return f"\\x{code:02x}" if code < 0x100 else f"\\u{code:04x}"
+
 
 class Error(Exception):
-    """The message of tlab, and its results if there are any.
+    """The message of tlab, and its results if there are any. Control characters in the message become escapes.
 
     exit_code: the exit code of the command.
     result: a Result, or None. There are results after a failed check, and after a deadlock.
@@ -11,7 +21,7 @@ class Error(Exception):
     exit_code = None
 
     def __init__(self, message, exit_code=None, result=None):
-        super().__init__(message)
+        super().__init__(_UNREADABLE.sub(_escape, str(message)))
         if exit_code is not None:
             self.exit_code = exit_code
         self.result = result

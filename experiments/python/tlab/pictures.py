@@ -20,7 +20,7 @@ def render(scene, size=(100, 100), *, threads=1, linear=False, **options):
     """
     try:
         width, height = size
-    except TypeError:
+    except (TypeError, ValueError):
         raise BadInput(f"size: found {size!r}, expected (width, height)") from None
     if unknown := [name for name in ("width", "height") if name in options]:
         raise BadInput(f"{unknown[0]}: expected it in size=(width, height)")

@@ -9,7 +9,7 @@ import tempfile
 import weakref
 
 from tlab import command
-from tlab.errors import BadInput
+from tlab.errors import BadInput, NotFound
 from tlab.results import Result
 from tlab.spelling import flatten, plain, spell, spell_file
 from tlab.topologies import Topology
@@ -64,10 +64,15 @@ def _file_of(experiment, files):
         text = spell_file(files.put_networks(experiment, absolute=False))
     elif _is_text(experiment):
         text = experiment
+    elif experiment == "":
+        raise BadInput("found '', expected the path of an experiment, a dict or TOML text")
     else:
         return pathlib.Path(os.fspath(experiment))
     path = files.folder / "experiment.toml"
-    path.write_text(text, encoding="utf-8")
+    try:
+        path.write_text(text, encoding="utf-8")
+    except UnicodeEncodeError as error:
+        raise BadInput(f"found {text[error.start]!r}, expected text without surrogates") from None
     return path
 
 
@@ -103,12 +108,15 @@ def run(experiment, /, *, folder=None, jobs=None, until=None, **settings):
     Raises BadInput, CheckFailed or SimulatedFault with tlab's message; the last two hold the available results.
     """
     files = _Files()
-    path = _file_of(experiment, files)
-    is_ours = path.parent == files.folder
     folder = files.folder / "results" if folder is None else pathlib.Path(folder)
-    arguments = ["run", path, "-o", folder]
-    for key, value in flatten(settings):
-        arguments += ["--set", f"{key}={spell(files.put_networks(value, absolute=not is_ours), key)}"]
+    try:
+        path = _file_of(experiment, files)
+        is_ours = path.parent == files.folder
+        arguments = ["run", path, "-o", folder]
+        for key, value in flatten(settings):
+            arguments += ["--set", f"{key}={spell(files.put_networks(value, absolute=not is_ours), key)}"]
+    except RecursionError:
+        raise BadInput("found a dict or list that contains itself, expected a finite one") from None
     for option, value in (("--jobs", jobs), ("--until", until)):
         if value is not None:
             arguments += [option, str(value)]
@@ -121,6 +129,8 @@ def run(experiment, /, *, folder=None, jobs=None, until=None, **settings):
     if failure := done.failure(result):
         failure.files = files  # drawings of a fault may be in the temporary folder
         raise failure
+    if result is None:
+        raise NotFound(f"{command.find()} has written no results, expected the program tlab")
     return result
 
 

@@ -38,6 +38,8 @@ def whole(value, name):
 
 def spell_key(key):
     """A table's key, in quotes if it needs them."""
+    if not isinstance(key, str):
+        raise BadInput(f"found the key {key!r}, expected a text")
     return key if re.fullmatch(r"[A-Za-z0-9_-]+", key) else json.dumps(key, ensure_ascii=False)
 
 

@@ -123,7 +123,9 @@ TEST(Calibration, RefusesWhatCannotBeFitted) {
   EXPECT_TRUE(contains(told("bytes,latency_s\n4,1e-5\n", "link.one_way_20"),
                        "found 1 measurement(s) for 1 entries"));
   EXPECT_TRUE(contains(told("bytes,latency_s\n4,-1\n8,2\n", "link.one_way_20"),
-                       "measurement 1: latency_s: found -1"));
+                       "m.csv:2: latency_s: found -1"));
+  EXPECT_TRUE(contains(told("bytes,latency_s\n4,1\n-8,2\n", "link.one_way_20"),
+                       "m.csv:3: program.bytes: found -8, expected a whole number"));
   EXPECT_TRUE(contains(told("bytes,time\n4,1\n8,2\n", "link.one_way_20"),
                        "expected one that is a result of the program message"));
   EXPECT_TRUE(contains(told("words,latency_s\n4,1\n8,2\n", "link.one_way_20"),

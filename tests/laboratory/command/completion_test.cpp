@@ -65,6 +65,8 @@ TEST(Completion, BashOffersWhatBeginsSo) {
   EXPECT_EQ(complete(folder.path, "tlab merge try"), "try.sh") << "else files";
   std::ofstream(folder.path / "a b.toml");
   EXPECT_EQ(complete(folder.path, "tlab merge a"), "a b.toml") << "one name";
+  std::ofstream(folder.path / "cut\nin two");
+  EXPECT_EQ(complete(folder.path, "tlab merge cut"), "") << "no parts of a name";
 }
 
 // `help` is completed with commands, programs and topics. The built program lists them.

@@ -96,7 +96,7 @@ TEST_F(Convert, AMeshHasTimeByItsSize) {
   write_file(folder.path / "deep.gltf", std::string(1 << 20, '['));
   const auto done = convert("deep.gltf", "deep.obj");
   EXPECT_EQ(done.exit_code, 2);
-  EXPECT_TRUE(contains(done.err, "Assimp cannot read this file within 21 s of CPU time"))
+  EXPECT_TRUE(contains(done.err, "found a mesh that takes more than 21 s of CPU time, or that"))
       << done.err;
 }
 

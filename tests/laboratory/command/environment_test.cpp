@@ -27,6 +27,8 @@ TEST_F(Sweep, ResultsAndDrawingsDoNotDependOnTheEnvironment) {
         "LC_ALL=no-such-locale LANGUAGE=de $TLAB run e.toml",
         "TZ=Mars/Phobos TMPDIR=/no-such-folder $TLAB run e.toml",
         "umask 077 && env -u HOME -u LANG $TLAB run e.toml",
+        "GNUTERM=no-such GNUPLOT_DEFAULT_GDFONT=x GVBINDIR=/no FONTCONFIG_FILE=/no $TLAB run "
+        "e.toml",
         "env -i PATH=\"$PATH\" $TLAB run e.toml", "cd inside && $TLAB run ../e.toml"}) {
     const auto output = (folder.path / "other").string();
     EXPECT_EQ(run_line(folder.path, "(" + std::string(line) + " -o " + output + ") > out 2>&1"), 0)
@@ -35,6 +37,49 @@ TEST_F(Sweep, ResultsAndDrawingsDoNotDependOnTheEnvironment) {
     EXPECT_TRUE(results_of(*this, "other") == expected) << line;
     fs::remove_all(output);
   }
+}
+
+// Neither Graphviz nor fontconfig depends on variables of the environment, and fontconfig does not
+// write on the terminal.
+TEST_F(Sweep, DrawingsOfGraphsDoNotDependOnTheEnvironment) {
+  write_file(folder.path / "g.dot", "graph { a -- b; b -- c; c -- d }");
+  for (const std::string drawing : {"ring:5 -o x.pdf", "g.dot -o x.svg"}) {
+    const auto file = folder.path / drawing.substr(drawing.rfind(' ') + 1);
+    std::string expected;
+    for (const char* variable :
+         {"LANG=C", "GVBINDIR=/no", "FONTCONFIG_FILE=/no", "FC_DEBUG=1023", "LC_ALL='\x1b[31mX'"}) {
+      const auto line = fmt::format("env {} $TLAB topology {} > out 2>&1", variable, drawing);
+      EXPECT_EQ(run_line(folder.path, line), 0) << line;
+      EXPECT_EQ(read_file(folder.path / "out"), "") << line;
+      if (expected.empty()) expected = read_file(file);
+      EXPECT_TRUE(read_file(file) == expected) << line;
+    }
+  }
+}
+
+TEST_F(Sweep, ARemovedCurrentFolderIsNotNeeded) {
+  const auto here = folder.path.string();
+  ASSERT_EQ(run_line(folder.path, "($TLAB run e.toml -o r && $TLAB run e.toml -o q) > out 2>&1"),
+            0);
+  for (const std::string& arguments :
+       {"run " + here + "/e.toml -o " + here + "/new", "report " + here + "/r",
+        "merge " + here + "/r", "compare " + here + "/r " + here + "/q -o " + here + "/c.html",
+        "render spheres:3 --size 4x4 -o " + here + "/x.png --stats " + here + "/x.json"}) {
+    const auto line =
+        "mkdir gone && cd gone && rmdir ../gone && $TLAB " + arguments + " > ../out 2>&1";
+    EXPECT_EQ(run_line(folder.path, line), 0) << read_file(folder.path / "out");
+  }
+}
+
+// A small stack is enlarged, also for threads. A program that may not enlarge it refuses to run.
+TEST_F(Sweep, ASmallStackIsEnlargedOrRefused) {
+  EXPECT_EQ(run_line(folder.path, "(ulimit -Ss 64; $TLAB run e.toml -o r) > out 2>&1"), 0)
+      << read_file(folder.path / "out");
+  EXPECT_EQ(run_line(folder.path, "(ulimit -Ss 64; $TLAB render spheres:9 --threads 2 -o x.png)"),
+            0);
+  EXPECT_EQ(run_line(folder.path, "(ulimit -s 64; $TLAB run e.toml -o r) > out 2> told"), 2);
+  EXPECT_EQ(read_file(folder.path / "told"),
+            "tlab: the stack: found a limit of 64 KiB, expected at least 1024 KiB (ulimit -s)\n");
 }
 
 // The message names the cause: too few file descriptors, or a current folder that was removed.

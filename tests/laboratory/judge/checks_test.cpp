@@ -22,6 +22,7 @@ struct ChecksCase {
     std::ofstream(folder.path / "ref.csv")
         << "# published\nbytes,latency_s,other\n1,1.0,5\n2,2.0,\n4,,5\n8,8.0,5\n";
     std::ofstream(folder.path / "words.csv") << "bytes,latency_s\n1,fast\n";
+    std::ofstream(folder.path / "nan.csv") << "bytes,latency_s\n1,1.0\n2,nan\n";
     std::ofstream(folder.path / "e.toml")
         << "[program]\nname = \"message\"\n[sweep]\nbytes = [1, 2, 4]\n"
         << checks;
@@ -353,7 +354,9 @@ TEST(ExperimentsChecks, MistakesAreNamed) {
            {check("at_most = 1\ncalibrated = \"1\"\n"), "found at_most and calibrated, expected"},
            {check("between = [2, 1]\n"), "e.toml:8: between: found [ 2, 1 ], expected [lowest, h"},
            {check("between = [1]\n"), "between: found [ 1 ], expected [lowest, highest]"},
-           {check("at_least = true\n"), "e.toml:8: at_least: found true, expected a text"},
+           {check("at_least = true\n"),
+            "e.toml:8: at_least: found true, expected a finite number, or"},
+           {check("at_least = nan\n"), "at_least: found nan, expected a finite number, or"},
            {check("at_least = \"byte\"\n"), "check \"c\": at_least: unknown variable \"byte\""},
            {check("at_most = \"1 +\"\n"), "check \"c\": at_most: found \"1 +\""},
            {check(good + in + "within_abs = 1\n"), "expected only one kind"},
@@ -380,7 +383,8 @@ TEST(ExperimentsChecks, MistakesAreNamed) {
             "let.a: found a needs b needs a, expected definitions without a cycle"},
            {check(good + in) + "[let]\nbytes = 3\n", "found bytes twice"},
            {check(good + in) + "[let]\n\"a b\" = 3\n", "expected a name of letters"},
-           {check(good + in) + "[let]\na = true\n", "let.a: found true, expected a text"},
+           {check(good + in) + "[let]\na = true\n",
+            "let.a: found true, expected a finite number, or"},
            {check(good + in) + "[let]\na = \"nothing + 1\"\n", "let.a: unknown variable"},
            {check("reference = \"no.csv\"\nkeys = [\"bytes\"]\n" + in), "no.csv: cannot be read"},
            {check("reference = \"ref.csv\"\nkeys = [\"byte\"]\n" + in),
@@ -388,7 +392,9 @@ TEST(ExperimentsChecks, MistakesAreNamed) {
            {check("reference = \"ref.csv\"\nkeys = [\"bytes\"]\ncolumn = \"x\"\n" + in),
             "column: unknown column \"x\""},
            {check("reference = \"words.csv\"\nkeys = [\"bytes\"]\n" + in),
-            "found \"fast\", expected a number"}}) {
+            "found \"fast\", expected a finite number"},
+           {check("reference = \"nan.csv\"\nkeys = [\"bytes\"]\n" + in),
+            "nan.csv:3, column latency_s: found \"nan\", expected a finite number or nothing"}}) {
     const auto told = message_of<base::BadInput>([&, text = text] { ChecksCase(text).eval(); });
     EXPECT_NE(told.find(message), std::string::npos) << text << told;
   }

@@ -19,7 +19,7 @@ struct SeedsCase {
 
   SeedsCase(const std::string& rest, double gap) {
     file = load(
-        "[program]\nname = \"router_load\"\n[sweep]\ntopology = [\"line\", \"mesh:2x2\"]\n"
+        "[program]\nname = \"farm\"\n[sweep]\ntopology = [\"line\", \"mesh:2x2\"]\n"
         "seed = [1, 2, 3]\n" +
         rest);
     for (const auto& topology : {"line", "mesh:2x2"})

@@ -209,6 +209,9 @@ TEST(LiveServer, APageSeesTheRunAndSteersIt) {
     EXPECT_EQ(state.at("state"), "over");
     EXPECT_EQ(state.at("cpus").size(), 5u);
     EXPECT_EQ(result.ended, "done");
+    say(second, "{\"do\": \"steer\", \"id\": 7}");
+    EXPECT_EQ(hear(second), "{\"steers\":true}");
+    EXPECT_EQ(hear(second), "{\"reply\":7,\"refusal\":\"\"}");
   });
 }
 

@@ -313,7 +313,7 @@ TEST(LiveSession, WhatIsNotAllowedIsRefusedAndChangesNothing) {
       {order(Command::object()), "found no order"},
       {order({{"save", "../x"}}), "order.save"},
       {order(5), "expected an object"},
-      {{{"do", "fly"}}, "found \"fly\""},
+      {{{"do", "fly"}}, "found \"fly\", expected one of steer, pause, go"},
       {{{"do", 5}}, "expected a text"},
       {Command::array(), "expected a text"},
       {{{"do", "speed"}, {"x", -1}}, "found -1"},

@@ -17,7 +17,7 @@ struct LawsCase {
   TemporaryFolder folder;
   ExperimentFile file;
   Table table{
-      .columns = {"topology", "workers", "objects", "speedup", "link"}, .axes = 3, .rows = {}};
+      .columns = {"topology", "workers", "objects", "speedup", "busiest"}, .axes = 3, .rows = {}};
 
   explicit LawsCase(const std::string& text) {
     std::ofstream(folder.path / "ref.csv") << "objects,workers,s\n200,2,2.0\n200,4,\n800,64,1\n";
@@ -220,8 +220,8 @@ TEST(ExperimentsExhibits, MistakesAreNamed) {
            {plot("where = \"worker > 1\"\n"), "where: unknown variable \"worker\""},
            {"[[plot]]\nname = \"p\"\nx = \"worker\"\ny = \"speedup\"\n",
             "plot \"p\": x: unknown variable \"worker\", the nearest is \"workers\""},
-           {"[[plot]]\nname = \"p\"\nx = \"workers\"\ny = \"link\"\n",
-            "found link, which is a text"},
+           {"[[plot]]\nname = \"p\"\nx = \"workers\"\ny = \"busiest\"\n",
+            "found busiest, which is a text"},
            {"[report]\nnetworks = \"some\"\n", "expected one of all, largest, none"},
            {"[report]\nnetwork = \"all\"\n", "the nearest valid key is \"networks\""}}) {
     const auto told = message_of<base::BadInput>([&, text = text] { LawsCase(text).make(); });
