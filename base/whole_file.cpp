@@ -3,22 +3,24 @@
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <atomic>
 #include <cerrno>
 #include <fstream>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <set>
 #include <sstream>
 #include <system_error>
 #include <tuple>
+#include <utility>
 
 #include "base/early_end.hpp"
 #include "base/errors.hpp"
-#include "base/output_pipe.hpp"
 #include "base/partial_name.hpp"
 
 namespace base {
@@ -46,6 +48,68 @@ using Write = std::function<void(std::ostream&)>;
 [[noreturn]] void fail(const fs::path& path, int error) {
   throw std::system_error(error != 0 ? error : EIO, std::generic_category(),
                           find_final_path(path).string() + ": cannot be written");
+}
+
+using PipeId = std::pair<dev_t, ino_t>;
+
+std::mutex pipes_mutex;
+std::map<PipeId, int> open_pipes;  // descriptors of pipes that nothing was written to yet
+
+PipeId identify_pipe(const fs::path& path) {
+  struct stat found {};
+  if (stat(path.c_str(), &found) != 0) fail(path, errno);
+  return {found.st_dev, found.st_ino};
+}
+
+// Returns the descriptor of the pipe, which blocks in write() as usual.
+int open_to_write(const fs::path& path) {
+  constexpr int TRIALS = 100;
+  constexpr timespec PAUSE{0, 10'000'000};
+  int file = -1;
+  for (int i = 0; i < TRIALS && file < 0; ++i) {
+    if (i > 0) nanosleep(&PAUSE, nullptr);
+    file = open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY);
+    if (file < 0 && errno != ENXIO && errno != EINTR) fail(path, errno);
+  }
+  require(file >= 0, path.string(),
+          "cannot be written: found a pipe that nobody reads, expected a file, or a pipe with a "
+          "reader");
+  fcntl(file, F_SETFL, O_WRONLY);
+  return file;
+}
+
+// Takes over the descriptor of an open pipe, or opens the pipe.
+int take_pipe(const fs::path& path) {
+  const std::lock_guard lock(pipes_mutex);
+  const auto found = open_pipes.extract(identify_pipe(path));
+  return found ? found.mapped() : open_to_write(path);
+}
+
+// Opens the pipe for writing and keeps it open until write_to_pipe() has written to it, since a
+// reader stops when the last writer closes the pipe. Waits at most one second for a reader. Throws
+// BadInput "path: cannot be written: found a pipe that nobody reads" if none appears, and
+// std::system_error for other errors.
+void open_output_pipe(const fs::path& path) {
+  const std::lock_guard lock(pipes_mutex);
+  const auto id = identify_pipe(path);
+  if (!open_pipes.contains(id)) open_pipes[id] = open_to_write(path);
+}
+
+// Writes the bytes to the pipe and closes it; opens it first unless it is open. Throws the errors
+// of open_output_pipe(), and std::system_error if the reader goes away.
+void write_to_pipe(const fs::path& path, std::string_view bytes) {
+  const int file = take_pipe(path);
+  while (!bytes.empty()) {
+    const auto written = write(file, bytes.data(), bytes.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) {
+      const int error = errno;
+      close(file);
+      fail(path, error);
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  close(file);
 }
 
 // A unique hidden name beside `path`. It is short enough for the file system if the name in `path`

@@ -17,7 +17,7 @@ namespace base {
 /// program (early_end.hpp), no new file remains, and an older file is unchanged. Follows symbolic
 /// links. Writes directly to `path` if it is not a regular file (/dev/stdout, a pipe). Throws
 /// std::system_error "path: cannot be written: ...", and BadInput if the program has read this
-/// file, or for a pipe that nobody reads (output_pipe.hpp).
+/// file, or for a pipe that nobody opens for reading within one second.
 void save_whole(const std::filesystem::path& path, std::string_view bytes);
 
 /// Like save_whole above, but calls `write` to write the bytes to a stream. Passes on the

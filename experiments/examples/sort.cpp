@@ -1,6 +1,5 @@
-// A sorting pipeline. Each cell keeps the largest number so far, passes all others on, and sends
-// the kept number at the end. With as many cells as numbers, the numbers leave the last cell
-// sorted.
+// A sorting pipeline. Each cell keeps its largest number so far, passes other numbers on, and sends
+// its number at the end. With as many cells as numbers, the last cell sends them in sorted order.
 //
 //        +--------+   +------+   +------+         +------+   +------+
 //        | source |-->| cell |-->| cell |-- ... ->| cell |-->| sink |

@@ -1,7 +1,7 @@
 #pragma once
 // Checks of input. A failed check throws BadInput "found ..., expected ...".
 
-#include "base/at_place.hpp"
+#include "base/errors.hpp"
 #include "base/fields.hpp"
 
 namespace renderer {

@@ -11,7 +11,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "base/at_place.hpp"
 #include "base/errors.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"

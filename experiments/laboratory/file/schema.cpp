@@ -4,7 +4,7 @@
 #include <boost/algorithm/string/trim.hpp>
 #include <filesystem>
 
-#include "base/at_place.hpp"
+#include "base/errors.hpp"
 #include "base/message.hpp"
 #include "experiments/laboratory/file/tables.hpp"
 #include "topologies/route/given_routes.hpp"

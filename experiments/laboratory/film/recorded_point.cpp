@@ -1,6 +1,6 @@
 #include "experiments/laboratory/film/recorded_point.hpp"
 
-#include "base/at_place.hpp"
+#include "base/errors.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/figure/pdf.hpp"
 #include "experiments/laboratory/film/film.hpp"

@@ -6,7 +6,7 @@
 #include <cctype>
 #include <cmath>
 
-#include "base/at_place.hpp"
+#include "base/errors.hpp"
 #include "base/text.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/link_files.hpp"

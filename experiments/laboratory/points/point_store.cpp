@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <system_error>
 
-#include "base/at_place.hpp"
+#include "base/errors.hpp"
 #include "base/partial_name.hpp"
 #include "base/whole_file.hpp"
 #include "experiments/laboratory/host/hash.hpp"

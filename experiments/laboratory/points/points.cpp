@@ -5,7 +5,6 @@
 #include <new>
 #include <set>
 
-#include "base/at_place.hpp"
 #include "base/errors.hpp"
 #include "experiments/laboratory/host/error_text.hpp"
 #include "experiments/laboratory/host/jobs.hpp"

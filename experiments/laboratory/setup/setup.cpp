@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "base/at_place.hpp"
+#include "base/errors.hpp"
 #include "topologies/make/generators.hpp"
 #include "topologies/route/given_routes.hpp"
 
