@@ -1,5 +1,5 @@
-// Dependencies between rooms, the libraries of source folders: compares the #include lines of all
-// sources with the permitted dependencies.
+// Tests the dependencies between rooms. A room is the library that is built from one source folder.
+// Compares the #include lines of all sources with the permitted dependencies.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -169,7 +169,8 @@ void Coordinator::count(const Report& report) {
   if (parked_ + finished_pixels_ == shared_.pixels()) end_phase();
 }
 
-// Called when every pixel is in a cell that is finished, or that waits beyond the present limits.
+// Called when the cell of every pixel is either finished or waits for wider limits than the present
+// ones.
 void Coordinator::end_phase() {
   if (finished_pixels_ == shared_.pixels()) {
     if (!is_last_ && stage_ + 1 < shared_.params.stages.size())

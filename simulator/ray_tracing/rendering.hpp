@@ -53,7 +53,7 @@ base::Columns<Rendering> time_columns();
 /// end. Also the column aborted.
 base::Columns<Rendering> stage_columns();
 
-/// Results of a run besides its rows, and the picture's quality over time.
+/// The picture's quality over time, and all other results of a run that are not in its rows.
 struct Given {
   programs::Extras extras;    ///< without the loads, and without the results of Setup::profile
   snapshots::Figures growth;  ///< empty if quality over time was not recorded

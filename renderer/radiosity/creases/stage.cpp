@@ -250,7 +250,7 @@ void add_shadow_creases(const Stage& stage, std::size_t blocker, StageCreases& f
   for (const Vec& corner : face)
     for (std::size_t i = 0; i < light.size(); ++i) {
       const Vec a = light[i], b = next(light, i);
-      // The light is convex, so the plane does not cut it.
+      // The plane contains an edge of the light, and does not cut the light, which is convex.
       if (find_plane(stage, face, corner, a, b))
         add_wedge({{a, b}, {corner, corner}}, shadow, found.borders);
     }

@@ -188,8 +188,8 @@ struct Pieces {
   Vec origin, u, v;  // `origin` is a corner of the rectangle; u and v are the sides of a piece
 };
 
-// The smallest solid angle of the pieces on a path, and the index in the chain of the piece's
-// mirror.
+// The smallest solid angle of all pieces on a path, and the mirror of the piece with this angle.
+// The mirror is an index into the chain of mirrors.
 struct Least {
   double angle = std::numeric_limits<double>::infinity();
   std::size_t mirror = 0;

@@ -88,8 +88,9 @@ struct Importance {
   std::uint64_t place = 0;
 };
 
-/// Quadrant orders of cells, by the cells' side length in pixels. Columns and rows of an order
-/// count cells of that side from the upper left corner of the image.
+/// For each side length of cells in pixels, the order in which cells of this size are processed,
+/// quadrant by quadrant. A cell's column and row are counted in cells of this size, from the upper
+/// left corner of the image.
 using CellQuadrants = std::map<int, renderer::progressive::QuadrantOrder>;
 CellQuadrants make_cell_quadrants(const renderer::Area& image, int max_cell);
 

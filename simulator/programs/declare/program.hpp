@@ -148,8 +148,8 @@ struct SaturationColumns {
   bool operator==(const SaturationColumns&) const = default;
 };
 
-/// The results of a program that tables and reports show. The defaults also apply to experiments
-/// that run several programs.
+/// Which results of a program are shown in tables and reports. The defaults also apply to
+/// experiments that run several programs.
 struct Shows {
   /// Columns that come first, even if they are not axes of the sweep.
   std::vector<std::string> leading = {};

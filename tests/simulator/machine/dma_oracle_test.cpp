@@ -9,7 +9,8 @@
 namespace occam {
 namespace {
 
-// Cycles for each message; covers values below and above Process::LONG_DEBT.
+// Largest number of cycles computed for a message. The random numbers of cycles up to it are below
+// and above Process::LONG_DEBT.
 constexpr std::int64_t MOST_COMPUTED = 1500;
 // Cycles that DMA takes for each word; links then take up to two thirds of a CPU.
 constexpr double STOLEN = 10;

@@ -1,4 +1,5 @@
-// Functions shared by the ray tracing programs: columns of results, and input that must be refused.
+// Tests functions that the ray tracing programs share. They make columns of results, and must
+// refuse invalid input.
 #include <gtest/gtest.h>
 
 #include <map>

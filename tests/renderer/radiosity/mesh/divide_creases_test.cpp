@@ -113,7 +113,8 @@ TEST(DivideCreases, AnyFaceAndCreases) {
     EXPECT_EQ(division.left_out, 0u);
     if (testing::Test::HasFailure()) return;
   }
-  // Creases meet at any angle, and so may the edges of quads.
+  // Creases may meet at any angle, and therefore the edges of quads may too. Only very few angles
+  // may be small.
   std::sort(angles.begin(), angles.end());
   EXPECT_GT(angles.front(), 0.3);
   EXPECT_GT(angles[angles.size() / 20], 1.5);
