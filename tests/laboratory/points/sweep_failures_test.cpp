@@ -314,10 +314,9 @@ TEST_F(Sweep, ATypoInACheckCostsNoPoint) {
                              "check=[{name=\"c\", of=\"rays\", within=1, formula=\"half\"}]"});
   EXPECT_EQ(mistaken.exit_code, 2);
   EXPECT_TRUE(contains(mistaken.err, "rayz")) << mistaken.err;
-  EXPECT_EQ(records("r").size(), 1u);
+  EXPECT_EQ(records("r").size(), 0u) << "found before the first point was simulated";
   const auto mended = run({"-o", "r"});
   EXPECT_EQ(mended.exit_code, 0) << mended.err;
-  EXPECT_TRUE(contains(mended.out, "1 of 6 points were already recorded")) << mended.out;
 }
 
 TEST_F(Sweep, MistakesAreNamed) {

@@ -210,7 +210,8 @@ TEST_F(ReadMesh, WhatIsNoMeshIsRefused) {
     Triangles triangles;
     const auto error =
         ::test::message_of<base::BadInput>([&] { read_mesh(path, triangles, left_out_); });
-    EXPECT_TRUE(error.starts_with(path + ": found '")) << error;
+    EXPECT_TRUE(error.starts_with(path + ": found ")) << error;
+    EXPECT_TRUE(error.ends_with(", expected a mesh of triangles")) << error;
   }
   Triangles triangles;
   EXPECT_NE(::test::message_of<base::BadInput>(
