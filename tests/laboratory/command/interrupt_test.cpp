@@ -27,27 +27,24 @@ bool comes_true(const Holds& holds) {
 }
 
 // A folder whose programs gnuplot, neato and dot come first on PATH. They write their process id
-// into the file named by STARTED, and then sleep. Each run of tlab gets its own file, because a
-// program of an earlier run may write its id late.
+// into the file that the file `next` names, and then sleep. Each run of tlab gets its own file,
+// because a program of an earlier run may write its id late.
 struct Interrupt : Sweep {
   Interrupt() {
     fs::create_directory(bin);
     for (const char* name : {"gnuplot", "neato", "dot"}) {
       write_file(bin / name,
-                 "#!/bin/sh\necho $$ > \"$STARTED.$$\"\nmv \"$STARTED.$$\" \"$STARTED\"\nexec "
-                 "sleep 600\n");
+                 "#!/bin/sh\nstarted=$(cat \"${0%/*}/next\")\necho $$ > \"$started.$$\"\n"
+                 "mv \"$started.$$\" \"$started\"\nexec sleep 600\n");
       fs::permissions(bin / name, fs::perms::owner_all);
     }
     setenv("PATH", (bin.string() + ":" + path).c_str(), 1);
   }
-  ~Interrupt() {
-    setenv("PATH", path.c_str(), 1);
-    unsetenv("STARTED");
-  }
+  ~Interrupt() { setenv("PATH", path.c_str(), 1); }
 
   void next_tlab() {
     started = bin / fmt::format("started-{}", ++tlabs);
-    setenv("STARTED", started.c_str(), 1);
+    write_file(bin / "next", started.string());
   }
 
   // Starts tlab, and sends it the signal while it waits for a sleeping program.
