@@ -267,7 +267,7 @@ DataUse VirtualMemory::use() const {
   return sum;
 }
 
-void show(observe::ControlPanel& view, const VirtualMemory& memory, int first) {
+void show(observe::ControlPanel& view, const VirtualMemory& memory) {
   const auto share_found = [](const DataUse& use) {
     const auto accesses = use.accesses();
     return accesses == 0 ? 0
@@ -277,8 +277,7 @@ void show(observe::ControlPanel& view, const VirtualMemory& memory, int first) {
                          [&memory] { return static_cast<double>(memory.use().accesses()); }});
   view.gauges.push_back({"share found at home", "share of accesses that need no other processor",
                          [&memory, share_found] { return share_found(memory.use()); }});
-  view.inspections.emplace_back([&memory, share_found, first](int processor) {
-    const int id = processor - first;
+  view.inspections.emplace_back([&memory, share_found](int id) {
     if (id < 0 || id >= memory.processors()) return std::vector<observe::ControlPanel::Reading>{};
     const auto& manager = memory.manager(id);
     const auto& use = manager.use();

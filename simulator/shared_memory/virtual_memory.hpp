@@ -67,8 +67,7 @@ class VirtualMemory {
   std::vector<std::unique_ptr<DataManager>> managers_, companions_;
 };
 
-/// Adds counts of accesses and fill levels of caches to a live view. In the machine, the processors
-/// have the ids `first`, `first` + 1, ...
-void show(observe::ControlPanel& view, const VirtualMemory& memory, int first = 0);
+/// Adds counts of accesses and fill levels of caches to a live view.
+void show(observe::ControlPanel& view, const VirtualMemory& memory);
 
 }  // namespace shared_memory

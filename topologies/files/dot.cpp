@@ -205,7 +205,7 @@ bool can_quote(std::string_view text) {
   for (size_t i = 0; i < text.size(); ++i) {
     if (text[i] != '\\') continue;
     if (i + 1 == text.size() || text[i + 1] == '"' || text[i + 1] == '\n') return false;
-    if (text[i + 1] == '\\') ++i;
+    ++i;  // the character after the backslash
   }
   return true;
 }

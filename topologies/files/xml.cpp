@@ -62,7 +62,7 @@ void end_element(void* data, const XML_Char*) {
 
 void add_text(void* data, const XML_Char* text, int length) {
   auto& reading = *static_cast<Reading*>(data);
-  if (reading.level > 0 && reading.level <= reading.depth)
+  if (reading.level <= reading.depth)
     reading.open.back().text.append(text, static_cast<std::size_t>(length));
 }
 

@@ -291,6 +291,20 @@ TEST_F(ObjReading, ValuesOfMaterials) {
   EXPECT_EQ(left_out.describe(), "pictures for properties other than colour (3)");
 }
 
+// Reflections have no colour in the renderer.
+TEST_F(ObjReading, MirrorsOfAnyColourAreNamed) {
+  const std::pair<std::string, std::string> cases[] = {{"1 1 1", ""},
+                                                       {"1 0.5 0.5", "colours of mirrors (1)"},
+                                                       {"0.5 0.5 1", "colours of mirrors (1)"},
+                                                       {"1 0.5 0.2", "colours of mirrors (1)"}};
+  for (const auto& [specular, expected] : cases) {
+    SCOPED_TRACE(specular);
+    save("b.mtl", "newmtl m\nillum 3\nKs " + specular + "\n");
+    read("mtllib b.mtl\nusemtl m\n" + POINTS + FACE);
+    EXPECT_EQ(left_out.describe(), expected);
+  }
+}
+
 TEST_F(ObjReading, PicturesAreTheRestOfTheLineAfterTheirOptions) {
   for (const char* name : {"a.png", "my wood.png", "wood#2.png"})
     save_png((folder.path / name).string(), 1, 1, std::vector<std::uint8_t>{255, 0, 0});

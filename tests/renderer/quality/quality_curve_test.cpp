@@ -54,6 +54,11 @@ TEST(QualityCurve, OfOnePoint) {
   EXPECT_EQ(at_once.to_99, 0);
 }
 
+TEST(QualityCurve, PointsBeforeTheFirstDoNotCount) {
+  const Points points{{1, 0, 0, 0.1}, {2, 0, 0, 1}, {3, 0, 0, 1}};
+  EXPECT_EQ(eval_quality_curve(std::span(points).subspan(2)).to_50, 3);
+}
+
 std::string complaint(const Points& points) {
   return ::test::message_of<base::BadInput>([&] { eval_quality_curve(points); });
 }

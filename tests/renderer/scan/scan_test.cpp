@@ -26,12 +26,12 @@ struct Eye {
   }
 };
 
-using Corners = std::vector<Scanner<1>::Corner>;
+using ScannedCorners = std::vector<Scanner<1>::Corner>;
 
 // The corners of a polygon. `value` returns the value at a corner.
 template <class Value>
-Corners make_corners(const View& view, const std::vector<Vec>& points, const Value& value) {
-  Corners corners;
+ScannedCorners make_corners(const View& view, const std::vector<Vec>& points, const Value& value) {
+  ScannedCorners corners;
   for (const Vec& p : points) corners.push_back({to_eye(view, p), {value(p)}});
   return corners;
 }

@@ -104,8 +104,8 @@ TEST(Colour, AllSamplesOfAnImageAreFilteredAlike) {
   const Hit hit{4, {3.1, 1.2, 0}, {0, 0, 1}, 0, 0, false};
   Ray ray;
   ray.direction = normalize({30, 1, -2});
-  const auto get = [&](int samples, double adaptive) {
-    Params params = make_ambient(100, 100);
+  const auto get = [&](int samples, double adaptive, int side = 100) {
+    Params params = make_ambient(side, side);
     params.sampling.pixel_samples = samples;
     params.sampling.adaptive = adaptive;
     Work work;
@@ -114,6 +114,8 @@ TEST(Colour, AllSamplesOfAnImageAreFilteredAlike) {
   EXPECT_EQ(get(4, 0), get(256, 0));
   EXPECT_EQ(get(4, 0), get(64, 0.01));
   EXPECT_NE(get(1, 0), get(4, 0));
+  // 2 x 2 samples are filtered like the pixels of an image twice as wide and high.
+  EXPECT_EQ(get(4, 0), get(1, 0, 200));
 }
 
 TEST(Colour, TimesTheSurfacesInAmbientAndDiffuseLight) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 #include <set>
 
@@ -296,6 +297,22 @@ TEST(IirraImportance, IsEqualWithinTheAreaOfInterest) {
     EXPECT_EQ(ordering.eval({x, y, 8, 1}, {}, limits).sum, 1);
   // Without an area of interest, the whole image is of interest.
   EXPECT_EQ(ordering.eval({0, 0, 2, 1}, {}, {}).sum, 1);
+}
+
+// The gap between a cell and the area of interest counts, on whatever side of the area the cell is.
+TEST(IirraImportance, IsEqualOnOppositeSidesOfTheAreaOfInterest) {
+  Limits limits;
+  limits.area = {24, 20, 16, 24};
+  Ordering ordering{{0, 0, 64, 64}, 16, CellOrder::bayer, 1, NOTHING};
+  ordering.weights.position = 1;
+  const auto eval = [&](int x, int y) { return ordering.eval({x, y, 8, 1}, {}, limits).sum; };
+  for (const int gap : {1, 4, 12}) {
+    const int left = 24 - gap - 8, right = 24 + 16 + gap, above = 20 - gap - 8,
+              below = 20 + 24 + gap;
+    EXPECT_DOUBLE_EQ(eval(left, 24), 1 - gap / std::hypot(64, 64));
+    for (const auto& [x, y] : {std::pair(right, 24), {24, above}, {24, below}})
+      EXPECT_EQ(eval(x, y), eval(left, 24)) << x << " " << y;
+  }
 }
 
 TEST(IirraImportance, TheLimitsWeightsComeBeforeTheProgrammes) {

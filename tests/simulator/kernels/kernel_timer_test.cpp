@@ -1,6 +1,7 @@
 // Timing of kernels, with a fake clock that only these tests advance.
 #include "simulator/kernels/kernel_timer.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -160,6 +161,9 @@ TEST(KernelUse, ThoseTooShortAreNamed) {
   EXPECT_TRUE(notes[0].starts_with("timed: the kernel \"settle\" (4 calls of 2 us) is too short"))
       << notes[0];
   EXPECT_NE(notes[0].find("found 6 us for the longest batch of calls"), std::string::npos)
+      << notes[0];
+  const double least_us = KernelTimer::LEAST_INTERVALS * (1e6 * clock_interval_s());
+  EXPECT_NE(notes[0].find(fmt::format("expected {:.3g} us", least_us)), std::string::npos)
       << notes[0];
   std::smatch reading;  // matches any clock interval below a second
   ASSERT_TRUE(std::regex_search(notes[0], reading, std::regex("[(]resolution ([0-9.e+-]+) us[)]")));

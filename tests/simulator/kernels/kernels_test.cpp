@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/support/lab.hpp"
+
 namespace kernels {
 namespace {
 
@@ -18,6 +20,28 @@ TEST(KernelBytes, OfTexturesAreThoseOfAllTheirTexels) {
     EXPECT_GE(texels, static_cast<std::uint64_t>(width * height));
     EXPECT_EQ(texture_bytes(model, scene), texels * get_bytes(model, "texel"));
   }
+}
+
+// The clock can measure each of these calls. The profile is therefore the sum of their durations,
+// each less the time of reading the clock.
+TEST(KernelProfile, IsTheTimeOfAllLongCalls) {
+  constexpr int CALLS = 3;
+  const double call_s = 4 * KernelTimer::LEAST_INTERVALS * clock_interval_s();
+  const auto found = occam::isolated_numbers([&] {
+    occam::Lab lab(occam::REAL_MODEL);
+    KernelCost cost("wait", {occam::REAL_MODEL, &intersection_costs}, std::nullopt, true);
+    lab.cpu().start("caller", machine::Priority::low, [&] {
+      for (int i = 0; i < CALLS; ++i)
+        cost([&](renderer::Work&) {
+          const double start_s = host_cpu_s();
+          while (host_cpu_s() - start_s < call_s) continue;
+          return true;
+        });
+    });
+    lab.machine.run();
+    return occam::Numbers{cost.profile_s()};
+  });
+  EXPECT_GE(found.at(0), CALLS * (call_s - clock_interval_s()));
 }
 
 }  // namespace

@@ -177,6 +177,8 @@ TEST(Models, DifferInWhatTheirFilesSay) {
   const auto t414 = difference("t800-20", "t414-20");
   EXPECT_TRUE(holds(t414, "link.one_way_rate"));
   EXPECT_TRUE(holds(t414, "instruction.add"));
+  const auto clocks = fmt::format("{:<28} {:<28} {}\n", "cpu.clock", "25000000 Hz", "20000000 Hz");
+  EXPECT_TRUE(holds(t800, clocks.c_str())) << t800;
   const auto none = difference("t805-25", "t805-25");
   const auto entries = machine::load_model("t805-25").entries.size();
   EXPECT_TRUE(holds(none, fmt::format("{} other entries are the same", entries).c_str())) << none;

@@ -324,6 +324,27 @@ TEST(AmpDistribution, TilesAreCutAcrossTheLongerSide) {
   }
 }
 
+// Messages with corners are longer as well, but their buffers do not depend on the mesh. The
+// comparison of two meshes therefore shows the memory that each patch needs.
+TEST(Amp, LightAtTheCornersTakesFourColoursForEachPatch) {
+  const auto eval_peak = [](const Mesh& mesh, radiosity::Sends sends) {
+    return test::isolated_numbers([&] {
+             Params params = make_params(2);
+             params.solve.sends = sends;
+             const auto use = run("line:1", mesh, params).use;
+             return std::vector{static_cast<double>(use.cpus.at(0).memory_peak_bytes)};
+           })
+        .at(0);
+  };
+  const auto eval_more = [&](const Mesh& mesh) {
+    return eval_peak(mesh, radiosity::Sends::corners) - eval_peak(mesh, radiosity::Sends::mean);
+  };
+  const Mesh small = make_room(1, 2), large = make_room(1, 4);
+  const auto colours = 4 * (large.patches.size() - small.patches.size());
+  EXPECT_EQ(eval_more(large) - eval_more(small),
+            static_cast<double>(colours * get_bytes(machine::load_model("t805-25"), "colour")));
+}
+
 TEST(AmpDistribution, EveryPatchIsInOneShareAndEveryVertexIsFoundOnce) {
   const Mesh mesh = make_room(1, 4);
   for (const int processors : {1, 2, 7, 16, 64})

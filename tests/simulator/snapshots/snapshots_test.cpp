@@ -113,5 +113,12 @@ TEST(Movie, ShowsPicturesInProportionToTheirTimes) {
   EXPECT_EQ(durations_of_movie({0, 1e-6, 6}), (std::vector{1, 6000, 2000})) << "at least 1 ms";
 }
 
+TEST(Movie, HasTheGivenNameAndTheTimeOfTheLastPicture) {
+  const auto movie =
+      make_movie("a", {{.at_s = 1, .rgb8 = {1, 2, 3}}, {.at_s = 5, .rgb8 = {4, 5, 6}}}, 1);
+  EXPECT_EQ(movie.name, "a");
+  EXPECT_EQ(movie.at_s, 5);
+}
+
 }  // namespace
 }  // namespace snapshots

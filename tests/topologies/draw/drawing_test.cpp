@@ -13,6 +13,7 @@
 
 #include "tests/topologies/support.hpp"
 #include "topologies/draw/layout.hpp"
+#include "topologies/draw/port_places.hpp"
 #include "topologies/make/generators.hpp"
 
 namespace topologies {
@@ -122,6 +123,23 @@ TEST(Drawing, OfAnyGraphKeepsPortsApartAndLinksClearOfOtherProcessors) {
           EXPECT_GT(distance(processor, eval_curve(curve, i / 50.0)), RADIUS);
       }
   }
+}
+
+// A third processor stands where the port number would be: beside the link, to the left. The number
+// must move to the right.
+TEST(Drawing, PutsAPortOnTheSideWhereNoProcessorIs) {
+  constexpr double SIZE = 0.2, RADIUS = 0.1;
+  auto t = make_line(2);
+  t.processors = 3;
+  for (const double x : {0.5, 0.9, 7.3})
+    for (const double y : {0.5, 0.9, 7.3}) {
+      SCOPED_TRACE(testing::Message() << x << " " << y);
+      const Places processors = {{x, y}, {x + 5, y}, {x + RADIUS + SIZE, y + 0.72 * SIZE}};
+      const Layout layout{processors, {Place{}}};
+      const Place port = place_ports(t, layout, SIZE, RADIUS)[0][0];
+      EXPECT_NEAR(port.x, x + RADIUS + SIZE, 1e-9);
+      EXPECT_NEAR(port.y, y - 0.72 * SIZE, 1e-9);
+    }
 }
 
 TEST(Drawing, OfAFigureHasItsWidthAndNoPaper) {
