@@ -58,6 +58,12 @@ class FunctionsTest(unittest.TestCase):
                 for column in columns:
                     self.assertIn(f"    {column}: ", function.__doc__)
 
+    def test_defaults_of_files_are_their_names_or_none(self):
+        defaults = {p["key"]: p["default"] for program in native.programs() for p in program["parameters"]
+                    if program["name"] in ("farm", "traffic")}
+        self.assertEqual(defaults["scene.source"], "spheres")
+        self.assertIsNone(defaults["program.pattern_file"])
+
     def test_quick_programs_give_their_columns(self):
         for name in QUICK:
             with self.subTest(name):

@@ -232,15 +232,6 @@ class SvgPainter {
   std::map<std::string, const XmlElement*> by_id_;
 };
 
-// Measures of text that do not depend on the resolution of a screen.
-void choose_text_metrics(cairo_t* context) {
-  cairo_font_options_t* options = cairo_font_options_create();
-  cairo_font_options_set_hint_style(options, CAIRO_HINT_STYLE_NONE);
-  cairo_font_options_set_hint_metrics(options, CAIRO_HINT_METRICS_OFF);
-  cairo_set_font_options(context, options);
-  cairo_font_options_destroy(options);
-}
-
 cairo_status_t append_bytes(void* to, const unsigned char* bytes, unsigned length) {
   static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), length);
   return CAIRO_STATUS_SUCCESS;
@@ -267,7 +258,6 @@ std::string svg_to_pdf(const std::string& svg, const std::string& name) {
   cairo_pdf_surface_set_metadata(surface.get(), CAIRO_PDF_METADATA_CREATE_DATE, "");
   const std::unique_ptr<cairo_t, decltype(&cairo_destroy)> context(cairo_create(surface.get()),
                                                                    &cairo_destroy);
-  choose_text_metrics(context.get());
   cairo_scale(context.get(), width / box[2], height / box[3]);
   cairo_translate(context.get(), -box[0], -box[1]);
   SvgPainter(context.get(), root).draw_children(root, inherit_style(root, {}));

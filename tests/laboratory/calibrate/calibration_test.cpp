@@ -133,6 +133,24 @@ TEST(Calibration, RefusesWhatCannotBeFitted) {
   EXPECT_TRUE(contains(told("bytes,latency_s\n-4,1\n8,2\n", "link.one_way_20"), "bytes"));
 }
 
+// The fitted file would not contain the experiment's machine. An axis without a column has no known
+// value.
+TEST(Calibration, RefusesExperimentsOfOtherMachinesAndUnmeasuredAxes) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path / "m.csv") << make_measurements(1);
+  for (const auto& [text, message] :
+       {std::pair("[sweep]\nswitches = [0, 1]\n",
+                  "m.csv: found no column switches, expected one, because it is an axis of e.toml"),
+        {"[model.cpu]\nclock = 30e6\n",
+         "e.toml: found [model] or [[processor]], expected the machine as t805-25 has it"}}) {
+    std::ofstream(folder.path / "e.toml") << "[program]\nname = \"message\"\n" << text;
+    const auto run = tlab(folder.path, {"model", "t805-25", "--fit", "m.csv", "--entries",
+                                        "link.one_way_20", "--by", "e.toml"});
+    EXPECT_EQ(run.exit_code, 2) << text;
+    EXPECT_TRUE(contains(run.err, message)) << run.err;
+  }
+}
+
 // A fit scales an entry by a factor, so an entry of zero cannot be fitted.
 TEST(Calibration, AnEntryThatIsNothingCannotBeFitted) {
   const TemporaryFolder folder;

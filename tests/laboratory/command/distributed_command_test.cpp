@@ -118,6 +118,9 @@ TEST(DistributedCommand, WrongFramesAreRefusedBeforeAnythingIsWritten) {
   expect({"-o", "a.png", "--adaptive", "0.1", "--preview", "flat"},
          "--adaptive excludes --preview");
   expect({"-o", "a.webp", "--frames", "0-1", "--size", "20000x1"}, "at most 16383 pixels");
+  // The frames of an animation take at most 2^31 bytes, with 3 for each pixel.
+  expect({"-o", "a.webp", "--frames", "0-99999", "--size", "4096x2048"},
+         "found 100000 frames of 4096 x 2048 pixels, expected at most 85");
   // Only in frame 2 is the view impossible.
   folder.write("way.csv", "0 0 0 5 0 0 0\n2 0 0 0 0 0 0\n4 0 0 5 0 0 0\n");
   folder.write("s.nff", "# camera way.csv\n" + SCENE.substr(0, SCENE.find("# path")));

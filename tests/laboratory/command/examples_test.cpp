@@ -146,6 +146,11 @@ TEST(Examples, SortSortsOnAnyNumberOfProcessors) {
   output_of("example_sort 3 4 2>&1", 2);
 }
 
+TEST(Examples, HaveDefaultsForTheirArguments) {
+  EXPECT_EQ(output_of("example_farm"), output_of("example_farm mesh:3x3"));
+  EXPECT_EQ(output_of("example_sort"), output_of("example_sort 32 1"));
+}
+
 // A station holds the token for 100 ticks of 1 us. Its instructions and the transfer take 8.03 us
 // more. Only whole ticks count, so a station takes 108 ticks, and the monitor 109, because it
 // executes an ALT.

@@ -80,6 +80,9 @@ TEST_F(Refusals, OptionsInOurWords) {
            {"model t805-25 --fit l.csv --entries ,", "--entries: found ',', expected names"},
            {"convert spheres:2 -o 'a b.obj'", "-o a b.obj: found 'a b.mtl', expected a name"},
            {"run e.toml --from 5", "--from: expected --trace, --timeline or --animate"},
+           {"live e.toml --no-browser --record ./e.toml --set 'sweep.workers=[1]' --set "
+            "'sweep.objects=[9]'",
+            "--record: found the experiment itself, ./e.toml, expected another file"},
            {"compare a b -o c.html --font x", "--font requires --width"},
            {"run e.toml --columns nix", "--columns: no column \"nix\""},
            {"run e.toml --set 'check=[]' --columns speedup,nix", "no column \"nix\""}})

@@ -62,5 +62,13 @@ TEST(FigurePdf, ReadsNumbersColoursAndTransformations) {
   EXPECT_NEAR(turned[5], -1, 1e-12);
 }
 
+TEST(FigurePdf, AppliesTheLastTransformationOfAListFirst) {
+  const auto twice = read_transform("rotate(25) rotate(65)"), once = read_transform("rotate(90)");
+  for (std::size_t i = 0; i < once.size(); ++i) EXPECT_NEAR(twice[i], once[i], 1e-12) << i;
+  const auto moved = read_transform("rotate(90) translate(4, 8)");  // maps (0, 0) to (-8, 4)
+  EXPECT_NEAR(moved[4], -8, 1e-12);
+  EXPECT_NEAR(moved[5], 4, 1e-12);
+}
+
 }  // namespace
 }  // namespace laboratory

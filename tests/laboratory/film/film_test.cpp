@@ -5,6 +5,7 @@
 
 #include <numeric>
 
+#include "experiments/laboratory/film/frame.hpp"
 #include "simulator/observe/run_monitor.hpp"
 #include "tests/laboratory/support/one_point.hpp"
 #include "tests/laboratory/support/tlab.hpp"
@@ -193,6 +194,20 @@ TEST(Film, WhatHangsOnTheRootIsInRowsAboveTheNetwork) {
   }
   EXPECT_LT(place(2).y, place(0).y - 2 * drawing.radius());
   EXPECT_NEAR(place(2).y - place(3).y, place(0).y - place(2).y, 1e-9);
+}
+
+// The film ends between two tick marks, so there is none at the right end of the axis.
+TEST(Film, TicksEndWithTheFilm) {
+  constexpr int WIDTH = 600, HEIGHT = 100, BELOW_THE_BAR = HEIGHT - 23;
+  Canvas canvas(WIDTH, HEIGHT);
+  canvas.fill({0, 0, WIDTH, HEIGHT}, WHITE);
+  draw_time_scale(canvas, {0, 0.95}, {0, 0.1});
+  const auto bitmap = canvas.bitmap();
+  const auto is_marked = [&](int x) {
+    return bitmap.rgb8.at(static_cast<std::size_t>(3 * (WIDTH * BELOW_THE_BAR + x))) < 255;
+  };
+  EXPECT_TRUE(is_marked(FRAME_MARGIN)) << "the tick mark at 0 s";
+  EXPECT_FALSE(is_marked(WIDTH - FRAME_MARGIN)) << "the film's end";
 }
 
 TEST(Canvas, AnOutlineHasItsColourAndItsWidth) {

@@ -68,6 +68,18 @@ TEST(Guide, ListsAFolder) {
   EXPECT_TRUE(contains(unknown.err, "the nearest is \"topologies\"")) << unknown.err;
 }
 
+// The file system returns the names in a folder unsorted.
+TEST(Guide, ListsAFolderByName) {
+  const TemporaryFolder folder;
+  std::vector<std::string> names;
+  for (const char letter : std::string("gbkdahcjeif")) {
+    names.push_back(std::string(1, letter) + ".toml");
+    write_file(folder.path / names.back(), "title = \"Mine\"\n");
+  }
+  std::ranges::sort(names);
+  EXPECT_EQ(lines_of(tlab(folder.path, {"list", "experiments", ".", "--names"})), names);
+}
+
 TEST(Guide, RunFindsListedExperimentsByName) {
   const TemporaryFolder folder;
   EXPECT_EQ(tlab(folder.path, {"run", "formulas/message", "--list"}).exit_code, 0);
@@ -215,6 +227,13 @@ TEST(Guide, HelpOnAKeySaysWhatItMayBe) {
                 line("program.paint", "of the wall; one of red, green [green]") +
                 line("program.name", "the painter's [none]") +
                 line("program.wall", "what is painted; a file"));
+}
+
+TEST(Guide, HelpShowsTheDefaultOfAnOptionThatHasOne) {
+  const TemporaryFolder folder;
+  const auto help = tlab(folder.path, {"model", "--help"}).out;
+  EXPECT_TRUE(contains(help, "--base TEXT=t805-25 Needs: --new")) << help;
+  EXPECT_TRUE(contains(help, "--by TEXT Needs: --fit")) << help;
 }
 
 // The help ends with example commands after "Examples:".

@@ -1,6 +1,8 @@
 // Plots that an experiment declares with [[plot]], made from a table of results.
 #include "experiments/laboratory/report/exhibit.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
 #include <fstream>
 
@@ -178,6 +180,25 @@ TEST(ExperimentsExhibits, LawsAreFittedToEachCurve) {
   EXPECT_EQ(csv.rows.back().front(), Value("q"));
   const auto few = LawsCase(plot("fit = \"amdahl\"\nwhere = \"workers <= 2\"\n")).make().at(0);
   EXPECT_EQ(few.notes.size(), 2u) << "one point says nothing of its own error";
+}
+
+// From eight workers on, the speed-up does not grow.
+TEST(ExperimentsExhibits, ALawThatDoesNotFitIsTold) {
+  auto test = LawsCase(plot("fit = \"amdahl\"\nwhere = \"objects == 200\"\n"));
+  std::vector<double> workers, speedups;
+  for (auto& row : test.table.rows) {
+    row[3] = std::min(5.0, *as_number(row[1]));
+    if (row[2] != Value(std::int64_t{200})) continue;
+    workers.push_back(*as_number(row[1]));
+    speedups.push_back(*as_number(row[3]));
+  }
+  const auto fit = fit_amdahl(workers, speedups);
+  ASSERT_TRUE(fit && fit->misfit);
+  const auto told = fmt::format("Amdahl's law does not fit: it deviates by up to {:.2g} %",
+                                100 * fit->misfit->deviation);
+  const auto exhibit = test.make().at(0);
+  ASSERT_EQ(exhibit.findings.size(), 1u);
+  EXPECT_NE(exhibit.findings[0].find(told), std::string::npos) << exhibit.findings[0] << told;
 }
 
 TEST(ExperimentsExhibits, OnlyACurveThatFallsTurns) {

@@ -76,13 +76,15 @@ TEST(ExperimentsFigures, ThePageKnowsWhyPointsAreNotFaster) {
   EXPECT_TRUE(contains(html, "<li>Limited by ") || contains(html, "<li>Nothing is saturated"));
 }
 
-// A point that was ended before its first task has no busy time.
+// A point that was ended before its first task has no busy time, so the page shows no loads.
 TEST(ExperimentsFigures, PointsWithoutTimeHaveAReport) {
   const TemporaryFolder folder;
   std::ofstream(folder.path / "e.toml") << "[image]\nwidth = 6\nheight = 4\n";
   const auto outcome = tlab(folder.path, {"run", "e.toml", "-o", "out", "--until", "1e-4"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_TRUE(contains(read_file(folder.path / "out/report.html"), "\"ended\":\"limit\""));
+  const auto html = read_file(folder.path / "out/report.html");
+  EXPECT_TRUE(contains(html, "\"ended\":\"limit\""));
+  EXPECT_TRUE(contains(html, "\"loads\":[]"));
 }
 
 // The report omits settings without effect, such as `workers` for a topology with a size of its

@@ -6,6 +6,7 @@
 
 #include "base/errors.hpp"
 #include "experiments/laboratory/report/embed.hpp"
+#include "renderer/image/animation.hpp"
 #include "tests/laboratory/support/support.hpp"
 
 namespace laboratory {
@@ -256,6 +257,22 @@ TEST(ExperimentsReport, BadFilesAreNamed) {
   report.plots[1].svg = "";
   EXPECT_NE(message_of<std::invalid_argument>([&] { make_report(report); }).find("no <svg>"),
             std::string::npos);
+}
+
+TEST(ExperimentsReport, AWebpHasTheSizeOfItsPicturesWhetherItMovesOrNot) {
+  constexpr unsigned WIDTH = 300, HEIGHT = 7;
+  renderer::Frame frame;
+  frame.bitmap = {WIDTH, HEIGHT, std::vector<std::uint8_t>(3 * WIDTH * HEIGHT)};
+  std::vector<renderer::Frame> frames{frame};
+  frame.bitmap.rgb8[0] = 255;
+  for (const char* kind : {"VP8L", "VP8X"}) {
+    const auto webp = renderer::make_webp(frames);
+    EXPECT_EQ(webp.substr(12, 4), kind);
+    const auto [width, height] = read_webp_size(webp, "a.webp");
+    EXPECT_EQ(width, WIDTH) << kind;
+    EXPECT_EQ(height, HEIGHT) << kind;
+    frames.push_back(frame);
+  }
 }
 
 TEST(ExperimentsReport, Base64AsInTheStandard) {  // the examples of RFC 4648, section 10

@@ -51,6 +51,19 @@ TEST(ExperimentsSeedPlots, DrawErrorBarsAndNoBand) {
   EXPECT_TRUE(contains(make_plot_data(plot, table), "\"bars\":true"));
 }
 
+TEST(ExperimentsSeedPlots, ABarThatReachesZeroOnALogarithmicScaleEndsAtItsPoint) {
+  Plot plot;
+  plot.log_y = true;
+  plot.series = {{.name = "s",
+                  .x = {1, 2, 3},
+                  .y = {4, 5, 6},
+                  .low = {-1, 3, 0},
+                  .high = {9, 7, 12},
+                  .has_bars = true}};
+  const auto script = make_gnuplot_script(plot);
+  EXPECT_TRUE(contains(script, "$bars0 << END\n1 4 4 9\n2 5 3 7\n3 6 6 12\nEND\n")) << script;
+}
+
 // For each seed, the difference between the networks is exactly 1.
 TEST(ExperimentsSeedPlots, FindingsQuoteIntervals) {
   const auto table = make_seed_sweep();
@@ -62,8 +75,8 @@ TEST(ExperimentsSeedPlots, FindingsQuoteIntervals) {
   EXPECT_TRUE(contains(findings.back(), "the difference is 1 ± ")) << findings.back();
 }
 
-// The picture of the second seed grows in the same way as that of the first, but takes twice as
-// long.
+// The picture of the second seed grows in the same way as that of the first, but takes 1.5 times as
+// long. The values of the first are interpolated at the times of the second.
 TEST(ExperimentsSeedPlots, GrowthIsAveragedInTime) {
   Table growth{.columns = {"seed", "growth_s", "ssim", "border_energy"},
                .axes = 1,
@@ -71,16 +84,16 @@ TEST(ExperimentsSeedPlots, GrowthIsAveragedInTime) {
                .points = {}};
   for (const std::int64_t seed : {1, 2})
     for (const double share : {0.0, 0.5, 1.0}) {
-      growth.rows.push_back({seed, share * double(seed), share, 1.0});
+      growth.rows.push_back({seed, share * (1 + double(seed)) / 2, share, 1.0});
       growth.points.push_back(std::size_t(seed - 1));
     }
   const auto plots = plot_growth(growth);
   ASSERT_EQ(plots.size(), 2u);
   EXPECT_NE(plots[0].title, plots[1].title);
   ASSERT_EQ(plots[0].series.size(), 1u) << "no curve for each seed";
-  EXPECT_EQ(plots[0].series[0].x, (std::vector<double>{0, 1, 2}));
-  EXPECT_EQ(plots[0].series[0].y, (std::vector<double>{0, 0.75, 1}))
-      << "at 1 s the first is finished and the second is half done";
+  EXPECT_EQ(plots[0].series[0].x, (std::vector<double>{0, 0.75, 1.5}));
+  EXPECT_EQ(plots[0].series[0].y, (std::vector<double>{0, (0.75 + 0.5) / 2, 1}))
+      << "at 0.75 s the first is three quarters done and the second is half done";
   EXPECT_TRUE(plots[0].series[0].has_bars);
 }
 

@@ -30,6 +30,31 @@ TEST(Confidence, TellsTheStrongestFirstAndAllThatFollow) {
                 "matters most: ± 10 % (the median of 2 rows); then c ± 2 %, a ± 1 %"});
 }
 
+// On each machine the result is 10 (1 + q), where q is the quantile of the entry "a". So it changes
+// by 9 between the quantiles 5 % and 95 %.
+TEST(Confidence, AssumptionsNameTheEntryThatChangesTheResult) {
+  constexpr int MACHINES = 24;
+  const Table table{
+      .columns = {"workers", "s"}, .axes = 1, .rows = {{std::int64_t{2}, 15.0}}, .points = {}};
+  Confidence confidence;
+  confidence.entries = {"a", "b"};
+  confidence.quantiles.resize(2);
+  std::vector<double> results;
+  for (int i = 0; i < MACHINES; ++i) {
+    confidence.quantiles[0].push_back((i + 0.5) / MACHINES);
+    confidence.quantiles[1].push_back((7 * i % MACHINES + 0.5) / MACHINES);
+    results.push_back(10 * (1 + confidence.quantiles[0].back()));
+  }
+  confidence.intervals = {{0, 1, 15, 10.5, 15, 19.5, results}};
+  const auto assumptions = make_confidence_tables(table, confidence).assumptions;
+  ASSERT_FALSE(assumptions.rows.empty());
+  const auto& strongest = assumptions.rows[0];
+  EXPECT_EQ(strongest[0], Value(std::int64_t{2}));
+  EXPECT_EQ(strongest[1], Value("s"));
+  EXPECT_EQ(strongest[2], Value("a"));
+  EXPECT_NEAR(*as_number(strongest[3]), 9, 1e-9);
+}
+
 TEST(Tornado, ShowsTheTwelveStrongest) {
   std::vector<Weight> weights;
   for (int i = 0; i < 15; ++i) weights.push_back({"e" + std::to_string(i), 0.01 * (i + 1), 1});

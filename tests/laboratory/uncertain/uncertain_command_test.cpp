@@ -165,8 +165,14 @@ TEST_F(Uncertain, AChecksCoverIsJudgedWhereMachinesAreDrawn) {
 }
 
 TEST_F(Uncertain, WhatIsSetIsNotDrawn) {
-  ASSERT_EQ(run({"--uncertain", "6", "--set", "model.scale.central=5.2", "-o", "a"}).exit_code, 0);
-  EXPECT_FALSE(contains(read("a/assumptions.csv"), "scale.central"));
+  const auto assumptions = [&](const std::string& setting) {
+    const auto outcome =
+        run({"--uncertain", "24", "--set", "sweep.workers=[1]", "--set", setting, "-o", "a"});
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return read("a/assumptions.csv");
+  };
+  EXPECT_TRUE(contains(assumptions("scene.objects=20"), ",scale.intersection,"));
+  EXPECT_FALSE(contains(assumptions("model.scale.intersection=11.59"), ",scale.intersection,"));
 }
 
 TEST_F(Uncertain, RefusesWhatIsNoNumberOfMachines) {
