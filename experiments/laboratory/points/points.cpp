@@ -146,7 +146,10 @@ void run_points(const PointsPlan& plan, const std::vector<std::size_t>& numbers,
         result =
             end.died.empty() ? to_result(ordered_json::parse(end.result)) : make_failure(end.died);
         if (result.ended == "interrupt" && !was_interrupted())
-          result = make_failure("its process was asked to end, and tlab was not");
+          result = make_failure(fmt::format(
+              "its process was asked to end, and tlab was not{}",
+              plan.options.runs_anew() ? "; trace, chart and films of the run so far are kept"
+                                       : ""));
         if (result.is_failed()) finish_failure(plan, numbers[end.index], result, bar);
         bar.show(++done, there + numbers.size());
       });
